@@ -6,7 +6,7 @@
 // that knows how they are stored: an engine with another encoding changes these two functions.
 
 #include "gloam/geometry/linear_depth.glsl"
-#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/geometry/vector.glsl"
 
 layout(constant_id = 0) const bool depth_buffer = false;  // depth is that of a depth buffer; else eye-linear
 layout(constant_id = 1) const bool orthographic = false;  // the camera; else perspective

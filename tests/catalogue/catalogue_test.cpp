@@ -143,8 +143,8 @@ TEST(Catalogue, EveryNumberHasAFunctionOrSaysWhatStandsForIt) {
 TEST(Catalogue, FilesAndFunctionsAndIdsAreNamesAlike) {
     for (const char* name : {"TSSAO-11", "gloam_shrink", "GLOAM_SHRINK"})
         EXPECT_EQ(found_by(name), std::vector<std::string>{"gloam_shrink"}) << name;
-    for (const char* file : {"gloam/filter/shrink.glsl", "filter/shrink.glsl",
-                             "glsl/gloam/filter/shrink.glsl", "gloam/filter/shr*"})
+    for (const char* file : {"gloam/filter/weights.glsl", "filter/weights.glsl",
+                             "glsl/gloam/filter/weights.glsl", "gloam/filter/wei*"})
         EXPECT_THAT(found_by(file), testing::Contains("gloam_shrink")) << file;
     EXPECT_EQ(found_by("gloam_shrin?"), std::vector<std::string>{"gloam_shrink"});
 }

@@ -72,7 +72,7 @@ TEST(FlushedSubnormals, AHistoryBelowZeroIsReadAsZero) {
 }
 
 TEST(FlushedSubnormals, TheSupportOfAFilterWithATinyThresholdIsNone) {
-    Rules<float(float, float)> shrink("gloam/filter/shrink.glsl", "gloam_shrink");
+    Rules<float(float, float)> shrink("gloam/filter/weights.glsl", "gloam_shrink");
     expect_within(shrink(least, std::nextafter(least, 1.0F))[0], 0.0, 0.0);
     // Just above the threshold the difference is still normal.
     expect_within(shrink(std::nextafter(1.0000001e-30F, 0.0F), 1.0000001e-30F)[0], 1e-8, 2e-7);
@@ -86,7 +86,7 @@ TEST(FlushedSubnormals, CoordinatesOfAPointAtTheEyeAreNotMadeUp) {
 }
 
 TEST(FlushedSubnormals, CreaseShadingOfTouchingPointsIsFinite) {
-    Rules<float(glm::vec3, glm::vec3, float)> contribution("gloam/occlusion/fox_compton.glsl",
+    Rules<float(glm::vec3, glm::vec3, float)> contribution("gloam/occlusion/disc_taps.glsl",
                                                            "gloam_contribution_fox_compton");
     expect_within(contribution(glm::vec3(least), glm::vec3(0.0F, -0.8F, -0.6F), 0.01F)[0], -1e-6, 1e-6);
 }
@@ -146,7 +146,7 @@ TEST(ErrorBound, InverseFunctions) {
 
 // Over two binades.
 TEST(ErrorBound, SquareRoot) {
-    Rules<float(float)> root("gloam/numeric/square_root.glsl", "gloam_sqrt");
+    Rules<float(float)> root("gloam/numeric/arithmetic.glsl", "gloam_sqrt");
     const auto relative = [&](float x) {
         const Bounds bounds = root(x)[0];
         const double ulp = numeric::ulp_size(std::sqrt(static_cast<double>(x)));

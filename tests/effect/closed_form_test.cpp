@@ -62,8 +62,7 @@ constexpr double known_error = 5e-5;  // methods.txt has four digits
 
 TEST_P(ClosedForm, ConvergesToItsOwnValue) {
     if (!known_.none.empty()) GTEST_SKIP() << known_.none;
-    const ClosedFormOptions options{.frames = 8};
-    ClosedFormStudy study(device_, passes_, options.pixels);
+    ClosedFormStudy study(device_, passes_, 129);
     Settings settings = with_method(Settings{}, GetParam());
     settings.own.mip_distance = 0.0F;  // whose taps lie elsewhere; see method_gathers_test
     for (const auto& [projection, name] : {std::pair(scene::Projection::perspective, "perspective"),
@@ -71,27 +70,11 @@ TEST_P(ClosedForm, ConvergesToItsOwnValue) {
         for (const scene::ClosedFormView& view : scene::closed_form_views(projection)) {
             const double own = view.name.starts_with("plane") ? method_named(GetParam()).on_a_plane
                                                               : known_.values.at(column_of(name, view.name));
-            const Estimate measured = study.measure(view, settings, options);
+            const Estimate measured = study.measure(view, settings, 8);
             EXPECT_NEAR(measured.value, own, bound_of(known_error, measured.error))
                 << name << ' ' << view.name;
             RecordProperty(view.name, fmt::format("{:.4f} of {:.4f}", measured.value, own));
         }
-    }
-}
-
-// On a plane the normal from depth differs from the plane's by rounding only; this changes less than the
-// spread of the samples. A result that uses other pixels' results is affected by the edges in them.
-TEST_P(ClosedForm, NormalsFromTheDepthMakeNoDifference) {
-    const ClosedFormOptions given{.frames = 4};
-    ClosedFormOptions reconstructed = given;
-    reconstructed.reconstruct_normals = true;
-    ClosedFormStudy study(device_, passes_, given.pixels);
-    const Settings settings = with_method(Settings{}, GetParam());
-    for (const scene::ClosedFormView& view : scene::closed_form_views(scene::Projection::perspective)) {
-        if (!view.flat || (!known_.none.empty() && !view.name.starts_with("plane"))) continue;
-        const Estimate known = study.measure(view, settings, given);
-        const Estimate found = study.measure(view, settings, reconstructed);
-        EXPECT_NEAR(found.value, known.value, bound_of(known.error, found.error)) << view.name;
     }
 }
 

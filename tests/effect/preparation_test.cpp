@@ -195,20 +195,4 @@ TEST_F(DualResolution, IsHbaoWhereItIsNotInterpolated) {
     }
 }
 
-// A small image that is the large one: rows that are all alike, of which every other is left out.
-TEST_F(DualResolution, ADuplicateChangesNothing) {
-    const gpu::Extent extent{65, 33};
-    Settings settings = settings_for("hbao", 0.3F);
-    settings.c_rot = 0.0F;
-    const scene::GBuffer view = groove(extent);
-    const Frame full = run(view, settings);
-    settings.method = "dual_resolution";
-    settings.own.disagreement = 1.0F;
-    const Frame dual = run(view, settings);
-    for (unsigned y = 8; y < 25; ++y) {
-        for (unsigned x = 0; x < 65; x += 2)
-            EXPECT_NEAR(dual.occlusion[65 * y + x], full.occlusion[65 * y + x], 1e-5) << x << ' ' << y;
-    }
-}
-
 }  // namespace gloam::effect::preparation_test

@@ -125,29 +125,6 @@ TEST_F(Temporal, AZoomKeepsTheHistoryWhereItWasInView) {
     EXPECT_GT(mean_of(frame.convergence), 0.9 * 4 * 32 / 500.0) << "the projection of each frame is its own";
 }
 
-TEST_F(Temporal, ProbesRemoveTheTrailOfAMovingObject) {
-    const scene::Scene scene = floor_and_wall(true, 0.05);
-    Settings settings = paper();
-    const auto error_near_box = [&](Invalidation invalidation) {
-        settings.invalidation = invalidation;
-        constexpr int frames = 10;
-        const Frame frame = sequence(scene, settings, frames).back();
-        const std::vector<float> truth = converged(scene, frames - 1, settings);
-        // Static pixels where the box has just been, or comes near.
-        double sum = 0.0;
-        std::size_t count = 0;
-        for (std::size_t p = 0; p < truth.size(); ++p) {
-            const bool old = frame.kept[p] > 0.0F;
-            const float error = frame.occlusion[p] - truth[p];
-            if (old && truth[p] > 0.02F) sum += error * error, ++count;
-        }
-        return std::sqrt(sum / static_cast<double>(count));
-    };
-    const double without = error_near_box(Invalidation::none);
-    EXPECT_LT(error_near_box(Invalidation::confidence), 0.9 * without);
-    EXPECT_LT(error_near_box(Invalidation::clamp), 0.98 * without);
-}
-
 // A plane at depth 5 whose right half is somewhere else, and moves in depth from one frame to the next.
 struct MovingHalf {
     scene::GBuffer before;

@@ -13,7 +13,7 @@ class Floats : public testing::Test {
 
 // Whatever the bits of a NaN are.
 TEST_F(Floats, NoNaNIsFinite) {
-    const std::string file = "gloam/geometry/finite.glsl";
+    const std::string file = "gloam/geometry/background.glsl";
     const Function<bool(float)> finite(lab, file, "gloam_is_finite");
     const Function<bool(glm::vec2)> finite2(lab, file, "gloam_is_finite2");
     const Function<bool(glm::vec3)> finite3(lab, file, "gloam_is_finite3");
@@ -30,8 +30,8 @@ TEST_F(Floats, NoNaNIsFinite) {
 // direction.
 TEST_F(Floats, OfVectorsInAnyDirection) {
     const Function<glm::vec2(glm::vec3, glm::vec3, glm::vec3, glm::vec3)> curvatures(
-        lab, "gloam/geometry/curvature.glsl", "gloam_principal_curvatures");
-    const Function<float(glm::vec3)> length(lab, "gloam/geometry/length.glsl", "gloam_length");
+        lab, "gloam/geometry/surface.glsl", "gloam_principal_curvatures");
+    const Function<float(glm::vec3)> length(lab, "gloam/geometry/vector.glsl", "gloam_length");
     const glm::vec3 turn(0.01F, 0.002F, 0.0F);
     std::vector<std::tuple<glm::vec3, glm::vec3, glm::vec3, glm::vec3>> parallel;
     std::vector<std::tuple<glm::vec3>> vectors;

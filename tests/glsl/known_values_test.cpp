@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Known values of the library's functions: known/*.txt holds them, and each function is a test.
 //
-//   gloam/shading/remap.glsl                      the file of the functions below
+//   gloam/shading/ambient.glsl                    the file of the functions below
 //   gloam_remap(ao, a, b, c)                      a function with its parameters, as the file names them
 //       0.25, 0.5, 1, 2 = 0.5625 +- 1e-6          arguments and result
 //       {nan, inf}, 0, 1, 1 = 1                   one row for each alternative

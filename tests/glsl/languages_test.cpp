@@ -135,10 +135,10 @@ TEST(Materials, CallThePackedFunctions) {
         .language = shader::Language::gl330,
         .functions = {"gloam_sweep", "gloam_camera_position", "gloam_camera_normal",
                       "gloam_linear_depth_perspective_vk", "gloam_lattice_rotation"}};
-    const std::string packed = shader::pack(
-        {library / "gloam/methods/sweep.glsl", library / "gloam/geometry/camera_normal.glsl",
-         library / "gloam/geometry/linear_depth.glsl", library / "gloam/sampling/lattice_rotation.glsl"},
-        functions, {library});
+    const std::string packed =
+        shader::pack({library / "gloam/methods/sweep.glsl", library / "gloam/geometry/camera_normal.glsl",
+                      library / "gloam/geometry/linear_depth.glsl", library / "gloam/sampling/rotation.glsl"},
+                     functions, {library});
     const std::string parameters =
         "uniform sampler2D materialParams_depth;\n"
         "uniform struct { vec2 p00_p11; float near; } materialParams;\n";

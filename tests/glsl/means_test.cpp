@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Falloffs, contributions and estimators against closed forms: means of the references over many samples.
+// Falloffs and estimators against closed forms: means of the references over many samples.
 // tests/catalogue compares each function of the library with its reference.
 #include "reference/occlusion_points.hpp"
 #include "support/test.hpp"
@@ -7,7 +7,6 @@
 namespace gloam::reference::means_test {
 
 constexpr unsigned sample_count = 512 * 256;
-constexpr double whole_turn = 2.0 * pi;
 const dvec3 up(0, 0, 1);
 
 // Points 1 ... sample_count of Halton's sequence.
@@ -20,35 +19,12 @@ const std::vector<dvec3>& halton() {
     return points;
 }
 
-// (sum of weight times value, sum of weights) over all points.
-template <class Sample>
-dvec2 sums(const Sample& sample) {
-    dvec2 sum(0);
-    for (const dvec3& zeta : halton()) sum += sample(zeta);
-    return sum;
-}
+// Over all points.
 template <class Sample>
 double mean(const Sample& sample) {
-    return sums([&](const dvec3& zeta) { return dvec2(sample(zeta), 1.0); }).x / sample_count;
-}
-
-// The ground in front of the eye, which is far away along +z; the point is the origin.
-enum class Ground {
-    plane,
-    groove,
-    wall
-};  // tilted by a slope; rising by it for x > 0; solid beyond x = size
-
-double height_of(Ground ground, dvec2 xy, double size) {
-    if (ground == Ground::plane) return size * xy.x;
-    if (ground == Ground::groove) return size * max(xy.x, 0.0);
-    return xy.x > size ? 1e30 : 0.0;
-}
-dvec3 on_groove(dvec2 xy, double slope) {
-    return {xy, height_of(Ground::groove, xy, slope)};
-}
-dvec3 normal_of_slope(double slope) {
-    return normalize(dvec3(-slope, 0, 1));
+    double sum = 0.0;
+    for (const dvec3& zeta : halton()) sum += sample(zeta);
+    return sum / sample_count;
 }
 
 // Plane z = size; plane x = size; inside a closed ball of that radius that touches the point; ball of radius
@@ -167,167 +143,6 @@ TEST(Rays, FormsOfTheIntegral) {
     EXPECT_NEAR(rays(Scene::inside, 1.0, Falloff::one, Form::cosine_printed), 2.0 / 3.0, 1e-3);
     EXPECT_NEAR(rays(Scene::ceiling, 0.1, Falloff::linear, Form::cosine), 0.81, 1e-3);
     EXPECT_NEAR(1.5 * rays(Scene::ceiling, 0.1, Falloff::linear, Form::cosine_printed), 0.85, 1e-3);
-}
-
-// Taps in planes through the point at any tilt to the view.
-TEST(Points, ABarePlaneAtAnyTiltIsOpen) {
-    for (const double tilt : {0.0, 0.3, 0.9, 1.3, 1.55}) {
-        for (const double azimuth : {0.0, 1.0, 2.5, 4.0}) {
-            const dvec3 across(std::cos(azimuth), std::sin(azimuth), 0);
-            const dvec3 n = std::sin(tilt) * across + std::cos(tilt) * up;
-            const dvec3 t = std::cos(tilt) * across - std::sin(tilt) * up;
-            for (const dvec3 offset : {0.7 * t, -0.2 * t + 0.3 * cross(n, t)}) {
-                EXPECT_EQ(gloam_contribution_alchemy(offset, n, 1e-5, 1e-5, 1.0), 0.0);
-                EXPECT_EQ(gloam_contribution_issao(offset, n, 1.75, 0.4, 0.022, 0.00016), 0.0);
-                EXPECT_EQ(gloam_contribution_sao(offset, n, 1.0, 0.01, 0.01, 1.0), 0.0);
-            }
-        }
-    }
-}
-
-// E[occ] = (4 sigma / (pi r)) cos(beta) artanh(sin(beta)) for taps uniform on a disc: T12. As printed,
-// without the factor 2 sigma, it would be half of that at sigma = 1.
-TEST(Points, AlchemyOfAGroove) {
-    for (const double degrees : {30.0, 45.0, 60.0}) {
-        const double beta = degrees * pi / 180.0;
-        for (const double radius : {1.0, 2.0}) {
-            const double m = mean([&](const dvec3& zeta) {
-                return gloam_contribution_alchemy(
-                    on_groove(radius * gloam_disc_sample(dvec2(zeta)), std::tan(beta)), up, 0.0, 0.0, 1.0);
-            });
-            const double exact = 4.0 / (pi * radius) * std::cos(beta) * std::atanh(std::sin(beta));
-            EXPECT_NEAR(2.0 * m, exact, 4e-3 * exact) << degrees << " " << radius;
-        }
-    }
-    EXPECT_NEAR(4.0 / pi * std::cos(pi / 4) * std::atanh(std::sin(pi / 4)), 0.793515, 1e-6);
-}
-
-// Constants of figure 3 in a groove of 45 degrees; area-uniform offsets give half of the polar ones.
-TEST(Points, IssaoOfAGroove) {
-    const auto with = [](auto offset_of) {
-        return 1.06 * mean([&](const dvec3& zeta) {
-                   return gloam_contribution_issao(on_groove(offset_of(dvec2(zeta)), 1.0), up, 1.75, 0.4,
-                                                   0.022, 0.00016);
-               });
-    };
-    EXPECT_NEAR(with([](dvec2 zeta) { return gloam_issao_offset_polar(zeta, 1.75); }), 0.1330, 5e-4);
-    EXPECT_NEAR(with([](dvec2 zeta) { return 1.75 * gloam_disc_sample(zeta); }), 0.0677, 5e-4);
-}
-
-dvec3 in_ball(const dvec3& zeta) {
-    const double z = 2.0 * zeta.z - 1.0;
-    return std::cbrt(zeta.y) * dvec3(std::sqrt(1.0 - z * z) * on_circle(whole_turn * zeta.x), z);
-}
-
-// T6: a plane is half occluded at any tilt, an inner corner of 90 degrees three quarters, a convex edge one
-// quarter. Depths are measured from z = 64.
-TEST(Points, CrytekBeforeTheRemapAndFilion) {
-    const auto crytek = [](auto ground) {
-        return mean([&](const dvec3& zeta) {
-            const dvec3 s = in_ball(zeta);
-            return gloam_contribution_crytek(64.0 - s.z, 64.0 - ground(s.x));
-        });
-    };
-    for (const double slope : {0.0, 0.7, 3.0, 20.0}) {
-        EXPECT_NEAR(crytek([&](double x) { return slope * x; }), 0.5, 1e-3) << slope;
-        const dvec3 n = normal_of_slope(slope);
-        const double filion = mean([&](const dvec3& zeta) {
-            const dvec3 s = dot(in_ball(zeta), n) > 0.0 ? in_ball(zeta) : -in_ball(zeta);
-            return gloam_contribution_filion(64.0 - s.z, 64.0 - slope * s.x, 1.0);
-        });
-        EXPECT_LT(filion, 1e-4) << slope;  // points within rounding of the plane
-    }
-    EXPECT_NEAR(crytek([](double x) { return std::abs(x); }), 0.75, 1e-3);
-    EXPECT_NEAR(crytek([](double x) { return -std::abs(x); }), 0.25, 1e-3);
-}
-
-// Lines through the ball of radius 1, weighted by their chords or alike.
-double lines(Ground ground, double size, bool by_chord = true) {
-    const dvec2 sum = sums([&](const dvec3& zeta) {
-        const dvec2 xi = gloam_disc_sample(dvec2(zeta));
-        const double chord = gloam_chord_half_height(xi, 1.0);
-        const double solid = gloam_line_occlusion(height_of(ground, xi, size), chord);
-        return (by_chord ? chord : 1.0) * dvec2(solid, 1.0);
-    });
-    return sum.x / sum.y;
-}
-
-// T6 and T12: a plane is half solid at any tilt; the plain mean of the published shader is too large in a
-// groove.
-TEST(Pairs, VolumetricObscurance) {
-    for (const double slope : {0.0, 0.5, 2.0, 20.0})
-        EXPECT_NEAR(lines(Ground::plane, slope), 0.5, 1e-3) << slope;
-    for (const double degrees : {30.0, 45.0, 60.0}) {
-        const double beta = degrees * pi / 180;
-        EXPECT_NEAR(lines(Ground::groove, std::tan(beta)), 0.5 + beta / whole_turn, 1e-3) << degrees;
-    }
-    EXPECT_NEAR(lines(Ground::groove, 1.0, false), 0.6466, 1e-3);
-    for (const double x : {0.1, 0.5, 0.9})
-        EXPECT_NEAR(lines(Ground::wall, x), 0.5 + (2 - 3 * x + x * x * x) / 8, 1e-3) << x;
-}
-
-// CS-3.5 as published: what lies outside the sphere towards the eye is another object. At half chord 1.
-TEST(Pairs, WhatStandsInFrontOfTheBallIsNotBelieved) {
-    const auto solid_part = [](double first, double second) {
-        const dvec2 solid =
-            gloam_line_pair({gloam_line_ratio(first, 1.0), gloam_line_ratio(second, 1.0)}, 0.35, 1.0);
-        return 0.5 * (solid.x + solid.y);
-    };
-    for (const auto& [first, second, part] : {std::tuple{5.0, 0.0, 0.5},
-                                              {5.0, 5.0, 0.5},
-                                              {1.0, 0.0, 0.75} /* on the sphere */,
-                                              {-5.0, 0.0, 0.5},
-                                              {-infinity, 0.5, 0.5} /* background */,
-                                              {0.5, -0.25, 0.5625}})
-        EXPECT_EQ(solid_part(first, second), part) << first << ' ' << second;
-}
-
-// The sphere that touches the surface: a plane leaves it empty, a groove cuts a cap off it.
-TEST(Pairs, TangentSphere) {
-    const auto solid = [](Ground ground, double size, dvec3 normal) {
-        const dvec2 sum = sums([&](const dvec3& zeta) {
-            const dvec2 xy = 0.5 * (dvec2(normal) + gloam_disc_sample(dvec2(zeta)));
-            const dvec3 offset(xy, height_of(ground, xy, size));
-            return gloam_tangent_sphere_half_height(offset, normal, 1.0) *
-                   dvec2(gloam_tangent_sphere_occlusion(offset, normal, 1.0), 1.0);
-        });
-        return sum.x / sum.y;
-    };
-    for (const double slope : {0.0, 0.5, 2.0})
-        EXPECT_LT(solid(Ground::plane, slope, normal_of_slope(slope)), 1e-6) << slope;
-    for (const double degrees : {30.0, 45.0, 80.0}) {
-        const double c = std::cos(degrees * pi / 180);
-        EXPECT_NEAR(solid(Ground::groove, std::tan(degrees * pi / 180), up), (2 - 3 * c + c * c * c) / 4,
-                    1e-3)
-            << degrees;
-    }
-}
-
-// By pairs of all azimuths at one distance. T6: a plane at any tilt lacks nothing of pi, and with the bias is
-// as open; T12.
-TEST(Pairs, Angles) {
-    const auto occlusion = [](Ground ground, double size, dvec3 normal, bool cubic, double bias) {
-        const auto angle = [&](double c) {
-            return cubic ? gloam_acos_cubic(c - bias) : gloam_acos(c - bias);
-        };
-        dvec2 sum(0);
-        for (unsigned i = 0; i < 1024U; ++i) {
-            const dvec2 xy = 0.5 * on_circle(pi * (i + 0.5) / 1024.0);
-            const dvec3 pair = gloam_angle_pair({xy, height_of(ground, xy, size)},
-                                                {-xy, height_of(ground, -xy, size)}, normal, up, 20.0);
-            sum += pair.z * dvec2(1.0 - (angle(pair.x) + angle(pair.y)) / pi, 1.0);
-        }
-        return max(sum.x / sum.y, 0.0);
-    };
-    for (const double slope : {0.0, 0.5, 2.0, 10.0}) {
-        for (const bool cubic : {false, true}) {
-            EXPECT_LT(occlusion(Ground::plane, slope, normal_of_slope(slope), cubic, 0.0), 1e-6) << slope;
-            EXPECT_EQ(occlusion(Ground::plane, slope, normal_of_slope(slope), cubic, 0.08), 0.0) << slope;
-        }
-    }
-    EXPECT_NEAR(1 - occlusion(Ground::groove, 1.0, up, false, 0.0), 0.828708, 2e-6);
-    EXPECT_NEAR(1 - occlusion(Ground::groove, 1.0, up, true, 0.0), 0.820736, 2e-6);
-    EXPECT_LT(occlusion(Ground::groove, 1.0, up, false, 0.08), 0.15);
 }
 
 // Directions and points of the kernels: as long as their radius, and with the means of their distributions.

@@ -81,40 +81,6 @@ class Methods : public testing::TestWithParam<std::string> {
     }
 };
 
-// At any tilt, by any kind of projection, with an image of odd size, turned kernels, far taps read from the
-// depth chain.
-TEST_P(Methods, ABarePlaneIsOpen) {
-    for (const bool orthographic : {false, true}) {
-        for (const glm::dvec3 tilt : {glm::dvec3(0, 0, 1), glm::dvec3(0.4, -0.2, 1), glm::dvec3(0.8, -0.5, 1),
-                                      glm::dvec3(-1.4, 1.0, 1)}) {
-            const glm::dvec3 normal = glm::normalize(tilt);
-            const glm::vec2 scale = orthographic ? glm::vec2(0.4F, -0.5F) : glm::vec2(2.5F, -3.0F);
-            const Camera camera{scale, glm::ivec2(67, 51), orthographic};
-            const auto image = test::view_of(
-                camera.size,
-                [&](glm::ivec2 p) { return static_cast<float>(-test::plane_point(camera, normal, p).z); },
-                [&](glm::ivec2) { return glm::vec3(normal); });
-            std::vector<test::GatherInputs> inputs;
-            for (const float mip_distance : {0.0F, 4.0F}) {
-                for (const glm::ivec2 pixel : {glm::ivec2(33, 25), glm::ivec2(20, 30), glm::ivec2(50, 12)}) {
-                    for (const unsigned first : {0U, 32U, 640U}) {
-                        const Samples samples{
-                            .radius = 0.5F, .bias = 2e-5F, .angle = 1.0F, .first = first, .count = 32};
-                        inputs.emplace_back(glm::vec3(test::plane_point(camera, normal, pixel)),
-                                            glm::vec3(normal), camera, samples,
-                                            Method{.mip_distance = mip_distance, .steps = 4});
-                    }
-                }
-            }
-            for (const glm::vec2 sum : gather(inputs, image)) {
-                EXPECT_NEAR(static_cast<double>(sum.x / sum.y), info.on_a_plane, 1e-6)
-                    << "tilt " << tilt.x << ' ' << tilt.y
-                    << (orthographic ? " orthographic" : " perspective");
-            }
-        }
-    }
-}
-
 // A floor from whose middle line the right half rises by 45 degrees: at the line nothing depends on the
 // falloff. Each method has its own value there, and the difference is the point.
 TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
@@ -208,7 +174,7 @@ TEST_P(Methods, ASampleSeesThePixelsOfItsPoint) {
     const bool pairs = info.unit == effect::SampleUnit::pair;
     const bool halves = GetParam() == "aksoy_phaneuf_two" || GetParam() == "volumetric_two";
     if (info.points != "disc" || halves || !(pairs || info.unit == effect::SampleUnit::one)) GTEST_SKIP();
-    const check::Function<glm::vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc_point.glsl",
+    const check::Function<glm::vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc.glsl",
                                                     "gloam_disc_point");
     const Camera camera{glm::vec2(0.55F, -0.8F), glm::ivec2(29, 47), true};
     const glm::ivec2 middle = camera.size / 2;

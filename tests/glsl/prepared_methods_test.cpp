@@ -234,7 +234,7 @@ TEST_F(PreparedMethods, TheRoughnessOfABlockCountsAlongTheViewVector) {
         EXPECT_NEAR(result(normal, 0.3F), rough, 0.01);
 }
 
-// As in gloam/gather/distinct_pixels.glsl.
+// As in gloam/gather/pixels.glsl.
 struct Distinct {
     ivec2 center;
     glm::uvec2 seen;
@@ -243,7 +243,7 @@ struct Distinct {
 // Of the 8 x 8 pixels around the shaded one each is new once, whatever others were seen before; the others
 // always.
 TEST_F(PreparedMethods, EachOfThePixelsAroundIsNewOnce) {
-    const check::Function<bool(Distinct&, ivec2)> add(gathers.lab(), "gloam/gather/distinct_pixels.glsl",
+    const check::Function<bool(Distinct&, ivec2)> add(gathers.lab(), "gloam/gather/pixels.glsl",
                                                       "gloam_distinct_add");
     const ivec2 center(20, 30);
     std::vector<ivec2> around;
@@ -345,10 +345,9 @@ TEST_F(MssaoLevels, TheFinestHasItsWeightAndItsReach) {
         return double{
             gather.with_images(images, {middle, vec3(0, 0, 1), camera, samples, Method{.steps = 1}}).x};
     };
-    const check::Function<vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc_point.glsl",
-                                               "gloam_disc_point");
-    const check::Function<float(vec3, vec3, float)> contribution(gathers.lab(), "gloam/occlusion/mssao.glsl",
-                                                                 "gloam_contribution_mssao");
+    const check::Function<vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc.glsl", "gloam_disc_point");
+    const check::Function<float(vec3, vec3, float)> contribution(
+        gathers.lab(), "gloam/occlusion/disc_taps.glsl", "gloam_contribution_mssao");
     unsigned beside = 0;  // a sample of a pixel beside the middle
     while (std::abs(glm::length(glm::round(1.5F * vec2(disc(beside + 1)))) - 1.0F) > 0.1F) ++beside;
     constexpr float radius = 1.5F / 16.0F;

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Calculates anew, in exact fractions and decimals, what Vulkan's rules permit to an operation, and compares it to
-the bit with the bounds of the interpreter's numbers.
+the bit with the bounds of the interpreter's numbers, in float32 and in float16.
 
-bounds_test.py PROGRAM: a thousand inputs for each operation, or GLOAM_BOUNDS_INPUTS of them."""
+bounds_test.py PROGRAM: a thousand inputs for each operation and format, or GLOAM_BOUNDS_INPUTS of them."""
 
 import math
 import os
@@ -14,12 +14,24 @@ from decimal import Decimal, getcontext
 from fractions import Fraction
 
 getcontext().prec = 60
-LARGEST = Fraction(2**128 - 2**104)
-NORMAL = Fraction(1, 2**126)
 SMALL = Fraction(1, 2**40)  # below it, two terms of a series say more than 60 digits
 INFINITY = math.inf
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494")
 LN2 = Decimal(2).ln()
+
+
+class Format:
+    """A float format: digits of the significand, bias of the exponent, and the errors that Vulkan permits in it."""
+
+    def __init__(self, bits, digits, bias, exp_ulps, log_error, sine_error, atan_ulps):
+        self.bits, self.digits, self.bias = bits, digits, bias
+        self.exp_ulps, self.log_error, self.sine_error, self.atan_ulps = exp_ulps, log_error, sine_error, atan_ulps
+        self.normal = Fraction(2) ** (1 - bias)
+        self.largest = Fraction(2) ** (bias + 1) - self.gap(Fraction(2) ** bias)
+
+    def gap(self, x):
+        """Of the floats around x, above zero."""
+        return Fraction(2) ** (max(exponent(x), 1 - self.bias) - self.digits + 1)
 
 
 def to_float(bits):
@@ -32,20 +44,15 @@ def exponent(x):
     return guess - 1 if abs(x) < Fraction(2) ** guess else guess
 
 
-def spacing(x):
-    """Of the floats around x, above zero."""
-    return Fraction(2) ** (max(exponent(x), -126) - 23)
-
-
 def down(x):
     """The largest float that is at most x."""
     if x in (0, INFINITY, -INFINITY):
         return x
-    if x > LARGEST:
-        return LARGEST
-    if x < -LARGEST:
+    if x > F.largest:
+        return F.largest
+    if x < -F.largest:
         return -INFINITY
-    return math.floor(x / spacing(x)) * spacing(x)
+    return math.floor(x / F.gap(x)) * F.gap(x)
 
 
 def up(x):
@@ -55,27 +62,27 @@ def up(x):
 def ulp(x):
     """Harrison's: the distance of the two nearest floats that enclose x."""
     if x == 0:
-        return Fraction(1, 2**149)
-    if abs(x) >= LARGEST:
-        return Fraction(2**104)
+        return F.gap(F.normal)
+    if abs(x) >= F.largest:
+        return F.gap(F.largest)
     power = Fraction(2) ** exponent(x)
-    return spacing(x) / 2 if abs(x) == power and power > NORMAL else spacing(x)
+    return F.gap(x) / 2 if abs(x) == power and power > F.normal else F.gap(x)
 
 
 def flushed(low, high):
-    return 0 if 0 < low < NORMAL else low, 0 if -NORMAL < high < 0 else high
+    return 0 if 0 < low < F.normal else low, 0 if -F.normal < high < 0 else high
 
 
 def rounded(low, high):
     """Correctly rounded: either neighbour."""
     low, high = flushed(down(low) if abs(low) > 0 else low, up(high))
-    return (0 if 0 < low < NORMAL else low), high
+    return (0 if 0 < low < F.normal else low), high
 
 
 def inside(low, high):
     """The floats between two ends; beyond the largest one, it or infinity."""
-    first = -INFINITY if low < -LARGEST else min(up(low), LARGEST)
-    last = INFINITY if high > LARGEST else max(down(high), -LARGEST)
+    first = -INFINITY if low < -F.largest else min(up(low), F.largest)
+    last = INFINITY if high > F.largest else max(down(high), -F.largest)
     return flushed(first, last)
 
 
@@ -99,7 +106,7 @@ def log_bounds(x, base):
     value = logarithm(x, base)
     if x < Fraction(1, 2) or x > 2:
         return within_ulps(value, 3)
-    error = Fraction(1, 2**21)  # "<": the ends themselves are outside
+    error = F.log_error  # "<": the ends themselves are outside
     low, high = inside(value - error, value + error)
     low = up(low + Fraction(1, 2**160)) if low == value - error else low
     return low, down(high - Fraction(1, 2**160)) if high == value + error else high
@@ -119,7 +126,7 @@ def power(x, factor):
 
 
 def power_bounds(x, factor):
-    low, high = within_ulps(power(x, factor), 3 + 2 * abs(x))
+    low, high = within_ulps(power(x, factor), F.exp_ulps + 2 * abs(x))
     return max(low, 0), high
 
 
@@ -134,7 +141,7 @@ def sine(x):
 
 
 def sine_bounds(value):
-    low, high = inside(value - Fraction(1, 2**11), value + Fraction(1, 2**11))
+    low, high = inside(value - F.sine_error, value + F.sine_error)
     return max(low, -1), min(high, 1)
 
 
@@ -160,6 +167,10 @@ def arc(x):
     return Fraction(total * 16)
 
 
+def exact(x):
+    return x, x
+
+
 def times_constant(x, constant):
     constants = down(Fraction(constant)), up(Fraction(constant))
     products = [x * c for c in constants]
@@ -169,6 +180,10 @@ def times_constant(x, constant):
 RULES = {
     "add": lambda x, y: rounded(x + y, x + y),
     "multiply": lambda x, y: rounded(x * y, x * y),
+    "floor": lambda x, _: exact(math.floor(x)),
+    "ceil": lambda x, _: exact(math.ceil(x)),
+    "trunc": lambda x, _: exact(math.trunc(x)),
+    "fract": lambda x, _: rounded(x - math.floor(x), x - math.floor(x)),
     "divide": lambda x, y: within_ulps(x / y, Fraction(5, 2)),
     "degrees": lambda x, _: times_constant(x, Decimal(180) / PI),
     "radians": lambda x, _: times_constant(x, PI / Decimal(180)),
@@ -179,7 +194,7 @@ RULES = {
     "log2": lambda x, _: log_bounds(x, LN2),
     "sin": lambda x, _: sin_bounds(x),
     "cos": lambda x, _: cos_bounds(x),
-    "atan": lambda x, _: within_ulps(arc(x), 4096),
+    "atan": lambda x, _: within_ulps(arc(x), F.atan_ulps),
 }
 POSITIVE = {"inversesqrt", "log", "log2"}
 
@@ -187,27 +202,24 @@ POSITIVE = {"inversesqrt", "log", "log2"}
 def draw(numbers, name):
     """A normal float: of usual size, beside a power of two, or any."""
     kind = numbers.randrange(4)
-    sign = 0 if name in POSITIVE else numbers.randrange(2) << 31
+    sign = 1 if name in POSITIVE else numbers.choice((-1, 1))
     if name in ("sin", "cos"):
-        power_of_two = 127 - numbers.randrange(40) if kind < 3 else numbers.randrange(1, 128)
+        power_of_two = -numbers.randrange(min(F.bias, 40)) if kind < 3 else numbers.randrange(1 - F.bias, 1)
     elif kind == 3:
-        power_of_two = numbers.randrange(1, 255)
+        power_of_two = numbers.randrange(1 - F.bias, F.bias + 1)
     else:
-        power_of_two = 127 + numbers.randrange(-8, 8)
-    fraction = numbers.randrange(4) if kind == 1 else numbers.randrange(2**23)
+        power_of_two = numbers.randrange(-8, 8)
+    whole = 2 ** (F.digits - 1)
+    fraction = numbers.randrange(4) if kind == 1 else numbers.randrange(whole)
     if kind == 1 and numbers.randrange(2):
-        fraction = 2**23 - 1 - fraction
-    return sign | power_of_two << 23 | fraction
-
-
-def is_divisor(bits):
-    return 1 <= (bits >> 23 & 255) < 253
+        fraction = whole - 1 - fraction
+    return sign * Fraction(whole + fraction, whole) * Fraction(2) ** power_of_two
 
 
 def cases(numbers, name, count):
     while count > 0:
         x, y = draw(numbers, name), draw(numbers, name)
-        if name == "divide" and not is_divisor(y):
+        if name == "divide" and abs(y) >= Fraction(2) ** (F.bias - 1):  # nothing is promised
             continue
         count -= 1
         yield x, y
@@ -219,29 +231,32 @@ def text_of(x):
 
 def compare(program, name, count):
     """The number of inputs with other bounds, and of those where the difference is within the error of double."""
-    numbers = random.Random(name)
-    inputs = list(cases(numbers, name, count))
-    lines = "".join(f"{name} {x:x} {y:x}\n" for x, y in inputs)
+    inputs = list(cases(random.Random(f"{name}{F.bits}"), name, count))
+    lines = "".join(f"{name} {F.bits} {float(x).hex()} {float(y).hex()}\n" for x, y in inputs)
     answers = subprocess.run([program], input=lines, capture_output=True, text=True, check=True).stdout.split("\n")
     wrong = 0
     for (x, y), answer in zip(inputs, answers):
         got = tuple(to_float(int(bits, 16)) for bits in answer.split())
-        want = RULES[name](Fraction(to_float(x)), Fraction(to_float(y)))
+        want = RULES[name](x, y)
         if got == tuple(map(float, want)):
             continue
         wrong += 1
         if wrong < 4:
-            print(f"{name}({to_float(x)!r}, {to_float(y)!r}): got {got}, want {tuple(map(text_of, want))}")
+            print(f"{name}({text_of(x)}, {text_of(y)}): got {got}, want {tuple(map(text_of, want))}")
     return wrong
 
 
 def main(program):
+    global F
     count = int(os.environ.get("GLOAM_BOUNDS_INPUTS", "1000"))
-    wrong = {name: compare(program, name, count) for name in RULES}
-    # Double tells the ends from a float beside them but for one in 2^26.
-    allowed = count // 100_000
-    failed = {name: number for name, number in wrong.items() if number > allowed}
-    print(f"{count} inputs for each of {len(RULES)} operations; other bounds: {failed or 'none'}")
+    failed = {}
+    for F in (Format(32, 24, 127, 3, Fraction(1, 2**21), Fraction(1, 2**11), 4096),
+              Format(16, 11, 15, 1, Fraction(1, 2**7), Fraction(1, 2**7), 5)):
+        for name in RULES:
+            wrong = compare(program, name, count)
+            if wrong > count // 100_000:  # double tells the ends from a float beside them but for one in 2^26
+                failed[f"{name} of float{F.bits}"] = wrong
+    print(f"{count} inputs for each of {len(RULES)} operations in two formats; other bounds: {failed or 'none'}")
     return 1 if failed else 0
 
 

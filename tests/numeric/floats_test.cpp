@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <rapidcheck.h>
 
-#include "halves.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
+#include "support/test.hpp"
 
 namespace gloam::numeric {
 
@@ -142,19 +142,28 @@ TEST(FloatFormat, KnowsItsLimits) {
     EXPECT_EQ(float16.smallest_subnormal(), 0x1p-24);
 }
 
-TEST(FloatFormat, EveryHalfIsItsOwnNeighbour) {
-    for (const double value : halves::finite()) {
-        ASSERT_EQ(float16.round_down(value), value);
-        ASSERT_EQ(float16.round_up(value), value);
-        ASSERT_EQ(float16.ulp(value), halves::gap(value)) << value;
-    }
+// All finite values of float16 in rising order, zero once.
+std::vector<double> halves() {
+    std::vector<double> all;
+    for (const double sign : {-1.0, 1.0})
+        for (int exponent = 0; exponent < 31; ++exponent)
+            for (int fraction = 0; fraction < 1024; ++fraction) {
+                const double value = exponent == 0 ? fraction : std::ldexp(1024.0 + fraction, exponent - 1);
+                if (value != 0.0 || sign > 0.0) all.push_back(sign * 0x1p-24 * value);
+            }
+    std::ranges::sort(all);
+    return all;
 }
 
-TEST(FloatFormat, NumbersBetweenTwoHalvesGoToBoth) {
-    const auto& all = halves::finite();
+TEST(FloatFormat, EveryHalfIsItsOwnNeighbourAndNumbersBetweenTwoGoToBoth) {
+    const std::vector<double> all = halves();
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+        ASSERT_EQ(float16.round_down(all[i]), all[i]);
+        ASSERT_EQ(float16.round_up(all[i]), all[i]);
+        const double gap = all[i + 1] - all[i];
+        ASSERT_EQ(float16.ulp(all[i] < 0.0 ? all[i] : all[i + 1]), gap) << all[i];
         for (const double part : {0x1p-30, 0.5, 1.0 - 0x1p-30}) {
-            const double between = all[i] + part * (all[i + 1] - all[i]);
+            const double between = all[i] + part * gap;
             ASSERT_EQ(float16.round_down(between), all[i]) << between;
             ASSERT_EQ(float16.round_up(between), all[i + 1]) << between;
         }

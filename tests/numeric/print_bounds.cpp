@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Reads lines of an operation and the bits of its operands, "exp2 3f800000 0", and prints the bits of the
-// least and the largest float that the rules permit, for bounds_test.py.
+// Reads lines of an operation, the bits of a format and two operands, "exp2 16 0x1p+0 0x0p+0", and prints the
+// bits of the least and the largest number that the rules permit, as floats, for bounds_test.py.
 #include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <iomanip>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "numeric/interval.hpp"
+#include "numeric/paths.hpp"
 
 namespace gloam::numeric {
 namespace {
@@ -19,6 +21,10 @@ using Operation = std::function<Interval(const Interval&, const Interval&)>;
 const std::map<std::string, Operation> operations{
     {"add", [](const Interval& x, const Interval& y) { return x + y; }},
     {"multiply", [](const Interval& x, const Interval& y) { return x * y; }},
+    {"floor", [](const Interval& x, const Interval&) { return floor(x); }},
+    {"ceil", [](const Interval& x, const Interval&) { return ceil(x); }},
+    {"trunc", [](const Interval& x, const Interval&) { return trunc(x); }},
+    {"fract", [](const Interval& x, const Interval&) { return fract(x); }},
     {"divide", [](const Interval& x, const Interval& y) { return x / y; }},
     {"degrees", [](const Interval& x, const Interval&) { return degrees(x); }},
     {"radians", [](const Interval& x, const Interval&) { return radians(x); }},
@@ -35,15 +41,19 @@ std::uint32_t bits_of(double end) {
     return std::bit_cast<std::uint32_t>(static_cast<float>(end));
 }
 
+Interval number_of(const std::string& text) {
+    return Interval::input(std::strtof(text.c_str(), nullptr));
+}
+
 void print_all() {
     std::string name;
-    std::uint32_t x = 0;
-    std::uint32_t y = 0;
-    while (std::cin >> name >> std::hex >> x >> y) {
-        const Bounds bounds =
-            operations
-                .at(name)(Interval::input(std::bit_cast<float>(x)), Interval::input(std::bit_cast<float>(y)))
-                .bounds();
+    int bits = 0;
+    std::string x;
+    std::string y;
+    while (std::cin >> name >> bits >> x >> y) {
+        Bounds bounds{};
+        Paths::explore(bits == 16 ? float16 : float32, 1,
+                       [&] { bounds = operations.at(name)(number_of(x), number_of(y)).bounds(); });
         std::cout << std::hex << bits_of(bounds.low) << ' ' << bits_of(bounds.high) << '\n';
     }
 }

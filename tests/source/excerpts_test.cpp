@@ -272,7 +272,7 @@ TEST(Mutations, OfTheLibraryCompile) {
     const std::filesystem::path root = GLOAM_GLSL_DIR;
     std::size_t tried = 0;
     std::size_t refused = 0;
-    for (const char* name : {"gloam/occlusion/bias.glsl", "gloam/sampling/halton.glsl"}) {
+    for (const char* name : {"gloam/occlusion/blocked.glsl", "gloam/sampling/halton.glsl"}) {
         const Source source{(root / name).string(), read_text(root / name)};
         for (const Mutation& one : mutations(source, {root})) {
             ++tried;

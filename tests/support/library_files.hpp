@@ -5,7 +5,7 @@
 
 namespace gloam::test {
 
-// Every file of glsl/gloam as an #include names it, sorted: "gloam/gather/radius.glsl".
+// Every file of glsl/gloam as an #include names it, sorted: "gloam/gather/pixels.glsl".
 inline std::vector<std::string> library_files() {
     const std::filesystem::path root(GLOAM_GLSL_DIR);
     std::vector<std::string> names;
@@ -17,7 +17,7 @@ inline std::vector<std::string> library_files() {
     return names;
 }
 
-// The file's name as the name of a test's parameter: "gather_radius".
+// The file's name as the name of a test's parameter: "gather_pixels".
 inline std::string library_file_name(const testing::TestParamInfo<std::string>& info) {
     std::filesystem::path path(info.param);
     return test_name(path.replace_extension().lexically_relative("gloam").generic_string());

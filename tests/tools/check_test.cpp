@@ -41,7 +41,7 @@ TEST_F(Check, JsonHasTheStableShape) {
     const json& result = report.at("results").front();
     EXPECT_NE(result.at("equation"), "");
     EXPECT_EQ(result.at("function"), function);
-    EXPECT_EQ(result.at("file"), "gloam/sampling/radical_inverse.glsl");
+    EXPECT_EQ(result.at("file"), "gloam/sampling/halton.glsl");
     EXPECT_EQ(result.at("variant"), "shipped");
     EXPECT_EQ(result.at("inputs"), 4096);
     EXPECT_EQ(result.at("outside"), 0);
@@ -77,8 +77,7 @@ TEST_F(Check, AWrongConstantFailsWithStatusOneAndAStory) {
 
 TEST_F(Check, AShaderThatDoesNotCompileFailsAndNamesFileAndLine) {
     const Installation installation;
-    installation.replace("gloam/sampling/radical_inverse.glsl",
-                         "uint bits = ", "uint bits = no_such_variable + ");
+    installation.replace("gloam/sampling/halton.glsl", "uint bits = ", "uint bits = no_such_variable + ");
     const CommandResult result = installation.gloam("check {}", function);
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, testing::ContainsRegex("radical_inverse\\.glsl:[0-9]+: .*no_such_variable"));

@@ -71,7 +71,7 @@ class Installation {
 
     // Makes results of gloam_radical_inverse_base2 wrong; the first such index is 1.
     void spoil_radical_inverse_base2() const {
-        replace("gloam/sampling/radical_inverse.glsl", "5.9604644775390625e-8", "5.9604652e-8");
+        replace("gloam/sampling/halton.glsl", "5.9604644775390625e-8", "5.9604652e-8");
     }
 
     // Makes gloam_radical_inverse_base2 loop until a generator of period 2^32 returns to a certain number.
@@ -79,7 +79,7 @@ class Installation {
     void make_radical_inverse_base2_hang() const {
         std::string loop = "uint spin = index;\n    for (uint i = 0u; spin != 305419896u; ++i) {\n";
         for (int i = 0; i < 200; ++i) loop += "        spin = (spin ^ i) * 1664525u + 1013904223u;\n";
-        replace("gloam/sampling/radical_inverse.glsl", "uint bits = bitfieldReverse(index)",
+        replace("gloam/sampling/halton.glsl", "uint bits = bitfieldReverse(index)",
                 loop + "    }\n    uint bits = (spin & 1u) + bitfieldReverse(index)");
     }
 

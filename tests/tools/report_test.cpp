@@ -222,8 +222,7 @@ TEST_F(Failures, AHangIsHandedOverWithoutRunningItAgain) {
 }
 
 TEST_F(Failures, WhatDoesNotCompileHasAReportThatSaysSo) {
-    installation_.replace("gloam/sampling/radical_inverse.glsl",
-                          "uint bits = ", "uint bits = no_such_variable + ");
+    installation_.replace("gloam/sampling/halton.glsl", "uint bits = ", "uint bits = no_such_variable + ");
     EXPECT_EQ(check().status, 1);
     EXPECT_THAT(text("report.txt"), HasSubstr("could not be made"));
     EXPECT_FALSE(fs::exists(folder() / "shader.spv"));

@@ -184,9 +184,9 @@ TEST_F(List, EveryCommandTakesEveryNameOfAnEquation) {
     EXPECT_THAT(mean.out, HasSubstr("result 0.5")) << mean.err;
     EXPECT_THAT(mean.err, StartsWith("TSSAO-4, contribution of a frame: ")) << "why, and what stands for it";
     EXPECT_THAT(output_of(gloam("list CS-3.1")), HasSubstr("gloam_contribution_crytek_buffer"));
-    EXPECT_THAT(output_of(gloam("list equations gloam/filter/shrink.glsl")),
+    EXPECT_THAT(output_of(gloam("list equations gloam/filter/weights.glsl")),
                 HasSubstr("gloam_window_coverage"));
-    EXPECT_THAT(output_of(gloam("check gloam/filter/shrink.glsl --device interpreter --inputs 64")),
+    EXPECT_THAT(output_of(gloam("check gloam/filter/weights.glsl --device interpreter --inputs 64")),
                 HasSubstr("TSSAO-11-window"));
 }
 
@@ -201,7 +201,7 @@ TEST_F(List, ExplainEndsWithTheResult) {
         {"gloam_blend 0.5 4 1 4 500", "result 0.75, 8 ("}};
     for (const auto& [call, result] : rows)
         EXPECT_THAT(output_of(gloam("explain " + std::string(call))), HasSubstr(result)) << call;
-    EXPECT_THAT(output_of(gloam("explain gloam_bit_count 255")), HasSubstr("bit_count.glsl"))
+    EXPECT_THAT(output_of(gloam("explain gloam_bit_count 255")), HasSubstr("arithmetic.glsl"))
         << "its operations";
 }
 

@@ -15,7 +15,7 @@ namespace gloam::cli {
 // the build. Throws std::runtime_error if neither exists.
 [[nodiscard]] std::filesystem::path glsl_directory();
 
-// The path of a file, or of one of the library by its name there ("gloam/filter/shrink.glsl").
+// The path of a file, or of one of the library by its name there ("gloam/filter/weights.glsl").
 [[nodiscard]] std::string path_of_shader(const std::string& file);
 
 // The include roots of a user's file: its folder, further ones, and glsl_directory().

@@ -70,7 +70,7 @@ std::string effect_json(const ShaderFolders& folders) {
     json["sweep_from_depth"] = shader::code_of(
         scene::PassLibrary(folders.library)
             .text("frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}, {}, {}, shader::Language::es300));
-    json["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
+    json["multi_bounce"] = function_text("gloam/shading/ambient.glsl", "gloam_multi_bounce", folders);
     return text_of(json);
 }
 

@@ -2,8 +2,7 @@
 #ifndef GLOAM_FILTER_BILATERAL_GLSL
 #define GLOAM_FILTER_BILATERAL_GLSL
 
-#include "gloam/filter/bilateral_weight.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/background.glsl"
 
@@ -12,8 +11,7 @@
 
 // bilateral smoothing of occlusion (ISSAO-7): `(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s`
 // [ISSAO, eq 7; Tomasi and Manduchi 1998].
-// Smoothed occlusion of one pixel: (1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)) over the window, k the sum of the
-// weights.
+// Over the window.
 // pixel: x, inside the image. half_width: pixels on each side, along x and y, at most 16. (h, h) is the window of the
 // full bilateral filter (ISSAO-7); (h, 0) and (0, h) are the two passes of the usual approximation. size: of the image;
 // neighbours outside are skipped. sigma_d, sigma_r: see gloam_bilateral_weight.

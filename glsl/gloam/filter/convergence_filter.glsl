@@ -2,10 +2,7 @@
 #ifndef GLOAM_FILTER_CONVERGENCE_FILTER_GLSL
 #define GLOAM_FILTER_CONVERGENCE_FILTER_GLSL
 
-#include "gloam/filter/convergence_weight.glsl"
-#include "gloam/filter/gaussian.glsl"
-#include "gloam/filter/shrink.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Smoothing of occlusion that trusts each neighbour as far as it has converged (TSSAO-10), along one axis of the
@@ -21,8 +18,7 @@ vec3 gloam_fetch_position(ivec2 pixel);
 
 // smoothing that trusts neighbours as far as they have converged (TSSAO-10): `AO = (1/K) sum of g(|p - x|) conv(x)
 // AO(x), K = sum of g(|p - x|) conv(x)` [TSSAO, eqs 10 and 11].
-// Filtered occlusion of one pixel along one axis (TSSAO-10 and -11): (1 / K) sum of g(|p - x|) conv(x) AO(x) over the
-// window, K = sum of g(|p - x|) conv(x), the window shrunk by gloam_shrink of the pixel's own convergence.
+// Of one pixel along one axis, over the window shrunk by gloam_shrink of the pixel's own convergence.
 // pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out.
 // half_width: pixels on each side at full width, 2 for 5 x 5; negative counts as 0. c_adaptive: see gloam_shrink, 0.2.
 // sigma: world units, see gloam_filter_sigma.

@@ -9,7 +9,6 @@
 
 // where occlusion of half the resolution does not do (CS-E-dual): `max - min > tolerance over 3 x 3` [derived, after
 // Bavoil and Sainz 2009].
-// Whether the 3 x 3 neighbourhood of a pixel of the small image disagrees: max - min > tolerance.
 // pixel: of the small image, inside it. size: of the small image, pixels; neighbours outside are left out. tolerance:
 // 0.05 or so.
 // Returns whether to compute the pixels beneath in full; true for a NaN tolerance, and where a neighbour is NaN or

@@ -2,8 +2,7 @@
 #ifndef GLOAM_FILTER_GEOMETRY_BLUR_GLSL
 #define GLOAM_FILTER_GEOMETRY_BLUR_GLSL
 
-#include "gloam/filter/geometry_weight.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/background.glsl"
 
@@ -12,7 +11,6 @@
 
 // geometry-aware blur along one axis (CS-BLUR): `(1 / K) sum of w AO, K the sum of w` [Aalund and Baerentzen 2013,
 // geometry-aware blur].
-// Blurred occlusion of one pixel along one axis.
 // pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out.
 // half_width: pixels on each side, at most 64; negative counts as 0. powers: (p_n, p_z) of gloam_geometry_weight,
 // (10, 0.5).

@@ -4,8 +4,9 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/geometry/height_at.glsl"
+#include "gloam/geometry/vector.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/volumetric.glsl"
 
 // Two opposite surface points at a time (CS-I, CS-P): if one of them is unusable, the other one represents both. The
 // surface at a tap is moved parallel to the tangent plane onto the line along the view vector through the aimed
@@ -25,6 +26,51 @@ float gloam_pair_height(GloamFootprint footprint, vec2 tap, vec3 aim, vec3 posit
     float depth = gloam_fetch_depth(pixel);
     float known = gloam_tap_sees(depth) ? depth : GLOAM_PAIR_FAR * radius - position.z;
     return gloam_height_at(gloam_footprint_position(footprint, pixel, known) - position, aim, normal, facing);
+}
+
+// Two opposite line samples of volumetric obscurance (CS-3.5). If one of them is unusable, the other one replaces it.
+
+// The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
+// shader has it.
+const float GLOAM_LEAST_SOLID = 0.35;
+
+// The data of the shaded point for volumetric obscurance, the same for all its pairs.
+struct GloamLinePoint {
+    vec3 position;  // view space, world units
+    vec3 normal;    // unit
+    float facing;   // cosine between the normal and the direction to the eye, at least 1e-4
+    vec2 upright;   // gloam_upright
+    GloamFootprint footprint;
+};
+
+// Computed once a pixel; requires gloam_can_gather.
+// position: of the surface, view space, world units. normal: unit. radius: of influence, world units.
+// Error of the facing: 1e-6.
+GloamLinePoint gloam_line_point(vec3 position, vec3 normal, float radius, GloamCamera camera) {
+    float facing = max(dot(gloam_toward_eye(position, camera.orthographic), normal), 1e-4);
+    return GloamLinePoint(position, normal, facing, gloam_upright(camera), gloam_footprint(position, radius, camera));
+}
+
+// What a pair of chords contributes.
+struct GloamPairShare {
+    float occluded;  // solid length
+    float whole;     // length
+};
+
+// Solid lengths of the chords of the ball at a tap and at the opposite tap.
+// tap: of the unit disc, y as in the image. kernel: only its radius is used.
+// Returns both chords' lengths as `whole`, and their solid part as `occluded`. Error: that of gloam_pair_height and
+// gloam_line_pair times the chord, except for taps within rounding of a pixel's border.
+GloamPairShare gloam_line_pair_share(GloamLinePoint point, vec2 tap, GloamKernel kernel) {
+    vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
+    float half_height = gloam_chord_half_height(tap, kernel.radius);
+    float first = gloam_pair_height(point.footprint, tap, aim, point.position, point.normal, point.facing,
+                                    kernel.radius);
+    float second = gloam_pair_height(point.footprint, -tap, -aim, point.position, point.normal, point.facing,
+                                     kernel.radius);
+    vec2 ratios = vec2(gloam_line_ratio(first, half_height), gloam_line_ratio(second, half_height));
+    vec2 solid = gloam_line_pair(ratios, GLOAM_LEAST_SOLID, 1.0);
+    return GloamPairShare(half_height * (solid.x + solid.y), 2.0 * half_height);
 }
 
 #endif

@@ -2,9 +2,10 @@
 #ifndef GLOAM_GEOMETRY_CAMERA_GLSL
 #define GLOAM_GEOMETRY_CAMERA_GLSL
 
-#include "gloam/geometry/pixel_center.glsl"
+#include "gloam/geometry/pixel.glsl"
 #include "gloam/geometry/position.glsl"
-#include "gloam/geometry/projected_radius.glsl"
+#include "gloam/geometry/radius.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // What takes view space to the pixels of an image and back, for either kind of projection.
 struct GloamCamera {
@@ -41,6 +42,24 @@ vec3 gloam_camera_position(ivec2 pixel, float depth, GloamCamera camera) {
 vec2 gloam_camera_radius(float radius, float depth, GloamCamera camera) {
     return camera.orthographic ? gloam_projected_radius_uv_orthographic(radius, depth, camera.p00_p11)
                                : gloam_projected_radius_uv(radius, depth, camera.p00_p11);
+}
+
+// depth at which a pixel's view ray meets a plane (CAMERA-plane): `t with n . (ray(t) - point) = 0` [ray and plane;
+// keeps a bare plane open in TSSAO-3].
+// A depth buffer holds the surface at pixel centres only: a point beside the centre is compared with it fairly when it
+// is first moved there along the plane that it belongs to; otherwise a bare plane seen at a grazing angle occludes
+// itself by up to half a pixel's slope. The ray is t (x, y, -1) in perspective, (x, y, -t) else; n . (ray - point) = 0
+// gives t.
+// ray: (x, y) where the ray is at depth 1, view space. point: view space, world units, in front of the eye. normal: of
+// the plane, view space, any length.
+// Returns the eye-linear depth t in world units; the point's own depth where the plane does not face the eye on that
+// ray, or meets it behind the eye or beyond what float32 holds. Error: 14 ULP while neither n . ray nor n . point is
+// below a quarter of the sum of its products' magnitudes, growing as they cancel further.
+float gloam_plane_depth(vec2 ray, vec3 point, vec3 normal, bool orthographic) {
+    vec3 start = orthographic ? vec3(ray, 0.0) : vec3(0.0);
+    float along = orthographic ? -normal.z : dot(normal, vec3(ray, -1.0));
+    float depth = dot(normal, point - start) / (along < 0.0 ? along : -1.0);
+    return along < 0.0 && depth > 0.0 && depth <= GLOAM_LARGEST ? depth : -point.z;
 }
 
 #endif

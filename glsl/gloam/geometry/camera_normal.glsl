@@ -4,7 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/normal.glsl"
+#include "gloam/geometry/surface.glsl"
 
 // position read from the depth image (POSITION-depth): `CAMERA-position of the depth and the centre of the pixel`
 // [inverse of the projection].

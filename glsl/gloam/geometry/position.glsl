@@ -3,7 +3,6 @@
 #define GLOAM_GEOMETRY_POSITION_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/geometry/finite.glsl"
 
 // The two elements p00_p11 = (P[0][0], P[1][1]) of a symmetric projection carry the field of view and the direction
 // of the y axis: P11 is negative where normalised device y points down (Vulkan), positive where it points up (OpenGL,

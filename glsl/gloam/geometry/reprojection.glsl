@@ -2,7 +2,7 @@
 #ifndef GLOAM_GEOMETRY_REPROJECTION_GLSL
 #define GLOAM_GEOMETRY_REPROJECTION_GLSL
 
-#include "gloam/geometry/finite.glsl"
+#include "gloam/geometry/background.glsl"
 #include "gloam/numeric/constants.glsl"
 
 // Where a surface point was in the previous image (TSSAO-RP). Matrices are column-major and act on column vectors;
@@ -26,8 +26,7 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
 }
 
 // previous texture coordinates, static scene (TSSAO-RP): `t' = P' V' V^-1 P^-1 t` [TSSAO, reprojection].
-// Previous texture coordinates of a point of the current image, static scene, one matrix prepared by the host (in
-// double): P_(f-1) V_(f-1) V_f^-1 P_f^-1.
+// One matrix, prepared by the host in double: P_(f-1) V_(f-1) V_f^-1 P_f^-1.
 // clip_position: clip-space point of the current frame, (ndc, 1) or homogeneous. previous_from_current: the matrix.
 // uv: previous texture coordinates in [0, 1]^2; (0, 0) when the result is false.
 // Returns whether the point was inside the previous image; false behind the previous camera, outside, and for NaN.
@@ -87,6 +86,17 @@ vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
 float gloam_previous_depth(vec3 previous_world, mat4 previous_view) {
     float depth = -(previous_view * vec4(previous_world, 1.0)).z;
     return gloam_is_finite(depth) ? depth : 0.0;
+}
+
+// position relative to the previous eye (TSSAO-PREC): `q' = q + (eye - eye')` [TSSAO, precision of positions].
+// Positions are stored relative to the eye because world coordinates far from the origin are coarse (at 1e5 a float's
+// spacing is 0.008).
+// position: q_f = x - eye_f, world axes and units. eye_delta: eye_f - eye_(f-1), subtracted in double by the host.
+// Returns q_(f-1), world axes and units; the zero vector where it is not finite. Error: at most 1 ulp.
+// No method or pass here calls it: it is TSSAO, the precision of positions, for engines without view-space positions.
+vec3 gloam_camera_centered_previous(vec3 position, vec3 eye_delta) {
+    vec3 previous = position + eye_delta;
+    return gloam_is_finite3(previous) ? previous : vec3(0.0);
 }
 
 #endif

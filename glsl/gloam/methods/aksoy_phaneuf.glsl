@@ -5,12 +5,12 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/aksoy_phaneuf.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/blocked.glsl"
+#include "gloam/occlusion/disc_taps.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/count.glsl"
+#include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // Surface points under a disc, each counting by its distance if it lies in front of the tangent plane (Aksoy and
 // Phaneuf 2011; CS-J).

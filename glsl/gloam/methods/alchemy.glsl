@@ -5,10 +5,10 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/alchemy.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/blocked.glsl"
+#include "gloam/occlusion/disc_taps.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/rotation.glsl"
 
 // Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10): surface points under a disc. Each counts 2 sigma

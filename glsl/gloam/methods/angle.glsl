@@ -5,13 +5,13 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/gather/pair.glsl"
 #include "gloam/numeric/constants.glsl"
+#include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/numeric/unit_angle.glsl"
 #include "gloam/occlusion/angle_based.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/count.glsl"
+#include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // Angles between opposite samples, as in Unreal Engine 4 (Mittring 2012; CS-P). The difference between the angle and
 // half a turn is blocked. The result is neither cosine-weighted nor uniform.

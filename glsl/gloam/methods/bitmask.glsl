@@ -6,11 +6,11 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/constants.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/visibility_bitmask.glsl"
+#include "gloam/occlusion/gtao.glsl"
+#include "gloam/sampling/count.glsl"
 #include "gloam/sampling/slice_sample.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // Visibility bitmask (Therrien et al. 2023). A sample covers the sectors of a slice between its front and its back,
 // so light passes behind thin things. Sectors are equal parts of the cosine-weighted half plane. Each slice takes

@@ -2,14 +2,14 @@
 #ifndef GLOAM_METHODS_DEPTH_DARKENING_GLSL
 #define GLOAM_METHODS_DEPTH_DARKENING_GLSL
 
-#include "gloam/filter/gaussian.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/gather/pair.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/count.glsl"
+#include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // Depth darkening (Luft, Colditz and Deussen 2006; CS-R) by samples: the unsharp mask of the depth, lambda max(D - G
 // * D, 0). G is a Gaussian whose deviation is half the radius, cut off at the radius. It darkens surfaces behind

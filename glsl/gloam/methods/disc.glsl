@@ -5,10 +5,10 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
-#include "gloam/occlusion/fox_compton.glsl"
+#include "gloam/occlusion/blocked.glsl"
+#include "gloam/occlusion/disc_taps.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/rotation.glsl"
 
 // Crease shading by the surface points under a disc (TSSAO-2, -12 and -4 with the kernel of TSSAO-13; Fox and Compton

@@ -2,13 +2,13 @@
 #ifndef GLOAM_METHODS_DISC_PROXY_GLSL
 #define GLOAM_METHODS_DISC_PROXY_GLSL
 
-#include "gloam/gather/disc_piece.glsl"
+#include "gloam/gather/disc.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/circle.glsl"
-#include "gloam/sampling/halton_point.glsl"
+#include "gloam/sampling/disc.glsl"
+#include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/rotation.glsl"
 
 // Discs in the place of pixels (Bunnell, GPU Gems 2, applied to visible surfaces; CS-S). Each pixel within the radius

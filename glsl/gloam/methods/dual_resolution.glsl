@@ -3,9 +3,8 @@
 #define GLOAM_METHODS_DUAL_RESOLUTION_GLSL
 
 #include "gloam/filter/dual_resolution.glsl"
-#include "gloam/filter/half_resolution.glsl"
-#include "gloam/filter/mssao_upsample.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/resolution.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/gather/further_depths.glsl"

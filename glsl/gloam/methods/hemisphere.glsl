@@ -8,14 +8,10 @@
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/crytek.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
-#include "gloam/occlusion/filion.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
-#include "gloam/sampling/hemisphere_cosine_point.glsl"
-#include "gloam/sampling/hemisphere_uniform_point.glsl"
+#include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/tangent_frame.glsl"
 
 // Ambient occlusion by points in the half ball above the surface (TSSAO-2, -3 and -4 with the kernel of TSSAO-14;
 // Ritschel et al. 2009). Directions are cosine-weighted and radii uniform, so samples need neither cosine nor

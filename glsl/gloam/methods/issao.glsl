@@ -2,12 +2,12 @@
 #ifndef GLOAM_METHODS_ISSAO_GLSL
 #define GLOAM_METHODS_ISSAO_GLSL
 
-#include "gloam/gather/covering_disc.glsl"
-#include "gloam/gather/distinct_pixels.glsl"
+#include "gloam/gather/disc.glsl"
 #include "gloam/gather/fetch.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/gather/pixels.glsl"
+#include "gloam/occlusion/blocked.glsl"
+#include "gloam/occlusion/disc_taps.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/issao.glsl"
 
 // ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
 // image of a disc across the view ray (ISSAO-P). Radii are uniform (ISSAO-1, polar reading). Each point counts phi (v

@@ -2,18 +2,18 @@
 #ifndef GLOAM_METHODS_MSSAO_GLSL
 #define GLOAM_METHODS_MSSAO_GLSL
 
-#include "gloam/filter/mssao_upsample.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/resolution.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/pyramid.glsl"
+#include "gloam/gather/pixels.glsl"
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/disc_taps.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/mssao.glsl"
-#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/rotation.glsl"
 
 // Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): surface points under small discs at several
@@ -24,7 +24,7 @@ struct GloamMssao {
 };
 
 // What gloam_fetch_prepared reads: surfaces at ever smaller resolutions, and their results, in one image
-// (gloam/gather/pyramid.glsl): positions, normals and results.
+// (gloam/gather/pixels.glsl): positions, normals and results.
 const int GLOAM_PYRAMID_POSITIONS = 0;
 const int GLOAM_PYRAMID_NORMALS = 1;
 const int GLOAM_PYRAMID_RESULTS = 2;

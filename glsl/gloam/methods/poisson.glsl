@@ -7,15 +7,13 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/eye_march.glsl"
-#include "gloam/sampling/halton_point.glsl"
-#include "gloam/sampling/poisson.glsl"
-#include "gloam/sampling/poisson_disc.glsl"
-#include "gloam/sampling/radical_inverse.glsl"
+#include "gloam/sampling/count.glsl"
+#include "gloam/sampling/disc.glsl"
+#include "gloam/sampling/halton.glsl"
+#include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/tangent_frame.glsl"
+#include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/unit_interval.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // Poisson rays (Sourimant et al. 2011; CS-J). Points of a Poisson disc, lifted to the half ball, are cosine-weighted
 // directions. Each is marched until something blocks it within the radius. There is no falloff. After all points of

@@ -5,13 +5,13 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/blocked.glsl"
+#include "gloam/occlusion/disc_taps.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/sao.glsl"
-#include "gloam/sampling/radical_inverse.glsl"
+#include "gloam/sampling/depth_mip.glsl"
+#include "gloam/sampling/disc.glsl"
+#include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/spiral.glsl"
-#include "gloam/sampling/tap_pixel.glsl"
 
 // Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near the
 // pixel. Far points are read from a depth chain (mip_distance 16). Each frame rotates the spiral by another angle.

@@ -2,7 +2,7 @@
 #ifndef GLOAM_METHODS_SEPARABLE_GLSL
 #define GLOAM_METHODS_SEPARABLE_GLSL
 
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
 #include "gloam/methods/gtao.glsl"
 #include "gloam/numeric/constants.glsl"

@@ -4,16 +4,16 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/geometry/length.glsl"
+#include "gloam/geometry/vector.glsl"
+#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/numeric/square_root.glsl"
 #include "gloam/occlusion/falloff.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"
-#include "gloam/occlusion/sphere_proxy.glsl"
-#include "gloam/sampling/circle.glsl"
-#include "gloam/sampling/halton_point.glsl"
+#include "gloam/occlusion/proxies.glsl"
+#include "gloam/sampling/disc.glsl"
+#include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/rotation.glsl"
 
 // Balls in the place of pixels. The density of taps is 1 / distance from the pixel, because a piece counts by the

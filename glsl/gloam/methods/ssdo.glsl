@@ -8,12 +8,11 @@
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
-#include "gloam/sampling/eye_march.glsl"
-#include "gloam/sampling/halton_point.glsl"
+#include "gloam/sampling/count.glsl"
+#include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/tangent_frame.glsl"
-#include "gloam/sampling/whole_samples.glsl"
+#include "gloam/sampling/slice_sample.glsl"
 
 // The direct part of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere:
 // the light that does not arrive. Each direction has one point at a uniform distance. Directions are uniform and

@@ -5,12 +5,12 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/numeric/precise.glsl"
-#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/numeric/constants.glsl"
+#include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/sweep.glsl"
+#include "gloam/sampling/count.glsl"
 #include "gloam/sampling/slice_sample.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // The horizon sweep: slices through the eye in which each direction counts with the falloff at the distance of the
 // first surface along it, weighted by the cosine (gloam/occlusion/sweep.glsl). The result is divided by the integral

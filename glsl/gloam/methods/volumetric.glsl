@@ -3,17 +3,15 @@
 #define GLOAM_METHODS_VOLUMETRIC_GLSL
 
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/line_pair.glsl"
 #include "gloam/gather/pair.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/volumetric.glsl"
-#include "gloam/sampling/disc_point.glsl"
-#include "gloam/sampling/radical_inverse.glsl"
+#include "gloam/sampling/count.glsl"
+#include "gloam/sampling/disc.glsl"
+#include "gloam/sampling/halton.glsl"
+#include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/spiral.glsl"
-#include "gloam/sampling/tangent_frame.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid part of a ball around the
 // point. A plane gives 1/2, and a = 0.5 of the remap subtracts it. A surface belongs to another object if it lies in

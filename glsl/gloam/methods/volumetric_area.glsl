@@ -3,16 +3,16 @@
 #define GLOAM_METHODS_VOLUMETRIC_AREA_GLSL
 
 #include "gloam/gather/fetch.glsl"
-#include "gloam/gather/line_pair.glsl"
-#include "gloam/gather/pyramid.glsl"
-#include "gloam/geometry/surface_moments.glsl"
+#include "gloam/gather/pair.glsl"
+#include "gloam/gather/pixels.glsl"
+#include "gloam/geometry/surface.glsl"
+#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/numeric/square_root.glsl"
+#include "gloam/sampling/count.glsl"
 #include "gloam/sampling/depth_mip.glsl"
-#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/whole_samples.glsl"
 
 // Volumetric obscurance by area samples (Loos and Sloan 2010, reconstructed): the ball of volumetric, but a sample is
 // a block of pixels. A pass prepares the mean and the variance of each block (preparation/area_moments.comp). The

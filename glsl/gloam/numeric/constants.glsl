@@ -15,4 +15,12 @@ const float GLOAM_LEAST_SQUARE = 1e-36;              // of a length: inverse roo
 // literal 1.175494351e-38 as 0.
 const float GLOAM_SMALLEST = 0.25 / 2147483648.0 / 2147483648.0 / 2147483648.0 / 2147483648.0;
 
+// Keeps the order of operations where a language has the word. Vulkan else lets a driver add up what an expression
+// subtracts one after the other, which undoes a reduction of an argument.
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define GLOAM_PRECISE precise
+#else
+#define GLOAM_PRECISE
+#endif
+
 #endif

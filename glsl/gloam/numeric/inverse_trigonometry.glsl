@@ -2,10 +2,37 @@
 #ifndef GLOAM_NUMERIC_INVERSE_TRIGONOMETRY_GLSL
 #define GLOAM_NUMERIC_INVERSE_TRIGONOMETRY_GLSL
 
+#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/length_ratio.glsl"
-#include "gloam/numeric/precise.glsl"
-#include "gloam/numeric/square_root.glsl"
+
+// arc cosine, cubic approximation (CS-P-acos-cubic): `((-2 pi / 9) x^2 - 5 pi / 18) x + pi / 2` [Mittring 2012; Aalund
+// and Baerentzen 2013].
+// As the angle-based method of UE4 has it: right at -1, -1/2, 0, 1/2 and 1, up to 0.178758 rad (10.2 degrees) from
+// acos, at |x| = 0.9275. The copy at hand prints its first constant as -0-69813.
+// x: cosine; taken to the nearer end outside [-1, 1], NaN to 0.
+// Returns radians in [0, pi]. Error against its own formula: 4e-7.
+// No method or pass here calls it: it is the angle of the comparative study; the methods take gloam_unit_angle.
+float gloam_acos_cubic(float x) {
+    float c = abs(x) <= 1.0 ? x : (x > 1.0 ? 1.0 : (x < -1.0 ? -1.0 : 0.0));
+    return clamp((-0.6981317008 * (c * c) - 0.8726646260) * c + GLOAM_HALF_PI, 0.0, GLOAM_PI);
+}
+
+// angle of a unit vector of the upper half plane (ANGLE-unit): `atan2(y, x), y >= 0, x^2 + y^2 = 1` [minimax
+// polynomial].
+// From the x axis: acos(x) and atan(y, x) in one, without a root and without a quotient, because both the cosine and
+// the sine are known. It is as exact near the axes as between them, where acos loses half the digits. The coefficients
+// are those of a minimax polynomial; Sollya's fpminimax finds as good ones.
+// direction: (cosine, sine), unit, sine >= 0.
+// Returns radians in [0, pi] (pi as a float). Error: 4e-7.
+float gloam_unit_angle(vec2 direction) {
+    float across = abs(direction.x);
+    bool steep = across < direction.y;
+    float m = steep ? direction.x : direction.y;
+    float z = m * m;
+    float p = 0.0390092656 + z * (0.0605309047 + z * (-0.0547225587 + z * 0.100911587));
+    float arc = m + (m * z) * (0.166653737 + z * (0.0754709542 + z * p));
+    return steep ? GLOAM_HALF_PI - arc : (direction.x < 0.0 ? GLOAM_PI - arc : arc);
+}
 
 // Inverse trigonometric functions. Vulkan lets those of the device err by 4096 ulp, 2e-4 at the least; the error of
 // these stays below 1e-6 on every conforming driver that does their operations in order (`precise`, NoContraction).

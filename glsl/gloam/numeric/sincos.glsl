@@ -3,7 +3,6 @@
 #define GLOAM_NUMERIC_SINCOS_GLSL
 
 #include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/precise.glsl"
 
 // Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by
 // anything outside; these are the same within 5e-7 on every conforming driver that does their operations in order

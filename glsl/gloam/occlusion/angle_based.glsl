@@ -2,9 +2,9 @@
 #ifndef GLOAM_OCCLUSION_ANGLE_BASED_GLSL
 #define GLOAM_OCCLUSION_ANGLE_BASED_GLSL
 
-#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/geometry/vector.glsl"
 #include "gloam/sampling/unit_interval.glsl"
-#include "gloam/shading/remap.glsl"
+#include "gloam/shading/ambient.glsl"
 
 // Angle-based occlusion of opposite pairs of samples, as in Unreal Engine 4 (Mittring 2012; CS-P): the angle between
 // both samples of a pair, over pi, is what is open. Neither cosine-weighted nor uniform: a groove of 45 degrees is
@@ -12,7 +12,6 @@
 
 // cosine of a sample's angle to the view vector, no lower than the tangent plane (CS-P-lifted): `view . s, s lifted to
 // s - (s . n) n where s . n < 0` [Mittring 2012; Aalund and Baerentzen 2013].
-// Cosine of the angle between the view vector and a sample, which is lifted to the tangent plane if it lies below.
 // offset: v = s - p, view space, world units. normal: n, unit. view: from the point to the eye, unit.
 // Returns a cosine in [-1, 1]; 0 (a sample in the image plane) for a zero or non-finite offset, one along -n within
 // 1e-5, and NaN.
@@ -67,7 +66,7 @@ float gloam_contribution_unreal(vec3 offset, vec3 normal, float bias, float scal
 }
 
 // what a side leaves open in the engine's later shader (CS-P-unreal-side): `(1 - occ)^2` [Unreal Engine 4, as ported].
-// What a side leaves open there: (1 - occ)^2, to be averaged over the sides.
+// To be averaged over the sides.
 // occlusion: of the side, taken into [0, 1], NaN to 0.
 // Returns visibility in [0, 1]. Error: 2 ULP.
 float gloam_unreal_side(float occlusion) {

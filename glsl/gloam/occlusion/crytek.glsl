@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_CRYTEK_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/geometry/finite.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 
@@ -13,7 +12,6 @@
 
 // Crytek's contribution of a sample point (CS-A): `1 - V', V' = 1 if s_d > s_z, else 0` [Mittring 2007; Aalund and
 // Baerentzen 2013, eq 3.1].
-// Contribution of a sample point, by eye-linear depths: 1 unless the surface at its pixel lies behind it.
 // sample_depth: s_z, eye-linear, world units; the sample is p + R s with s in the unit ball, in view space.
 // buffer_depth: s_d at its pixel.
 // Returns occlusion, 0 or 1: 1 where buffer_depth <= sample_depth, equality included: a bias keeps a plane seen
@@ -24,8 +22,7 @@ float gloam_contribution_crytek(float sample_depth, float buffer_depth) {
 
 // Crytek's contribution by the values of a depth buffer (CS-A-buffer): `1 - V', V' = 1 if s_d > s_z, else 0` [Mittring
 // 2007; Aalund and Baerentzen 2013, eq 3.1].
-// The same by the values of a depth buffer, as published: 0 at the near plane, 1 at the far plane (standard Z; pass 1
-// - b for reversed Z).
+// As published: 0 at the near plane, 1 at the far plane (standard Z; pass 1 - b for reversed Z).
 // sample_value: third component of gloam_crytek_sample. buffer_value: b at its pixel, in [0, 1].
 // Returns occlusion, 0 or 1: 0 for b >= 1, which is background, and for NaN. Error: none.
 // No method or pass here calls it: it is the test of the comparative study, in buffer space.
@@ -47,6 +44,20 @@ vec3 gloam_crytek_sample(vec2 uv, float buffer_value, vec3 s, float radius, floa
     float a = radius / clamp(depth, 1e-30, GLOAM_LARGEST_DIVISOR);
     vec3 point = center + a * s * vec3(1.0, 1.0, buffer_value * (100.0 / z_far));
     return gloam_is_finite3(point) ? point : center;
+}
+
+// contribution of a sample point, after Filion and McNaughton (CS-B): `1 - clamp((D - R) / D, 0, 1), D = d_s - d_b > 0`
+// [Filion and McNaughton 2008].
+// Contribution of a point of the half ball: D is how far the surface at the sample's pixel lies in front of it. Blocked
+// down to R in front, opening again as R / D beyond. The simple variant that is open beyond R is gloam_sample_blocked.
+// sample_depth, buffer_depth: eye-linear, world units. radius: R, world units, > 0.
+// Returns occlusion in [0, 1]: 0 for D <= 0 (where the printed quotient divides by 0), 1 for 0 < D <= R, R / D
+// beyond. 0 for background in the buffer, as gloam_tap_sees reads it, and for NaN. Error: 2.5 ULP, and what the
+// difference of two depths loses.
+float gloam_contribution_filion(float sample_depth, float buffer_depth, float radius) {
+    float in_front = sample_depth - buffer_depth;
+    float opened = in_front > radius ? radius / in_front : 1.0;
+    return gloam_tap_sees(buffer_depth) && in_front > 0.0 ? opened : 0.0;
 }
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef GLOAM_OCCLUSION_CURVATURE_GLSL
 #define GLOAM_OCCLUSION_CURVATURE_GLSL
 
+#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
-#include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Ambient occlusion by the curvature of the surface (after Hattori et al. 2012). The surface around the point is
@@ -13,7 +13,7 @@
 // functions below are that mean in closed form, from the integral of 1 / (1 + i q).
 
 // occlusion in a bowl (CS-K-bowl): `1 - Re 1 / sqrt((1 + i a) (1 + i b))` [derived, after Hattori et al. 2012].
-// Occlusion in a bowl or a furrow: 1 - Re 1 / sqrt((1 + i a) (1 + i b)).
+// In a furrow, too.
 // a, b: k_1 R / 2 and k_2 R / 2, both in [0, 4096]. (b down to -1e-4 changes the result by less than 1e-8.)
 // Returns occlusion in [0, 1]; a^2 / (1 + a^2) for a = b. Error: 4e-7.
 float gloam_occlusion_bowl(float a, float b) {

@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_FALLOFF_GLSL
 
 #include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/precise.glsl"
 
 // Weight of a hit by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All
 // functions use the magnitude of the distance and return 0 for NaN. With a radius that is zero, subnormal, negative or
@@ -79,6 +78,26 @@ float gloam_falloff_alchemy(float hit_distance, float u) {
     float scale =
         larger > 1.8446744e19 ? 5.421010862427522e-20 : (larger < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     return min(smaller * scale / (larger * scale), 1.0);
+}
+
+// A falloff selected by a setting, without the guards of falloff.glsl: for loops after gloam_can_gather. If the
+// selection is constant, the compiler removes the other falloffs.
+const uint GLOAM_FALLOFF_STEP = 0u;
+const uint GLOAM_FALLOFF_LINEAR = 1u;
+const uint GLOAM_FALLOFF_QUADRATIC = 2u;
+const uint GLOAM_FALLOFF_CUBIC = 3u;
+
+// falloff that a setting chooses, at a share of the radius (FALLOFF-choice): `step, 1 - x, 1 - x^2, 1 - x^3, not
+// below 0` [definition].
+// Weight of a hit at a share of the radius of influence (D of TSSAO-1). Another falloff is one more line.
+// falloff: GLOAM_FALLOFF_*, linear for any other number. x: d / R, [0, 1e9].
+// Returns D: 1 at x = 0, positive for x < 1, 0 from there on. Step: 1 up to x = 1, then 0. Linear: 1 - x. Quadratic:
+// 1 - x^2. Cubic: 1 - x^3. Error: 2e-7.
+float gloam_falloff_at(uint falloff, float x) {
+    if (falloff == GLOAM_FALLOFF_STEP) return x <= 1.0 ? 1.0 : 0.0;
+    if (falloff == GLOAM_FALLOFF_QUADRATIC) return max(1.0 - x * x, 0.0);
+    if (falloff == GLOAM_FALLOFF_CUBIC) return max(1.0 - x * x * x, 0.0);
+    return max(1.0 - x, 0.0);
 }
 
 #endif

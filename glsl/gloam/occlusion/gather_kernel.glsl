@@ -88,8 +88,7 @@ GloamEstimate gloam_slice_estimate(float occluded, float whole, uint slices, uin
 }
 
 // whether a depth is that of a surface (TSSAO-2-sees): `1e-18 <= d <= 1e18` [definition].
-// Whether a depth read at a tap is that of a surface: false for 0, what is negative, below 1e-18, beyond 1e18, infinite
-// or NaN. Error: none.
+// False for 0, what is negative, below 1e-18, beyond 1e18, infinite or NaN. Error: none.
 bool gloam_tap_sees(float depth) {
     return depth >= 1e-18 && depth <= GLOAM_FARTHEST;
 }

@@ -2,11 +2,11 @@
 #ifndef GLOAM_OCCLUSION_HBAO_GLSL
 #define GLOAM_OCCLUSION_HBAO_GLSL
 
-#include "gloam/geometry/finite.glsl"
-#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/geometry/background.glsl"
+#include "gloam/geometry/vector.glsl"
+#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/numeric/square_root.glsl"
 
 // Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): (1 / 2 pi) times the integral over
 // directions of the image of W (sin h - sin t). h is the elevation of the horizon and t that of the tangent above the
@@ -75,8 +75,6 @@ vec2 gloam_hbao_start_slope(float slope, float bias) {
 
 // one step of HBAO's march (CS-C): `occ + (sin S - sin H) (1 - |v|^2 / R^2), then H = S, where S > H` [Bavoil and Sainz
 // 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
-// One step of the march: if the sample rises above the horizon, what it adds, weighted by W = 1 - |v|^2 / R^2, and
-// the new horizon.
 // march: (sine of the horizon, occlusion so far): at first of gloam_hbao_horizon or gloam_hbao_start_slope, and 0.
 // rise: part of v = s - p along the view axis, world units. squared: |v|^2. radius: R, world units, > 0.
 // Returns the new pair; the occlusion of a side lies in [0, 2] (1 where the tangent is level). Unchanged for |v| >= R,

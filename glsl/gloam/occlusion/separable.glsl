@@ -2,14 +2,14 @@
 #ifndef GLOAM_OCCLUSION_SEPARABLE_GLSL
 #define GLOAM_OCCLUSION_SEPARABLE_GLSL
 
-#include "gloam/filter/gaussian.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Separable ambient occlusion (Huang et al. 2011): along one direction of a pair first, then along the other; the
 // pair is turned at random from pixel to pixel and a blur hides it. What stands only on the diagonals is missed.
 
 // occlusion of two directions (CS-O): `(AO_u + AO_v) / 2` [Huang et al. 2011 (separable AO)].
-// The simple form: the mean of the two one-dimensional estimates, (AO_u + AO_v) / 2.
+// The simple form: the mean of the two one-dimensional estimates.
 // along_u, along_v: occlusion, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns occlusion in [0, 1]; the same when the directions are exchanged. Error: 0.5 ULP.
 float gloam_separable_mean(float along_u, float along_v) {

@@ -4,8 +4,8 @@
 
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/unit_angle.glsl"
-#include "gloam/occlusion/falloff_choice.glsl"
+#include "gloam/numeric/inverse_trigonometry.glsl"
+#include "gloam/occlusion/falloff.glsl"
 
 // The horizon sweep: the occlusion of one side of a slice is the integral of D(r(h)) dI(h) over the angles h between
 // the tangent plane and the view vector. r(h) is the distance of the first surface along h, and I the inner integral
@@ -63,7 +63,7 @@ float gloam_sweep_behind(vec2 direction, GloamSlice slice) {
 }
 
 // a slice as one of its sides sees it (SWEEP-slice): `n times 1 or -1` [definition].
-// The slice for one of its sides: mirrored, if needed, so that the side is the positive one.
+// Mirrored, if needed, so that the side is the positive one.
 // towards: 1 for the positive side, -1 for the negative. Returns the slice with n times that. Error: none.
 GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
     return GloamSlice(slice.view, towards * slice.tangent, vec2(slice.normal.x, towards * slice.normal.y),
@@ -72,7 +72,7 @@ GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
 
 // a side of a slice with what one more tap uncovers (SWEEP-uncover): `sum + D(rho) (I(H) - I(h)), horizon h, where h <
 // H` [gloam; the inner integral of Jimenez et al. 2016].
-// Adds what a tap uncovers to a side, as a solid surface. It leaves features alone.
+// As of a solid surface: features are left alone.
 // side: so far. slice: of gloam_sweep_slice. offset: of the tap in the slice, (along view, along tangent), in units of
 // the radius of influence, longer than 1e-17 where the tap rises, shorter than 1e9. tells: whether the tap has a
 // surface; if not, the side does not change. rises: whether the tap is above the tangent plane; otherwise only its
@@ -117,8 +117,8 @@ GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {
 
 // a side of a slice with one more tap (SWEEP-tap): `SWEEP-end, then feature + D(rho) (I(H) - I(h)), horizon h, where h
 // < H` [gloam].
-// Adds a tap to a side: ends the feature before it where there is one, and begins or continues a feature where the
-// tap uncovers directions. Parameters as above.
+// Ends the feature before it where there is one, and begins or continues a feature where the tap uncovers directions.
+// Parameters as above.
 // Returns the side. Error: 2e-6, but for taps within rounding of where a feature ends.
 GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
                                uint falloff, float thickness) {

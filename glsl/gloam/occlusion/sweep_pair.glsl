@@ -2,10 +2,10 @@
 #ifndef GLOAM_OCCLUSION_SWEEP_PAIR_GLSL
 #define GLOAM_OCCLUSION_SWEEP_PAIR_GLSL
 
-#include "gloam/geometry/tangent_axes.glsl"
+#include "gloam/geometry/slice.glsl"
 
 // The horizon sweep (gloam/occlusion/sweep.glsl) with both sides of a slice at once, in the axes of the tangent plane
-// (gloam/geometry/tangent_axes.glsl). The elevation e of a direction over that plane takes the place of its angle from
+// (gloam/geometry/slice.glsl). The elevation e of a direction over that plane takes the place of its angle from
 // the view vector. The amount behind a direction grows with e, so no horizon is kept beside it. Features are found by
 // depth and by the places of the steps. Lengths are in radii of influence; x and y are the two sides. The functions
 // trust their caller: they test nothing.

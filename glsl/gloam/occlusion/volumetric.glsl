@@ -2,9 +2,9 @@
 #ifndef GLOAM_OCCLUSION_VOLUMETRIC_GLSL
 #define GLOAM_OCCLUSION_VOLUMETRIC_GLSL
 
-#include "gloam/geometry/finite.glsl"
+#include "gloam/geometry/background.glsl"
+#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/square_root.glsl"
 
 // Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): the solid part of a sphere around the point.
 // Each tap of a disc is a chord of the sphere along the view ray; the depth buffer determines the solid part of the
@@ -40,9 +40,8 @@ float gloam_line_occlusion(float height, float half_height) {
 
 // where the surface at a tap lies along the chord (CS-I-ratio): `q* = (h + z_s - z_p) / (2 h)` [Loos and Sloan 2010;
 // Aalund and Baerentzen 2013, eq 3.5].
-// Position of a tap's surface along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near end, not clamped.
-// gloam_line_pair uses it to detect other objects: a surface in front of the sphere has q* > 1, where the clamped
-// fraction would be solid.
+// 0 at the far end, 1 at the near end, not clamped. gloam_line_pair uses it to detect other objects: a surface in front
+// of the sphere has q* > 1, where the clamped fraction would be solid.
 // height, half_height: as above.
 // Returns any float; -infinity for background, 1/2 for h that is not positive, subnormal or above 2^126, and for NaN.
 // Error: 2e-7, or 3 ULP, up to 1e38.
@@ -94,7 +93,7 @@ float gloam_area_occlusion(float height, float half_width, float half_height) {
 
 // balls of two radii as one occlusion (CS-I-two-balls): `clamp(q_fine + q_broad - 1/2, 0, 1)` [after Loos and Sloan
 // 2010].
-// Occlusion of balls of two radii around one point: what both hold beyond the half that a plane fills, added.
+// What both hold beyond the half that a plane fills, added.
 // fine, broad: solid share of each, [0, 1].
 // Returns clamp(fine + broad - 1/2, 0, 1); what is not finite counts as 1/2. Error: 1.2e-7.
 float gloam_two_balls(float fine, float broad) {
@@ -104,8 +103,7 @@ float gloam_two_balls(float fine, float broad) {
 
 // half the chord of the tangent sphere (CS-I-tangent-chord): `(r / 2) (1 - |2 v.xy / r - n.xy|^2)^(1/2)` [Szirmay-Kalos
 // et al. 2009].
-// Half the chord, at a tap, of the sphere of half the radius that touches the surface from outside (Szirmay-Kalos et
-// al. 2009): a plane leaves it empty, and no offset is needed.
+// The sphere of half the radius touches the surface from outside: a plane leaves it empty, and no offset is needed.
 // offset: s - p, view space, world units, of which x and y count. normal: n, unit. radius: r of the whole kernel,
 // world units; the sphere's centre is p + n r / 2.
 // Returns a length in [0, r / 2], the weight of the tap; 0 beside the sphere, for r not positive, and for NaN. Error:

@@ -3,7 +3,7 @@
 #define GLOAM_SAMPLING_UNIT_INTERVAL_GLSL
 
 // number brought into [0, 1] (UNIT): `x inside [0, 1], else the nearer end; 0 for NaN` [convention].
-// A number brought into [0, 1]: how the sample maps read their random coordinates.
+// How the sample maps read their random coordinates.
 // x: any float.
 // Returns x inside [0, 1], else the nearer end; 0 for NaN. Error: none.
 float gloam_unit_interval(float x) {

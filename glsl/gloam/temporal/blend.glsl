@@ -43,4 +43,50 @@ vec2 gloam_blend(float history, float weight, float contribution, float k, float
     return vec2(blended, total < cap ? total : cap);
 }
 
+// exponential mean over frames (CS-G): `AO_n = AO_(n-1) + rate (AO - AO_(n-1)), AO where the history is not valid`
+// [Gears of War 2 (Smedberg and Wright 2009)].
+// It hides noise that changes from frame to frame, but gains nothing from frames in which nothing moves: for that see
+// gloam_blend.
+// history: occlusion of the last frame at the reprojected place. valid: whether it is the same surface (inside the
+// image, depth agrees). current: occlusion of this frame. rate: in (0, 1], 0.1; above 1 counts as 1, below 0 as 0,
+// NaN as 1.
+// Returns occlusion in [0, 1], between history and current; current where the history is not valid or not in [0, 1],
+// the history where current is not in [0, 1], 0 where neither is. Error: 2e-7.
+float gloam_temporal_smooth(float history, bool valid, float current, float rate) {
+    bool has_history = valid && history >= 0.0 && history <= 1.0;
+    bool has_current = current >= 0.0 && current <= 1.0;
+    if (!has_current) return has_history ? gloam_unit_interval(history) : 0.0;
+    if (!has_history || !(rate < 1.0)) return gloam_unit_interval(current);
+    float value = history + (current - history) * max(rate, 0.0);
+    return gloam_unit_interval(clamp(value, min(history, current), max(history, current)));
+}
+
+// how far a pixel has converged (TSSAO-6): `conv = w / w_max` [TSSAO, eq 6].
+// weight: w, accumulated samples. weight_max: w_max, in samples.
+// Returns convergence in [0, 1]: 0 for a weight that is 0, negative or NaN, 1 from w_max on. 1 for w_max zero,
+// subnormal, negative or NaN: nothing is to be accumulated then, so nothing is missing. Error: 2.5 ULP
+// for w_max up to 2^126.
+float gloam_convergence(float weight, float weight_max) {
+    if (!(weight_max >= GLOAM_SMALLEST)) return 1.0;
+    if (!(weight > 0.0)) return 0.0;
+    return weight < weight_max ? min(weight / weight_max, 1.0) : 1.0;
+}
+
+// samples to take in this frame (TSSAO-AS): `k = k_1 if conv < c_spatial, else k_2` [TSSAO, adaptive sampling].
+// convergence: conv in [0, 1], of the reprojected and validated history. c_spatial: 0.3.
+// k_initial: 32. k_converged: 8 to 16.
+// Returns a count >= 0 (a negative k counts as 0); k_initial as well for NaN in either: an unknown convergence is
+// none. Error: none.
+int gloam_sample_count(float convergence, float c_spatial, int k_initial, int k_converged) {
+    return max(convergence >= c_spatial ? k_converged : k_initial, 0);
+}
+
+// whether the kernel is rotated at random (TSSAO-ROT): `conv < c_rot` [TSSAO, random rotation].
+// Rotation turns banding into noise for the filter; later the plain sequence converges better.
+// convergence: conv in [0, 1], of the reprojected and validated history. c_rot: 0.5.
+// Returns true as well for NaN in either: an unknown convergence is none. Error: none.
+bool gloam_rotation_enabled(float convergence, float c_rot) {
+    return !(convergence >= c_rot);
+}
+
 #endif

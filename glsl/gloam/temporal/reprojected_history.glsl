@@ -2,22 +2,16 @@
 #ifndef GLOAM_TEMPORAL_REPROJECTED_HISTORY_GLSL
 #define GLOAM_TEMPORAL_REPROJECTED_HISTORY_GLSL
 
-#include "gloam/geometry/borders.glsl"
-#include "gloam/geometry/pixel_center.glsl"
-#include "gloam/geometry/texel_position.glsl"
-#include "gloam/temporal/disocclusion.glsl"
+#include "gloam/geometry/pixel.glsl"
 #include "gloam/temporal/history.glsl"
-#include "gloam/temporal/validated_bilinear.glsl"
 
 // Defined by the user: texel of the history buffer of the previous frame (gloam_history_pack), for a pixel inside it.
 vec4 gloam_fetch_history(ivec2 pixel);
 
 // history of a point, from the texels of the same surface around where it was (TSSAO-RP-history): `mean of (AO, w) over
-// the four texels with |d - d'| < epsilon d, by bilinear weights; j of the heaviest` [TSSAO, eqs 7
-// and 8; validated bilinear taps].
-// History of a surface point, from where it was in the previous image (TSSAO-RP, -7, -8): occlusion and weight
-// interpolated between those of the four texels around that hold the same surface, the index from the one of them
-// that counts most (it must not be interpolated).
+// the four texels with |d - d'| < epsilon d, by bilinear weights; j of the heaviest` [TSSAO, eqs 7 and 8; validated
+// bilinear taps].
+// The index must not be interpolated.
 // uv: previous texture coordinates, in [0, 1]^2. size: of the history buffer, texels. expected_depth: that the point
 // had in the previous camera (gloam_previous_depth), eye-linear, world units. epsilon: relative tolerance of the
 // depth, see gloam_depth_consistent; infinity accepts every surface.

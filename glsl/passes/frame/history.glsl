@@ -9,7 +9,7 @@
 //   sampler2D depth_before_image   level 0 of its depth; nearest, clamped to the edge
 
 #include "gloam/filter/frame_texel.glsl"
-#include "gloam/shading/multi_bounce.glsl"
+#include "gloam/shading/ambient.glsl"
 #include "gloam/temporal/frame_history.glsl"
 #include "passes/frame/parameters.glsl"
 #include "passes/frame/tile_list.glsl"

@@ -9,10 +9,10 @@
 #include "passes/engine_inputs.glsl"
 #include "passes/frame/parameters.glsl"
 #include "gloam/filter/frame_texel.glsl"
-#include "gloam/geometry/normal.glsl"
+#include "gloam/geometry/surface.glsl"
 #include "gloam/occlusion/sweep_pair.glsl"
 #include "gloam/sampling/depth_levels.glsl"
-#include "gloam/sampling/lattice_rotation.glsl"
+#include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 
 layout(constant_id = 5) const int slices = 1;

@@ -40,11 +40,10 @@ layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_before;
 layout(binding = 3, rgba32f) uniform writeonly highp image2D history_after;
 layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 
-#include "gloam/geometry/borders.glsl"
+#include "gloam/geometry/pixel.glsl"
+#include "gloam/sampling/count.glsl"
 #include "gloam/temporal/blend.glsl"
-#include "gloam/temporal/neighborhood.glsl"
-#include "gloam/temporal/smoothing.glsl"
-#include "gloam/sampling/whole_samples.glsl"
+#include "gloam/temporal/invalidation.glsl"
 #include "invalidation.glsl"
 #include "method_values.glsl"
 

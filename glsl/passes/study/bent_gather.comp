@@ -9,9 +9,8 @@
 //   3  rgba32f  written: as bent_normals.comp without interleave
 //   4  rgba32f  what bent_normals.comp wrote: (sum of open directions, number of them)
 #include "directional/points.glsl"
-#include "gloam/filter/geometry_weight.glsl"
-#include "gloam/shading/bent_cone.glsl"
-#include "gloam/shading/bent_normal.glsl"
+#include "gloam/filter/weights.glsl"
+#include "gloam/shading/directional.glsl"
 
 layout(constant_id = 0) const int interleave = 4;  // side of the blocks whose pixels share a pattern
 

@@ -8,8 +8,7 @@
 //               open: the normal and 0. Zeros at the background. With interleave above 1: (sum of open directions,
 //               number of them) for bent_gather.comp
 #include "directional/points.glsl"
-#include "gloam/shading/bent_cone.glsl"
-#include "gloam/shading/bent_normal.glsl"
+#include "gloam/shading/directional.glsl"
 
 // Side of the blocks whose pixels share a pattern (interleaved sampling): each pixel takes a part of it. 1: no sharing
 layout(constant_id = 0) const int interleave = 1;

@@ -9,7 +9,7 @@
 //   4  rgba32f  diffuse albedo in xyz, [0, 1]
 //   5  rgba32f  the result of direct_light.comp
 #include "directional/points.glsl"
-#include "gloam/shading/directional_occlusion.glsl"
+#include "gloam/shading/directional.glsl"
 
 layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
 layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;

@@ -9,8 +9,7 @@
 //   2  r32f     occlusion, [0, 1], as it is shown: filtered, remapped
 //   3  rgba32f  written: the sum in xyz; w is 1
 //   4  rgba32f  diffuse albedo in xyz, linear; read when multi_bounce is set
-#include "gloam/shading/ambient_light.glsl"
-#include "gloam/shading/multi_bounce.glsl"
+#include "gloam/shading/ambient.glsl"
 
 #include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -7,7 +7,7 @@
 //   3  rgba32f  written: radiance that leaves a white surface in xyz, in the unit of the sky; 0 at the background
 //   4  buffer   a Sky
 #include "directional/points.glsl"
-#include "gloam/shading/directional_occlusion.glsl"
+#include "gloam/shading/directional.glsl"
 
 layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
 

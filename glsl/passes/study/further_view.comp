@@ -41,10 +41,10 @@ layout(push_constant) uniform Parameters {
 
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/pixel_center.glsl"
+#include "gloam/geometry/pixel.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/hash_rotation.glsl"
-#include "gloam/temporal/disocclusion.glsl"
+#include "gloam/sampling/rotation.glsl"
+#include "gloam/temporal/history.glsl"
 #include "method_values.glsl"
 
 layout(binding = 5, std430) readonly buffer MethodSettings { MethodValues method_values; };

@@ -2,8 +2,7 @@
 #ifndef GLOAM_PASSES_INVALIDATION_GLSL
 #define GLOAM_PASSES_INVALIDATION_GLSL
 
-#include "gloam/temporal/neighborhood.glsl"
-#include "gloam/temporal/smooth_invalidation.glsl"
+#include "gloam/temporal/invalidation.glsl"
 
 // What a changed neighbourhood leaves of a history (TSSAO-SI); values of the setting `invalidation`.
 const uint INVALIDATION_CLAMP = 1u;

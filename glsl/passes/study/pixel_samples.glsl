@@ -3,17 +3,13 @@
 #define GLOAM_PASSES_PIXEL_SAMPLES_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/radius_cap.glsl"
-#include "gloam/occlusion/bias.glsl"
+#include "gloam/geometry/radius.glsl"
+#include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/count_by_distance.glsl"
-#include "gloam/sampling/count_by_radius.glsl"
-#include "gloam/sampling/hash_rotation.glsl"
-#include "gloam/sampling/lattice_rotation.glsl"
-#include "gloam/temporal/convergence.glsl"
+#include "gloam/sampling/count.glsl"
+#include "gloam/sampling/rotation.glsl"
+#include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/history.glsl"
-#include "gloam/temporal/rotation_switch.glsl"
-#include "gloam/temporal/sample_budget.glsl"
 
 // The samples of a pixel in one frame: their number, their radius and their rotation. ambient_occlusion.comp and the
 // preparation passes include this file, so that they agree.

@@ -28,7 +28,7 @@ layout(push_constant) uniform Parameters {
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/pixel_center.glsl"
+#include "gloam/geometry/pixel.glsl"
 
 // Where a point of an image lies in view space, at a depth.
 // place: pixels from the top left corner; the centre of the first pixel is at 1/2.

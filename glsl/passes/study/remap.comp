@@ -31,7 +31,7 @@ layout(push_constant) uniform Parameters {
 } parameters;
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/shading/remap.glsl"
+#include "gloam/shading/ambient.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

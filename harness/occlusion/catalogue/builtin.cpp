@@ -11,11 +11,11 @@ namespace {
 using namespace check;
 using reference::dmat3, reference::dvec3;
 
-void by_rules(Entries& entries, const std::string& id, auto reference, Domain domain) {
-    add(entries, id, reference, {.domain = std::move(domain), .only_rules = true});
+void by_rules(Entries& entries, const std::string& id, auto reference, const Domain& domain) {
+    add(entries, id, reference, domain).only_rules = true;
 }
-void builtin(Entries& entries, const std::string& name, auto reference, Domain domain) {
-    by_rules(entries, "BUILTIN-" + name, reference, std::move(domain));
+void builtin(Entries& entries, const std::string& name, auto reference, const Domain& domain) {
+    by_rules(entries, "BUILTIN-" + name, reference, domain);
 }
 
 // Floats of every kind: ordinary ones, any bit pattern, special values, and turning points of functions.

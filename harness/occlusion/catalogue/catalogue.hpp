@@ -21,7 +21,7 @@ struct Found {
 };
 
 // Every command of the command line finds equations by this: by ID, by the number in a paper (printed.hpp),
-// by function, by file of the library ("gloam/filter/shrink.glsl") and by shell globs of these (* and ?), in
+// by function, by file of the library ("gloam/filter/weights.glsl") and by shell globs of these (* and ?), in
 // any case; without names all. Throws std::invalid_argument with a name that is none of them.
 [[nodiscard]] Found find(const Entries& entries, const std::vector<std::string>& names);
 

@@ -13,17 +13,17 @@
 // The entry of an equation in the catalogue states what a person must decide; one call of add() a function:
 //
 //     add(entries, "TSSAO-5", &reference::gloam_blend,
-//         {.domain = {uniform(0, 1).and_special(), ...},     // one Values for each in or inout parameter
-//          .budget = {.ulp = 3},                             // measured; see check::Budget
-//          .codomain = {0, 1e9}},                            // holds for every input whatever, NaN included
-//         [](double history, ...) { return ...; });          // inputs for which the budget is promised: all
+//         {uniform(0, 1).and_special(), ...},     // domain: one Values for each in or inout parameter
+//         {.ulp = 3},                             // budget: measured; see check::Budget
+//         {0, 1e9},                               // codomain: holds for every input whatever, NaN included
+//         [](double history, ...) { return ...; });  // inputs for which the budget is promised: all
 //
 // The rest is read. Its title, formula, source, function and file stand in the comment of the GLSL function
 // (catalogue/description.hpp). The signature is that of the reference, with float in place of double; what
 // the reference takes as T& is an out parameter. Degenerate inputs, and images of exact 0 and 1, are added to
-// those of every entry (check/domain.hpp, check/question.hpp). `.scenarios` provides images for a
-// function that reads images (catalogue/inputs.hpp); its reference then takes (const check::ImageSet&,
-// arguments...).
+// those of every entry (check/domain.hpp, check/question.hpp). The scenarios, the last argument, provide
+// images for a function that reads images (catalogue/inputs.hpp); its reference then takes (const
+// check::ImageSet&, arguments...).
 namespace gloam::catalogue {
 
 struct Entry {
@@ -75,18 +75,22 @@ struct GlslOf<R (C::*)(P...) const> : GlslOf<R (*)(P...)> {};
 
 }  // namespace detail
 
-// Adds an entry. `promised`: called with the exact values of all inputs; it may not be stated in `question`.
+// Adds an entry. `promised`: called with the exact values of all inputs; nullptr: all.
 template <class Reference, class Promised = std::nullptr_t>
-void add(Entries& entries, std::string id, Reference reference, check::Question question,
-         Promised promised = nullptr) {
+check::Question& add(Entries& entries, std::string id, Reference reference, const check::Domain& domain,
+                     check::Budget budget = {}, check::Codomain codomain = {}, Promised promised = nullptr,
+                     std::vector<check::ImageScenario> scenarios = {}) {
     using Signature = typename detail::GlslOf<Reference>::type;
-    question.signature = check::SignatureOf<Signature>::describe();
-    question.domain = question.domain.and_degenerate(question.signature);
-    question.reference = check::make_reference<Signature>(reference);
-    question.scenarios = with_exact_ends(std::move(question.scenarios));
+    check::Question question{.signature = check::SignatureOf<Signature>::describe(),
+                             .reference = check::make_reference<Signature>(reference),
+                             .budget = budget,
+                             .codomain = codomain,
+                             .scenarios = with_exact_ends(std::move(scenarios))};
+    question.domain = domain.and_degenerate(question.signature);
     if constexpr (!std::same_as<Promised, std::nullptr_t>)
         question.promised = check::make_predicate<Signature>(promised);
-    entries.push_back({.description = {.id = std::move(id)}, .question = std::move(question)});
+    return entries.emplace_back(Entry{.description = {.id = std::move(id)}, .question = std::move(question)})
+        .question;
 }
 
 // The entries of each file, in the order of glsl/gloam.

@@ -27,22 +27,17 @@ void append_gaussian(Entries& entries) {
     const Values threshold =
         either(uniform(0, 1), log_uniform(1e-37, 1e38)).and_near({0.2, 0x1p-126}).and_special();
     add(entries, "TSSAO-11", &reference::gloam_shrink,
-        {.domain = Domain{convergence, threshold}.tied(0, 1).tied(0, 1, 0.5),
-         .budget = {.ulp = 3},
-         .codomain = {0, 1}});
+        Domain{convergence, threshold}.tied(0, 1).tied(0, 1, 0.5), {.ulp = 3}, {0, 1});
     const Values squares = either(uniform(0, 1), lengths()).and_near({99.5}).and_special();
-    add(entries, "TSSAO-10-g", &reference::gloam_gaussian,
-        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}});
-    add(entries, "TSSAO-10-g-scale", &reference::gloam_gaussian_scale,
-        {.domain = {lengths().and_near({0x1p100})}, .budget = {.ulp = 2.5}, .codomain = {0, infinity}});
-    add(entries, "TSSAO-10-g-scaled", &reference::gloam_gaussian_scaled,
-        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}});
+    add(entries, "TSSAO-10-g", &reference::gloam_gaussian, {squares, lengths()}, {.absolute = 3e-7}, {0, 1});
+    add(entries, "TSSAO-10-g-scale", &reference::gloam_gaussian_scale, {lengths().and_near({0x1p100})},
+        {.ulp = 2.5}, {0, infinity});
+    add(entries, "TSSAO-10-g-scaled", &reference::gloam_gaussian_scaled, {squares, lengths()},
+        {.absolute = 3e-7}, {0, 1});
     add(entries, "TSSAO-10-sigma", &reference::gloam_filter_sigma,
-        {.domain = {log_uniform(1e-3, 1e6).and_special(), uniform(0.1, 2).and_special(),
-                    log_uniform(1, 16384).and_special(), uniform(0.25, 8).and_special()},
-         .budget = {.ulp = 4},
-         .codomain = {0, float_max}},
-        [](double d, double tangent, double height, double pixels) {
+        {log_uniform(1e-3, 1e6).and_special(), uniform(0.1, 2).and_special(),
+         log_uniform(1, 16384).and_special(), uniform(0.25, 8).and_special()},
+        {.ulp = 4}, {0, float_max}, [](double d, double tangent, double height, double pixels) {
             return moderate(1e-9, 1e9, d, tangent, height, pixels);
         });
 }
@@ -58,13 +53,12 @@ void append_mean(Entries& entries) {
                                 random.below(4) == 0 ? random.uniform(0, 3e-8) : random.uniform(0, 5);
                             return glm::vec4(random.uniform(low, high) * weight, weight, low, high);
                         }).only_as_drawn();
-    add(entries, "TSSAO-10-empty", &reference::gloam_weighted_mean_empty, {.domain = {}, .codomain = {0, 1}});
-    add(entries, "TSSAO-10-add", &reference::gloam_weighted_mean_add,
-        {.domain = {mean, value, weight}, .budget = {.ulp = 1.5}, .codomain = {0, float_max}});
+    add(entries, "TSSAO-10-empty", &reference::gloam_weighted_mean_empty, {}, {}, {0, 1});
+    add(entries, "TSSAO-10-add", &reference::gloam_weighted_mean_add, {mean, value, weight}, {.ulp = 1.5},
+        {0, float_max});
     add(entries, "TSSAO-10-mean", &reference::gloam_weighted_mean_value,
-        {.domain = {mean.and_value(glm::vec4(0.5E-8F, 1e-8F, 0, 1), true), value},
-         .budget = {.ulp = 2.5, .backward_ulp = 1},
-         .codomain = {0, 1}});
+        {mean.and_value(glm::vec4(0.5E-8F, 1e-8F, 0, 1), true), value}, {.ulp = 2.5, .backward_ulp = 1},
+        {0, 1});
 }
 
 constexpr const char* values_name = "gloam_fetch_occlusion_convergence";
@@ -121,44 +115,38 @@ Values scales() {
 
 void append_window(Entries& entries) {
     add(entries, "TSSAO-11-window", &reference::gloam_window_coverage,
-        {.domain = {integers(1, 8).and_near_integers({16777216}),
-                    uniform(0, 8).and_near({1.0, 2.0}).and_special()},
-         .codomain = {0, 1}},
-        [](int offset, double reach) { return offset < 16 && !(reach > 16 && reach < 1e30); });
+        {integers(1, 8).and_near_integers({16777216}), uniform(0, 8).and_near({1.0, 2.0}).and_special()}, {},
+        {0, 1}, [](int offset, double reach) { return offset < 16 && !(reach > 16 && reach < 1e30); });
 }
 
 void append_filtering(Entries& entries) {
     add(entries, "TSSAO-10-weight", &reference::gloam_convergence_weight,
-        {.domain = {vector(3, uniform(-0.5, 0.5)).and_special(), uniform(0, 1), scales(), uniform(0, 1)},
-         .budget = {.absolute = 5e-7},
-         .codomain = {0, 1}},
-        [](glm::dvec3 v, double coverage, double scale, double convergence) {
+        {vector(3, uniform(-0.5, 0.5)).and_special(), uniform(0, 1), scales(), uniform(0, 1)},
+        {.absolute = 5e-7}, {0, 1}, [](glm::dvec3 v, double coverage, double scale, double convergence) {
             return moderate(1e-15, 1e15, v) && moderate(1e-30, 1.0, coverage) && scale >= 1e-6 &&
                    convergence >= 0 && convergence <= 1;
         });
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
-    add(entries, "TSSAO-10",
+    add(
+        entries, "TSSAO-10",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
            double c_adaptive, double sigma) {
             return reference::gloam_convergence_filter(pixel, along, size, half_width, c_adaptive, sigma,
                                                        values_of(images), positions_of(images));
         },
-        {.domain = {image_pixel(), axis, image_size().only_as_drawn(),
-                    integers(0, 6).and_near_integers({0, 2147483646L}),
-                    uniform(0, 1).and_near({0.2}).and_special(), sigmas()},
-         .budget = {.absolute = 8e-7},
-         .codomain = {0, 1},
-         .scenarios = surfaces()});
+        {image_pixel(), axis, image_size().only_as_drawn(),
+         integers(0, 6).and_near_integers({0, 2147483646L}), uniform(0, 1).and_near({0.2}).and_special(),
+         sigmas()},
+        {.absolute = 8e-7}, {0, 1}, nullptr, surfaces());
 }
 
 void append_sao_filters(Entries& entries) {
     add(entries, "CS-Q-blur", &reference::gloam_sao_blur_weight,
-        {.domain = {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
-                    either(signed_log_uniform(1e-6, 1), any_float()).and_special(),
-                    either(log_uniform(10, 10000), any_float()).and_special()},
-         .budget = {.absolute = 2e-7},
-         .codomain = {0, 0.445}});
+        {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
+         either(signed_log_uniform(1e-6, 1), any_float()).and_special(),
+         either(log_uniform(10, 10000), any_float()).and_special()},
+        {.absolute = 2e-7}, {0, 0.445});
 }
 
 void append_mssao_levels(Entries& entries) {
@@ -169,25 +157,19 @@ void append_mssao_levels(Entries& entries) {
         return depths;
     });
     add(entries, "CS-F-rank", &reference::gloam_depth_rank,
-        {.domain = {either(vector(4, depth), near_ones), integers(-1, 4)}});
+        {either(vector(4, depth), near_ones), integers(-1, 4)});
     add(entries, "CS-F-weights", &reference::gloam_mssao_weights,
-        {.domain = {either(vector(4, depth), near_ones),
-                    either(uniform(0, 1), constant(0.25F)).and_special()},
-         .budget = {.backward_ulp = 1},
-         .codomain = {0, 1}});
+        {either(vector(4, depth), near_ones), either(uniform(0, 1), constant(0.25F)).and_special()},
+        {.backward_ulp = 1}, {0, 1});
     add(entries, "CS-F-normal", &reference::gloam_mssao_normal,
-        {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special()},
-         .budget = {.absolute = 4e-7},
-         .codomain = {-1.000001, 1.000001}},
+        {unit_vector(3).and_special(), unit_vector(3).and_special()}, {.absolute = 4e-7},
+        {-1.000001, 1.000001},
         [](glm::dvec3 a, glm::dvec3 b) { return moderate(0.0, 1e18, a, b) && glm::length(a + b) >= 0.25; });
     const Values power = either(uniform(0.25, 10), constant(1.0F)).and_near({0.0}).and_special();
     add(entries, "CS-F-upsample", &reference::gloam_mssao_upsample_weight,
-        {.domain = {uniform(0, 1).and_special(),
-                    either(signed_log_uniform(1e-3, 10), any_float()).and_special(),
-                    uniform(-1, 1).and_near({-1.0, 1.0}).and_special(), power, power},
-         .budget = {.absolute = 3e-6},
-         .codomain = {0, 1}},
-        [](double, double dz, double cosine, double a, double b) {
+        {uniform(0, 1).and_special(), either(signed_log_uniform(1e-3, 10), any_float()).and_special(),
+         uniform(-1, 1).and_near({-1.0, 1.0}).and_special(), power, power},
+        {.absolute = 3e-6}, {0, 1}, [](double, double dz, double cosine, double a, double b) {
             return moderate(0.0, 1e18, dz) && moderate(0.0, 1e9, cosine) && moderate(0.25, 16, a, b) &&
                    a < 1e9 && b < 1e9;
         });
@@ -205,20 +187,14 @@ ImageSet occlusion_image(glm::ivec2 size, numeric::Random& random) {
 }
 
 void append_dual(Entries& entries) {
-    add(entries, "CS-E-dual",
+    add(
+        entries, "CS-E-dual",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, double tolerance) {
             const auto fetch = [&images](glm::ivec2 at) { return images.at(occlusion_name).at<double>(at); };
             return reference::gloam_dual_resolution_disagrees(pixel, size, tolerance, fetch);
         },
-        {.domain = {image_pixel(), image_size().only_as_drawn(), uniform(0, 0.3).and_special()},
-         .budget = {.backward_ulp = 1},
-         .scenarios = image_scenarios(occlusion_image)});
-}
-
-void append_filter_keys(Entries& entries) {
-    append_dual(entries);
-    append_sao_filters(entries);
-    append_mssao_levels(entries);
+        {image_pixel(), image_size().only_as_drawn(), uniform(0, 0.3).and_special()}, {.backward_ulp = 1}, {},
+        nullptr, image_scenarios(occlusion_image));
 }
 
 }  // namespace
@@ -228,7 +204,9 @@ void append_filter(Entries& entries) {
     append_window(entries);
     append_mean(entries);
     append_filtering(entries);
-    append_filter_keys(entries);
+    append_dual(entries);
+    append_sao_filters(entries);
+    append_mssao_levels(entries);
 }
 
 }  // namespace gloam::catalogue

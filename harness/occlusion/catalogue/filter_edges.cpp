@@ -46,11 +46,9 @@ void append_bilateral(Entries& entries) {
     const Values pixels = either(uniform(0.5, 4), log_uniform(1e-30, 1e30)).and_special();
     const Values lengths = either(log_uniform(0.01, 2), log_uniform(1e-30, 1e30)).and_special();
     add(entries, "ISSAO-7-weight", &reference::gloam_bilateral_weight,
-        {.domain = {vector(2, uniform(-8, 8)).and_value(glm::vec2(0)),
-                    either(uniform(-1, 1), signed_log_uniform(1e-37, 1e38)).and_special(), pixels, lengths},
-         .budget = {.absolute = 4e-7},
-         .codomain = {0, 1}},
-        [](glm::dvec2 offset, double difference, double, double) {
+        {vector(2, uniform(-8, 8)).and_value(glm::vec2(0)),
+         either(uniform(-1, 1), signed_log_uniform(1e-37, 1e38)).and_special(), pixels, lengths},
+        {.absolute = 4e-7}, {0, 1}, [](glm::dvec2 offset, double difference, double, double) {
             return moderate(1e-15, 1e15, offset, difference);
         });
 }
@@ -61,17 +59,16 @@ void append_bilateral_mean(Entries& entries) {
     // Few taps, because the number of paths of an interval grows with every tap.
     const Values half_width = either(vector(2, integers(0, 1)), vector({integers(0, 3), integers(0, 0)}))
                                   .and_value(glm::ivec2(0, -5));
-    add(entries, "ISSAO-7",
+    add(
+        entries, "ISSAO-7",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 half, glm::ivec2 size, double sigma_d,
            double sigma_r) {
             return reference::gloam_bilateral_filter(pixel, half, size, sigma_d, sigma_r,
                                                      scalars_of(images, occlusion_name),
                                                      scalars_of(images, depth_name));
         },
-        {.domain = {image_pixel(), half_width, image_size(), sigma_d, sigma_r},
-         .budget = {.absolute = 6e-7},
-         .codomain = {0, 1},
-         .scenarios = surfaces()});
+        {image_pixel(), half_width, image_size(), sigma_d, sigma_r}, {.absolute = 6e-7}, {0, 1}, nullptr,
+        surfaces());
 }
 
 auto normals_of(const ImageSet& images) {
@@ -80,14 +77,10 @@ auto normals_of(const ImageSet& images) {
 
 void append_geometry_weight(Entries& entries) {
     add(entries, "CS-BLUR-weight", &reference::gloam_geometry_weight,
-        {.domain = {unit_vector(3).and_value(glm::vec3(0)).and_special(),
-                    unit_vector(3).and_value(glm::vec3(0)),
-                    either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_special(),
-                    uniform(1, 16).and_near({10.0}).and_special(),
-                    uniform(0, 2).and_near({0.0, 0.5}).and_special()},
-         .budget = {.absolute = 3e-6},
-         .codomain = {0, 1}},
-        [](glm::dvec3 n, glm::dvec3, double, double by_normal, double by_depth) {
+        {unit_vector(3).and_value(glm::vec3(0)).and_special(), unit_vector(3).and_value(glm::vec3(0)),
+         either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_special(),
+         uniform(1, 16).and_near({10.0}).and_special(), uniform(0, 2).and_near({0.0, 0.5}).and_special()},
+        {.absolute = 3e-6}, {0, 1}, [](glm::dvec3 n, glm::dvec3, double, double by_normal, double by_depth) {
             return moderate(1e-9, 1.1, n) && by_normal >= 1 && by_normal <= 17 && by_depth <= 3;
         });
 }
@@ -96,39 +89,32 @@ void append_geometry_blur(Entries& entries) {
     const Values powers = vector({uniform(1, 16), uniform(0, 1)});
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
-    add(entries, "CS-BLUR",
+    add(
+        entries, "CS-BLUR",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
            glm::dvec2 exponents) {
             return reference::gloam_geometry_blur(pixel, along, size, half_width, exponents,
                                                   scalars_of(images, occlusion_name),
                                                   scalars_of(images, depth_name), normals_of(images));
         },
-        {.domain = {image_pixel(), axis, image_size().only_as_drawn(), integers(0, 4).and_near_integers({0}),
-                    powers},
-         .budget = {.absolute = 1e-6},
-         .codomain = {0, 1},
-         .scenarios = surfaces()});
-}
-
-void append_edge_aware(Entries& entries) {
-    append_bilateral(entries);
-    append_bilateral_mean(entries);
-    append_geometry_weight(entries);
-    append_geometry_blur(entries);
+        {image_pixel(), axis, image_size().only_as_drawn(), integers(0, 4).and_near_integers({0}), powers},
+        {.absolute = 1e-6}, {0, 1}, nullptr, surfaces());
 }
 
 void append_filter_resolution(Entries& entries) {
     const Values size = integers(0, 1 << 30);
     add(entries, "HALF-size", &reference::gloam_half_size,
-        {.domain = {either(vector(2, integers(0, 9)), vector(2, size))}});
-    add(entries, "HALF-source", &reference::gloam_half_source,
-        {.domain = {vector(2, integers(-(1 << 29), 1 << 29))}});
+        {either(vector(2, integers(0, 9)), vector(2, size))});
+    add(entries, "HALF-source", &reference::gloam_half_source, {vector(2, integers(-(1 << 29), 1 << 29))});
 }
 
 }  // namespace
 
 void append_filter_edges(Entries& entries) {
-    append_edge_aware(entries);
+    append_bilateral(entries);
+    append_bilateral_mean(entries);
+    append_geometry_weight(entries);
+    append_geometry_blur(entries);
     append_filter_resolution(entries);
 }
 

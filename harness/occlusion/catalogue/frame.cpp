@@ -42,8 +42,7 @@ Values views() {
 
 void append_axes(Entries& entries) {
     add(entries, "FRAME-axes", &reference::gloam_tangent_axes,
-        {.domain = {unit_vector(2).only_as_drawn(), views(), unit_vector(3).only_as_drawn()},
-         .budget = {.absolute = 3e-6}},
+        {unit_vector(2).only_as_drawn(), views(), unit_vector(3).only_as_drawn()}, {.absolute = 3e-6}, {},
         [](glm::dvec2 d, glm::dvec3 v, glm::dvec3 n) {
             const double across = glm::dot(d, glm::dvec2(v));
             const double facing = glm::dot(n, v);
@@ -52,13 +51,13 @@ void append_axes(Entries& entries) {
             return units && facing > 0.01 &&
                    facing * facing + beside * beside / (1.0 - across * across) > 0.1;
         });
-    add(entries, "FRAME-whole", &reference::gloam_tangent_whole,
-        {.domain = {planes()}, .budget = {.absolute = 0.009}, .codomain = {0.98, 1.58}});
+    add(entries, "FRAME-whole", &reference::gloam_tangent_whole, {planes()}, {.absolute = 0.009},
+        {0.98, 1.58});
     const Values values = vector(2, uniform(-2, 2)).only_as_drawn();
     add(entries, "FRAME-pair", &reference::gloam_tap_pair,
-        {.domain = {values, values, values, uniform(0.5, 50).only_as_drawn(),
-                    vector(2, uniform(0.5, 50)).only_as_drawn(), booleans()},
-         .budget = {.absolute = 4e-5}});
+        {values, values, values, uniform(0.5, 50).only_as_drawn(),
+         vector(2, uniform(0.5, 50)).only_as_drawn(), booleans()},
+        {.absolute = 4e-5});
 }
 
 // Both sides within a march.
@@ -81,35 +80,34 @@ Values pairs() {
 }
 
 void append_pairs(Entries& entries) {
-    add(entries, "FRAME-start", &reference::gloam_sweep_pair, {.budget = {.ulp = 1}, .codomain = {0, 1}});
+    add(entries, "FRAME-start", &reference::gloam_sweep_pair, {}, {.ulp = 1}, {0, 1});
     const Values directions = made_by<glm::vec2>([](numeric::Random& random) {
                                   return glm::vec2(random.uniform(-0.588, 1), random.uniform(-0.588, 1));
                               }).only_as_drawn();
     add(entries, "FRAME-behind", &reference::gloam_pair_behind,
-        {.domain = Domain{directions, directions, planes()}.adjusted([](std::span<Word> row) {
-             for (int i = 0; i < 2; ++i) {
-                 const auto cosine = std::bit_cast<float>(row[static_cast<std::size_t>(i)]);
-                 const float sine = std::sqrt(std::max(1.0F - cosine * cosine, 0.0F));
-                 row[static_cast<std::size_t>(i) + 2] = std::bit_cast<Word>(sine);
-             }
-         }),
-         .budget = {.absolute = 0.005}});
+        Domain{directions, directions, planes()}.adjusted([](std::span<Word> row) {
+            for (int i = 0; i < 2; ++i) {
+                const auto cosine = std::bit_cast<float>(row[static_cast<std::size_t>(i)]);
+                const float sine = std::sqrt(std::max(1.0F - cosine * cosine, 0.0F));
+                row[static_cast<std::size_t>(i) + 2] = std::bit_cast<Word>(sine);
+            }
+        }),
+        {.absolute = 0.005});
     const Values nearer = vector(2, uniform(-1, 1)).only_as_drawn();
     const Values thickness = uniform(0, 3).and_value(1e18F).only_as_drawn();
     const Values place = uniform(0.5, 1).only_as_drawn();
-    add(entries, "FRAME-end", &reference::gloam_pair_end,
-        {.domain = {pairs(), nearer, place, thickness}, .budget = {.absolute = 4e-7, .backward_ulp = 4}});
+    add(entries, "FRAME-end", &reference::gloam_pair_end, {pairs(), nearer, place, thickness},
+        {.absolute = 4e-7, .backward_ulp = 4});
     const Values taps = made_by<glm::vec4>([](numeric::Random& random) {
                             const auto one = [&] { return static_cast<float>(random.uniform(-1.2, 1.2)); };
                             return glm::vec4(one(), one(), one(), one());
                         }).only_as_drawn();
     add(entries, "FRAME-tap", &reference::gloam_pair_tap,
-        {.domain = {pairs(), taps, nearer, place, planes(), uniform(0, 0.01).only_as_drawn(), thickness},
-         .budget = {.absolute = 2e-6, .backward_ulp = 4}});
+        {pairs(), taps, nearer, place, planes(), uniform(0, 0.01).only_as_drawn(), thickness},
+        {.absolute = 2e-6, .backward_ulp = 4});
     add(entries, "FRAME-bent", &reference::gloam_bent_slice,
-        {.domain = {vector(2, uniform(0, 0.6).and_value(0.5F)).only_as_drawn(), planes()},
-         .budget = {.absolute = 4e-6},
-         .codomain = {-13, 13}});
+        {vector(2, uniform(0, 0.6).and_value(0.5F)).only_as_drawn(), planes()}, {.absolute = 4e-6},
+        {-13, 13});
 }
 
 void append_levels(Entries& entries) {
@@ -131,18 +129,13 @@ void append_levels(Entries& entries) {
         made_by<float>([](numeric::Random& random) { return random.unit() < 0.5 ? 0.0F : 1.0F; })
             .and_value(static_cast<float>(numeric::infinity))
             .only_as_drawn();
-    add(entries, "FRAME-depth", &reference::gloam_level_depth,
-        {.domain = {stored, numerators, divisors, far},
-         .budget = {.ulp = 3, .backward_ulp = 4},
-         .codomain = {0, 65504}},
+    add(entries, "FRAME-depth", &reference::gloam_level_depth, {stored, numerators, divisors, far},
+        {.ulp = 3, .backward_ulp = 4}, {0, 65504},
         [](double b, glm::dvec2, glm::dvec2, double) { return b == 0.0 || !(std::abs(b) < 1e-30); });
-    add(entries, "FRAME-level", &reference::gloam_depth_level,
-        {.domain = {log_uniform(1e-3, 16384).only_as_drawn()},
-         .budget = {.absolute = 2e-6},
-         .codomain = {-154, 124}});
+    add(entries, "FRAME-level", &reference::gloam_depth_level, {log_uniform(1e-3, 16384).only_as_drawn()},
+        {.absolute = 2e-6}, {-154, 124});
     const Values blocks = vector(2, either(integers(0, 64), integers(0, 10000))).only_as_drawn();
-    add(entries, "FRAME-middle", &reference::gloam_is_level_middle,
-        {.domain = {blocks, integers(2, 6).only_as_drawn()}});
+    add(entries, "FRAME-middle", &reference::gloam_is_level_middle, {blocks, integers(2, 6).only_as_drawn()});
 }
 
 bool off_a_half(double value) {
@@ -157,26 +150,24 @@ void append_texels(Entries& entries) {
                               .and_value(65504.0F)
                               .only_as_drawn();
     add(entries, "FRAME-texel", &reference::gloam_frame_code,
-        {.domain = {halves, uniform(0, 1).and_value(1.0F).only_as_drawn(),
-                    uniform(0, 1.6).and_value(1.6F).only_as_drawn()}},
-        [](double, double occlusion, double weight) {
+        {halves, uniform(0, 1).and_value(1.0F).only_as_drawn(),
+         uniform(0, 1.6).and_value(1.6F).only_as_drawn()},
+        {}, {}, [](double, double occlusion, double weight) {
             return off_a_half(255.0 * occlusion) && off_a_half(127.0 * weight / 1.6);
         });
     add(entries, "FRAME-texel-of", &reference::gloam_frame_texel,
-        {.domain = Domain{either(log_integers(4294967295), integers(0, 4294967295))}.adjusted(
-             [](std::span<Word> row) {
-                 row[0] &= 0xFFFF7FFFU;  // the sign, then what is no number
-                 if ((row[0] & 0x7C00U) == 0x7C00U) row[0] ^= 0x4000U;
-                 if ((row[0] & 0x7C00U) == 0U) row[0] |= 0x400U;  // a subnormal one
-             }),
-         .codomain = {0, 65504}});
+        Domain{either(log_integers(4294967295), integers(0, 4294967295))}.adjusted([](std::span<Word> row) {
+            row[0] &= 0xFFFF7FFFU;  // the sign, then what is no number
+            if ((row[0] & 0x7C00U) == 0x7C00U) row[0] ^= 0x4000U;
+            if ((row[0] & 0x7C00U) == 0U) row[0] |= 0x400U;  // a subnormal one
+        }),
+        {}, {0, 65504});
     const Values near = uniform(0.9, 1.1).only_as_drawn();
     const Values scale = either(uniform(0, 60), log_uniform(1e-3, 1e4));
     add(entries, "FRAME-near", &reference::gloam_near_pair,
-        {.domain = {vector(2, near).only_as_drawn(), near, vector(2, scale).only_as_drawn(),
-                    uniform(0, 1).and_value(0.0F).only_as_drawn()},
-         .budget = {.absolute = 2e-7},
-         .codomain = {0, 1}});
+        {vector(2, near).only_as_drawn(), near, vector(2, scale).only_as_drawn(),
+         uniform(0, 1).and_value(0.0F).only_as_drawn()},
+        {.absolute = 2e-7}, {0, 1});
 }
 
 // What brings a pixel of an image of 100 x 100 to the frame before.
@@ -197,24 +188,21 @@ Values cameras() {
 void append_history(Entries& entries) {
     const Values depth = uniform(0.5, 10).only_as_drawn();
     add(entries, "FRAME-before", &reference::gloam_frame_before,
-        {.domain = {vector(2, uniform(0, 100)).only_as_drawn(), depth, cameras(), booleans()},
-         .budget = {.absolute = 5e-6}});
+        {vector(2, uniform(0, 100)).only_as_drawn(), depth, cameras(), booleans()}, {.absolute = 5e-6});
     const Values near = uniform(0.9, 1.1).and_value(65504.0F).only_as_drawn();
     add(entries, "FRAME-moved", &reference::gloam_frame_moved,
-        {.domain = {near, vector(4, near).only_as_drawn(),
-                    uniform(1, 1e4).and_value(32752.0F).only_as_drawn(), uniform(0, 0.05).only_as_drawn()},
-         .budget = {.backward_ulp = 4}});
+        {near, vector(4, near).only_as_drawn(), uniform(1, 1e4).and_value(32752.0F).only_as_drawn(),
+         uniform(0, 0.05).only_as_drawn()},
+        {.backward_ulp = 4});
     const Values part = uniform(0, 1).and_near({0.0, 1.0}).only_as_drawn();
     const Values sums = made_by<glm::vec2>([](numeric::Random& random) {
                             const double weight = random.uniform(0.1, 1);
                             return glm::vec2(weight * random.unit(), weight);
                         }).only_as_drawn();
-    add(entries, "FRAME-sharp", &reference::gloam_frame_sharp,
-        {.domain = {sums, sums, part}, .budget = {.absolute = 1.5e-6}, .codomain = {0, 1.00001}});
-    add(entries, "FRAME-blend", &reference::gloam_frame_blend,
-        {.domain = {part, part, part, part, part, part},
-         .budget = {.absolute = 4e-7},
-         .codomain = {-1e-6, 1.00001}});
+    add(entries, "FRAME-sharp", &reference::gloam_frame_sharp, {sums, sums, part}, {.absolute = 1.5e-6},
+        {0, 1.00001});
+    add(entries, "FRAME-blend", &reference::gloam_frame_blend, {part, part, part, part, part, part},
+        {.absolute = 4e-7}, {-1e-6, 1.00001});
 }
 
 }  // namespace

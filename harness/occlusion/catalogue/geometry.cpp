@@ -61,12 +61,9 @@ void add_depth(Entries& entries, const char* id, double (*reference)(double, dou
                glm::dvec2 (*elements)(double, double, unsigned), double ulp,
                bool (*promised)(double, double, double)) {
     add(entries, id, reference,
-        {.domain =
-             Domain{buffer_depths(), log_uniform(0.01, 10).and_special(), log_uniform(1.1, 1e5).and_special()}
-                 .adjusted(projection_elements(elements)),
-         .budget = {.ulp = ulp},
-         .codomain = {0x1p-126, numeric::infinity}},
-        promised);
+        Domain{buffer_depths(), log_uniform(0.01, 10).and_special(), log_uniform(1.1, 1e5).and_special()}
+            .adjusted(projection_elements(elements)),
+        {.ulp = ulp}, {0x1p-126, numeric::infinity}, promised);
 }
 
 // Elements and depths with which no result overflows or underflows.
@@ -87,19 +84,18 @@ bool true_orthographic_gl(double b, double p22, double p32) {
 void append_background(Entries& entries) {
     const Values depth = any_float().and_special().and_near({0x1p-126, 3.402823466e38});
     const Values component = either(uniform(-1, 1), any_float()).and_special().and_near({3.402823466e38});
-    add(entries, "FINITE", &reference::gloam_is_finite, {.domain = {depth}});
-    add(entries, "NAN", &reference::gloam_is_nan, {.domain = {depth}});
-    add(entries, "FINITE-2", &reference::gloam_is_finite2, {.domain = {vector(2, component)}});
-    add(entries, "FINITE-3", &reference::gloam_is_finite3, {.domain = {vector(3, component)}});
-    add(entries, "FINITE-4", &reference::gloam_is_finite4, {.domain = {vector(4, component)}});
-    add(entries, "BACKGROUND", &reference::gloam_is_background, {.domain = {depth}});
-    add(entries, "BACKGROUND-depth", &reference::gloam_background_depth,
-        {.codomain = {numeric::infinity, numeric::infinity}});
+    add(entries, "FINITE", &reference::gloam_is_finite, {depth});
+    add(entries, "NAN", &reference::gloam_is_nan, {depth});
+    add(entries, "FINITE-2", &reference::gloam_is_finite2, {vector(2, component)});
+    add(entries, "FINITE-3", &reference::gloam_is_finite3, {vector(3, component)});
+    add(entries, "FINITE-4", &reference::gloam_is_finite4, {vector(4, component)});
+    add(entries, "BACKGROUND", &reference::gloam_is_background, {depth});
+    add(entries, "BACKGROUND-depth", &reference::gloam_background_depth, {}, {},
+        {numeric::infinity, numeric::infinity});
     const Values part = either(signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-30, 1e30));
     add(entries, "DEPTH-quotient", &reference::gloam_depth_quotient,
-        {.domain = {part.and_special(), part.and_special().and_near({0x1p126})},
-         .budget = {.ulp = 2.5},
-         .codomain = {0x1p-126, numeric::infinity}},
+        {part.and_special(), part.and_special().and_near({0x1p126})}, {.ulp = 2.5},
+        {0x1p-126, numeric::infinity},
         [](double a, double b) { return moderate(1e-30, 1e30, a) && !(std::abs(a / b) < 1e-37); });
 }
 
@@ -135,8 +131,7 @@ constexpr double largest = 1e12;
 
 void append_projections(Entries& entries) {
     const auto unproject = [&](const char* id, auto reference, double ulp) {
-        add(entries, id, reference,
-            {.domain = {ndcs(), depths(), scales()}, .budget = {.ulp = ulp}, .codomain = {-huge, huge}},
+        add(entries, id, reference, {ndcs(), depths(), scales()}, {.ulp = ulp}, {-huge, huge},
             [](const auto&... inputs) { return moderate(smallest, largest, inputs...); });
     };
     unproject("POSITION-perspective", &reference::gloam_view_position_perspective, 3);
@@ -144,8 +139,7 @@ void append_projections(Entries& entries) {
     const Values position =
         vector({signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e4)});
     const auto ndc = [&](const char* id, auto reference, double ulp) {
-        add(entries, id, reference,
-            {.domain = {position.and_special(), scales()}, .budget = {.ulp = ulp}, .codomain = {-huge, huge}},
+        add(entries, id, reference, {position.and_special(), scales()}, {.ulp = ulp}, {-huge, huge},
             [](const auto&... inputs) { return moderate(smallest, largest, inputs...); });
     };
     ndc("NDC-perspective", &reference::gloam_ndc_perspective, 3);
@@ -155,7 +149,7 @@ void append_projections(Entries& entries) {
 void append_radii(Entries& entries) {
     const Values radius = log_uniform(1e-3, 1e2).and_special();
     const auto in = [&](const char* id, auto reference, double ulp, const Domain& domain) {
-        add(entries, id, reference, {.domain = domain, .budget = {.ulp = ulp}, .codomain = {0, huge}},
+        add(entries, id, reference, domain, {.ulp = ulp}, {0, huge},
             [](double radius, double depth, glm::dvec2 scale, const auto&...) {
                 return moderate(smallest, largest, radius, depth, scale) && !std::isinf(radius);
             });
@@ -167,25 +161,15 @@ void append_radii(Entries& entries) {
 
 void append_coordinates(Entries& entries) {
     add(entries, "LENGTH", &reference::gloam_positive_length,
-        {.domain = {either(any_float(), uniform(-2, 2)).and_special()}, .codomain = {0, huge}});
+        {either(any_float(), uniform(-2, 2)).and_special()}, {}, {0, huge});
     const Values coordinate = either(integers(-16, 8192), integers(-2147483648L, 2147483647L));
     add(entries, "NDC-pixel", &reference::gloam_ndc_from_pixel,
-        {.domain = {vector(2, coordinate),
-                    vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
-         .budget = {.ulp = 2.5},
-         .codomain = {-1e10, 1e10}},
-        [](glm::ivec2 pixel, glm::ivec2) {
+        {vector(2, coordinate), vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
+        {.ulp = 2.5}, {-1e10, 1e10}, [](glm::ivec2 pixel, glm::ivec2) {
             return std::abs(static_cast<double>(pixel.x)) <= 4194304 &&
                    std::abs(static_cast<double>(pixel.y)) <= 4194304;
         });
-    add(entries, "UV-ndc", &reference::gloam_uv_from_ndc,
-        {.domain = {ndcs()}, .budget = {.ulp = 1}, .codomain = {-huge, huge}});
-}
-
-void append_positions(Entries& entries) {
-    append_coordinates(entries);
-    append_projections(entries);
-    append_radii(entries);
+    add(entries, "UV-ndc", &reference::gloam_uv_from_ndc, {ndcs()}, {.ulp = 1}, {-huge, huge});
 }
 
 // A position in front of the eye.
@@ -236,10 +220,8 @@ bool promised_normal(glm::dvec3 center, glm::dvec3 left, glm::dvec3 right, glm::
 template <bool orthographic>
 void add_neighbors(Entries& entries, const char* id, auto reference) {
     add(entries, id, reference,
-        {.domain = Domain{centers(), steps(true), steps(true), steps(false), steps(false)}.adjusted(
-             place_neighbors),
-         .budget = {.absolute = orthographic ? 4e-6 : 5e-7, .backward_ulp = 1},
-         .codomain = {-1.000001, 1.000001}},
+        Domain{centers(), steps(true), steps(true), steps(false), steps(false)}.adjusted(place_neighbors),
+        {.absolute = orthographic ? 4e-6 : 5e-7, .backward_ulp = 1}, {-1.000001, 1.000001},
         promised_normal<orthographic>);
 }
 
@@ -253,16 +235,12 @@ void append_directions(Entries& entries) {
         }
     };
     add(entries, "NORMAL-direction", &reference::gloam_neighbor_direction,
-        {.domain = Domain{centers(), steps(true), steps(true)}.adjusted(place),
-         .budget = {.ulp = 6, .backward_ulp = 1},
-         .codomain = {-1.000001, 1.000001}},
-        [](const auto&... positions) { return moderate(1e-12, 1e12, positions...); });
+        Domain{centers(), steps(true), steps(true)}.adjusted(place), {.ulp = 6, .backward_ulp = 1},
+        {-1.000001, 1.000001}, [](const auto&... positions) { return moderate(1e-12, 1e12, positions...); });
     add(entries, "NORMAL-facing", &reference::gloam_facing_normal,
-        {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special(),
-                    vector_of_length(3, log_uniform(1e-3, 1e3)).and_special()},
-         .budget = {.absolute = 3e-6},
-         .codomain = {-1.000001, 1.000001}},
-        [](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
+        {unit_vector(3).and_special(), unit_vector(3).and_special(),
+         vector_of_length(3, log_uniform(1e-3, 1e3)).and_special()},
+        {.absolute = 3e-6}, {-1.000001, 1.000001}, [](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
             return moderate(1e-10, 2.0, x, y) && moderate(1e-10, 1e10, viewer) &&
                    std::isfinite(viewer.x + viewer.y + viewer.z) && well_conditioned(x, y, viewer);
         });
@@ -271,9 +249,8 @@ void append_directions(Entries& entries) {
 void append_safe_normalize(Entries& entries) {
     const Values any = either(vector_of_length(3, log_uniform(1e-37, 3e38)), vector(3, any_float()));
     add(entries, "NORMALIZE", &reference::gloam_safe_normalize,
-        {.domain = {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))},
-         .budget = {.ulp = 5, .absolute = 1e-18},
-         .codomain = {-1.000001, 1.000001}});
+        {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))}, {.ulp = 5, .absolute = 1e-18},
+        {-1.000001, 1.000001});
 }
 
 // A reference that fetches depths, from the images of a scenario.
@@ -287,11 +264,9 @@ auto fetching_depth(Reference reference) {
 
 void add_from_depth(Entries& entries, const char* id, auto reference, Budget budget, Codomain codomain) {
     add(entries, id, fetching_depth(reference),
-        {.domain = {either(image_pixel(), vector(2, integers(-2, 66))),
-                    vector({projection_scales(), image_size(), booleans()})},
-         .budget = budget,
-         .codomain = codomain,
-         .scenarios = depth_scenarios(depth_prototype)});
+        {either(image_pixel(), vector(2, integers(-2, 66))),
+         vector({projection_scales(), image_size(), booleans()})},
+        budget, codomain, nullptr, depth_scenarios(depth_prototype));
 }
 
 void append_normals(Entries& entries) {
@@ -308,7 +283,9 @@ void append_normals(Entries& entries) {
 
 void append_geometry(Entries& entries) {
     append_depths(entries);
-    append_positions(entries);
+    append_coordinates(entries);
+    append_projections(entries);
+    append_radii(entries);
     append_normals(entries);
 }
 

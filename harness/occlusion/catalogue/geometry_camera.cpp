@@ -79,32 +79,25 @@ constexpr auto well_carried = [](const glm::dvec4& clip, const auto&... matrices
 
 void append_clip(Entries& entries) {
     add(entries, "TSSAO-RP-uv", &reference::gloam_uv_from_clip,
-        {.domain = {either(clip_points(), vector(4, signed_log_uniform(1e-30, 1e30))).and_special()},
-         .budget = {.ulp = 3},
-         .codomain = {0, 1}});
+        {either(clip_points(), vector(4, signed_log_uniform(1e-30, 1e30))).and_special()}, {.ulp = 3},
+        {0, 1});
     add(entries, "TSSAO-RP", &reference::gloam_reproject_clip,
-        {.domain = {clip_points().and_special(), reprojection_matrices().and_special()},
-         .budget = {.absolute = 1.2e-6, .backward_ulp = 4},
-         .codomain = {0, 1}},
+        {clip_points().and_special(), reprojection_matrices().and_special()},
+        {.absolute = 1.2e-6, .backward_ulp = 4}, {0, 1},
         [](const glm::dvec4& clip, const glm::dmat4& matrix) {
             const double w = (matrix * clip).w;
             return moderate(smallest_entry, largest_entry, clip, matrix) && !(std::abs(w) < 0.05);
         });
     add(entries, "TSSAO-RP-static", &reference::gloam_previous_clip_static,
-        {.domain = {clip_points().and_special(), inverse_projection_matrices().and_special(),
-                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
-                    projection_matrices().and_special()},
-         .budget = {.ulp = 4, .absolute = 4e-4, .of_largest_component = true},
-         .codomain = {-huge, huge}},
-        well_carried);
+        {clip_points().and_special(), inverse_projection_matrices().and_special(),
+         rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+         projection_matrices().and_special()},
+        {.ulp = 4, .absolute = 4e-4, .of_largest_component = true}, {-huge, huge}, well_carried);
     add(entries, "TSSAO-RP-moving", &reference::gloam_previous_clip_moving,
-        {.domain = {clip_points().and_special(), inverse_projection_matrices().and_special(),
-                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
-                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
-                    projection_matrices().and_special()},
-         .budget = {.ulp = 4, .absolute = 5e-4, .of_largest_component = true},
-         .codomain = {-huge, huge}},
-        well_carried);
+        {clip_points().and_special(), inverse_projection_matrices().and_special(),
+         rigid_matrices(10).and_special(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+         rigid_matrices(10).and_special(), projection_matrices().and_special()},
+        {.ulp = 4, .absolute = 5e-4, .of_largest_component = true}, {-huge, huge}, well_carried);
 }
 
 // World positions in a scene of usual size.
@@ -114,17 +107,14 @@ Values positions() {
 
 void append_previous(Entries& entries) {
     add(entries, "TSSAO-RP-world", &reference::gloam_previous_world,
-        {.domain = {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
-         .budget = {.ulp = 4, .absolute = 1.2e-4, .of_largest_component = true},
-         .codomain = {-huge, huge}},
+        {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
+        {.ulp = 4, .absolute = 1.2e-4, .of_largest_component = true}, {-huge, huge},
         [](const glm::dvec3& world, const auto&... matrices) {
             return moderate(smallest_entry, largest_entry, world, matrices...) &&
                    carried_near(glm::dvec4(world, 1.0), {glm::dmat4(matrices)...}, false);
         });
     add(entries, "TSSAO-RP-depth", &reference::gloam_previous_depth,
-        {.domain = {positions(), rigid_matrices(10).and_special()},
-         .budget = {.absolute = 5e-5},
-         .codomain = {-huge, huge}},
+        {positions(), rigid_matrices(10).and_special()}, {.absolute = 5e-5}, {-huge, huge},
         [](const auto&... values) { return moderate(smallest_entry, largest_entry, values...); });
 }
 
@@ -132,9 +122,7 @@ void append_reprojections(Entries& entries) {
     append_clip(entries);
     append_previous(entries);
     add(entries, "TSSAO-PREC", &reference::gloam_camera_centered_previous,
-        {.domain = {positions(), vector(3, signed_log_uniform(1e-6, 10)).and_special()},
-         .budget = {.ulp = 1},
-         .codomain = {-huge, huge}});
+        {positions(), vector(3, signed_log_uniform(1e-6, 10)).and_special()}, {.ulp = 1}, {-huge, huge});
 }
 
 using Camera = reference::GloamCamera;
@@ -162,27 +150,22 @@ Values depths() {
 
 void append_cameras(Entries& entries) {
     add(entries, "CAMERA-uv", &reference::gloam_camera_uv,
-        {.domain = Domain{view_positions(), cameras()}.adjusted(place_before_camera(0, 3)),
-         .budget = {.ulp = 4, .absolute = 2e-7},
-         .codomain = {-huge, huge}},
+        Domain{view_positions(), cameras()}.adjusted(place_before_camera(0, 3)), {.ulp = 4, .absolute = 2e-7},
+        {-huge, huge},
         [](glm::dvec3 at, const Camera& c) { return moderate(smallest, largest, at, c.p00_p11); });
     const Values pixel = vector(2, either(integers(-4, 64), integers(-4194304, 4194304)));
-    add(entries, "CAMERA-position", &reference::gloam_camera_position,
-        {.domain = {pixel, depths(), cameras()}, .budget = {.ulp = 3}, .codomain = {-huge, huge}},
+    add(entries, "CAMERA-position", &reference::gloam_camera_position, {pixel, depths(), cameras()},
+        {.ulp = 3}, {-huge, huge},
         [](glm::ivec2, double d, const Camera& c) { return moderate(smallest, largest, d, c.p00_p11); });
     add(entries, "CAMERA-radius", &reference::gloam_camera_radius,
-        {.domain = {log_uniform(1e-3, 1e2).and_special(), depths(), cameras()},
-         .budget = {.ulp = 3},
-         .codomain = {0, huge}},
+        {log_uniform(1e-3, 1e2).and_special(), depths(), cameras()}, {.ulp = 3}, {0, huge},
         [](double r, double d, const Camera& c) {
             return moderate(smallest, largest, r, d, c.p00_p11) && !(r > largest);
         });
     add(entries, "CAMERA-plane", &reference::gloam_plane_depth,
-        {.domain = {vector(2, uniform(-1, 1)), vector({uniform(-4, 4), uniform(-4, 4), uniform(-4, -1)}),
-                    unit_vector(3), booleans()},
-         .budget = {.ulp = 14},
-         .codomain = {0, std::numeric_limits<float>::max()}},
-        well_conditioned);
+        {vector(2, uniform(-1, 1)), vector({uniform(-4, 4), uniform(-4, 4), uniform(-4, -1)}), unit_vector(3),
+         booleans()},
+        {.ulp = 14}, {0, std::numeric_limits<float>::max()}, well_conditioned);
 }
 
 Values sizes() {
@@ -206,9 +189,7 @@ void place_at_borders(std::span<Word> words) {
 
 void append_guard_field_of_view(Entries& entries) {
     add(entries, "TSSAO-BORDER-tan", &reference::gloam_guard_band_tan_half_fov,
-        {.domain = {log_uniform(0.05, 10).and_special(), uniform(0, 1).and_special()},
-         .budget = {.ulp = 3},
-         .codomain = {-huge, huge}},
+        {log_uniform(0.05, 10).and_special(), uniform(0, 1).and_special()}, {.ulp = 3}, {-huge, huge},
         [](double tangent, double guard) {
             return moderate(1e-30, huge, tangent) && guard >= 0 && guard <= 1;
         });
@@ -216,33 +197,31 @@ void append_guard_field_of_view(Entries& entries) {
 
 void append_nearest(Entries& entries) {
     add(entries, "TSSAO-7-index", &reference::gloam_nearest_index,
-        {.domain = {uniform(-0.2, 1.2).and_near({0.5, 1.0}).and_special(),
-                    log_integers(16384).and_near_integers({0, -2147483647L})},
-         .budget = {.backward_ulp = 1}});
+        {uniform(-0.2, 1.2).and_near({0.5, 1.0}).and_special(),
+         log_integers(16384).and_near_integers({0, -2147483647L})},
+        {.backward_ulp = 1});
     add(entries, "TSSAO-7-pixel", &reference::gloam_nearest_pixel,
-        {.domain = Domain{uvs(), sizes()}.adjusted(place_at_borders), .budget = {.backward_ulp = 1}});
-    add(entries, "TSSAO-7", &reference::gloam_pixel_center,
-        {.domain = Domain{uvs(), sizes()}.adjusted(place_at_borders),
-         .budget = {.ulp = 2.5, .backward_ulp = 1},
-         .codomain = {0, 1}});
+        Domain{uvs(), sizes()}.adjusted(place_at_borders), {.backward_ulp = 1});
+    add(entries, "TSSAO-7", &reference::gloam_pixel_center, Domain{uvs(), sizes()}.adjusted(place_at_borders),
+        {.ulp = 2.5, .backward_ulp = 1}, {0, 1});
 }
 
 void append_guard_sizes(Entries& entries) {
     const Values guard =
         either(uniform(0, 1), uniform(0.05, 0.1)).and_near({0.05, 0.1, 0.25, 0.5}).and_special();
     const Domain domain{sizes(), guard};
-    add(entries, "TSSAO-BORDER-width", &reference::gloam_guard_band_border,
-        {.domain = domain, .budget = {.backward_ulp = 1}, .codomain = {0, 4194305}});
-    add(entries, "TSSAO-BORDER-guard", &reference::gloam_guard_band_guard,
-        {.domain = domain, .budget = {.ulp = 5, .backward_ulp = 1}, .codomain = {0, 1}});
+    add(entries, "TSSAO-BORDER-width", &reference::gloam_guard_band_border, domain, {.backward_ulp = 1},
+        {0, 4194305});
+    add(entries, "TSSAO-BORDER-guard", &reference::gloam_guard_band_guard, domain,
+        {.ulp = 5, .backward_ulp = 1}, {0, 1});
 }
 
 void append_pixels(Entries& entries) {
     append_nearest(entries);
     add(entries, "INSIDE", &reference::gloam_inside_unit,
-        {.domain = {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()}});
+        {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()});
     const Values pixel = vector(2, integers(-100, 5000).and_near_integers({0, 2147483647, -2147483647L}));
-    add(entries, "TSSAO-BORDER", &reference::gloam_clamp_to_edge, {.domain = {pixel, sizes()}});
+    add(entries, "TSSAO-BORDER", &reference::gloam_clamp_to_edge, {pixel, sizes()});
     append_guard_sizes(entries);
     append_guard_field_of_view(entries);
 }
@@ -255,10 +234,8 @@ void append_curvatures(Entries& entries) {
     const Values turn = either(vector_of_length(3, uniform(0, 0.01)), vector_of_length(3, uniform(0.8, 1)))
                             .and_value(glm::vec3(0))
                             .and_special();
-    add(entries, "CS-K-principal", &reference::gloam_principal_curvatures,
-        {.domain = {step, step, turn, turn},
-         .budget = {.absolute = 1.1e-4},
-         .codomain = {-numeric::largest_float, numeric::largest_float}},
+    add(entries, "CS-K-principal", &reference::gloam_principal_curvatures, {step, step, turn, turn},
+        {.absolute = 1.1e-4}, {-numeric::largest_float, numeric::largest_float},
         [](glm::dvec3 px, glm::dvec3 py, glm::dvec3 nx, glm::dvec3 ny) {
             const double a = glm::length(px);
             const double b = glm::length(py);
@@ -283,16 +260,13 @@ Values moments() {
 }
 
 void append_moments(Entries& entries) {
-    add(entries, "MOMENTS-empty", &reference::gloam_moments_empty, {.codomain = {0, 0}});
-    add(entries, "MOMENTS-of", &reference::gloam_moments_of,
-        {.domain = {vector(3, uniform(-5, 5)).only_as_drawn()}, .codomain = {-5, 5}});
-    add(entries, "MOMENTS-add", &reference::gloam_moments_add,
-        {.domain = {moments(), moments()}, .budget = {.absolute = 2e-5}, .codomain = {-128, 128}},
-        [](const Moments& a, const Moments& b) { return usual_moments(a) && usual_moments(b); });
-    add(entries, "MOMENTS-along", &reference::gloam_moments_along,
-        {.domain = {moments(), unit_vector(3).and_special()},
-         .budget = {.absolute = 2e-6},
-         .codomain = {0, numeric::infinity}},
+    add(entries, "MOMENTS-empty", &reference::gloam_moments_empty, {}, {}, {0, 0});
+    add(entries, "MOMENTS-of", &reference::gloam_moments_of, {vector(3, uniform(-5, 5)).only_as_drawn()}, {},
+        {-5, 5});
+    add(entries, "MOMENTS-add", &reference::gloam_moments_add, {moments(), moments()}, {.absolute = 2e-5},
+        {-128, 128}, [](const Moments& a, const Moments& b) { return usual_moments(a) && usual_moments(b); });
+    add(entries, "MOMENTS-along", &reference::gloam_moments_along, {moments(), unit_vector(3).and_special()},
+        {.absolute = 2e-6}, {0, numeric::infinity},
         [](const Moments& m, const glm::dvec3& n) { return usual_moments(m) && moderate(1e-9, 1.1, n); });
 }
 
@@ -303,14 +277,13 @@ void append_geometry_lengths(Entries& entries) {
         either(vector_of_length(3, log_uniform(1e-3, 10)), vector_of_length(3, log_uniform(1e-37, 1e38)))
             .and_value(glm::vec3(0))
             .and_special();
-    add(entries, "LENGTH-vector", &reference::gloam_length,
-        {.domain = {any}, .budget = {.ulp = 4}, .codomain = {0, numeric::infinity}}, [](glm::dvec3 v) {
+    add(entries, "LENGTH-vector", &reference::gloam_length, {any}, {.ulp = 4}, {0, numeric::infinity},
+        [](glm::dvec3 v) {
             return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38) && glm::length(v) >= 1e-30;
         });
     const Values radius = either(log_uniform(1, 4096), log_uniform(1e-37, 1e38)).and_special();
-    add(entries, "CS-G-cap", &reference::gloam_radius_cap,
-        {.domain = Domain{vector(2, radius), radius}, .budget = {.ulp = 3.5}, .codomain = {0, 3.5e38}},
-        [](glm::dvec2 axes, double cap) {
+    add(entries, "CS-G-cap", &reference::gloam_radius_cap, Domain{vector(2, radius), radius}, {.ulp = 3.5},
+        {0, 3.5e38}, [](glm::dvec2 axes, double cap) {
             return moderate(1e-18, 1e18, axes, cap) && std::max(axes.x, axes.y) < 1e18;
         });
 }

@@ -29,7 +29,7 @@ Domain distances() {
 }
 
 void add_falloff(Entries& entries, const char* id, double (*reference)(double, double), Budget budget) {
-    add(entries, id, reference, {.domain = distances(), .budget = budget, .codomain = {0, 1}});
+    add(entries, id, reference, distances(), budget, {0, 1});
 }
 
 void append_falloffs(Entries& entries) {
@@ -66,34 +66,27 @@ bool short_enough(glm::dvec3 v) {
 }
 
 void append_ritschel(Entries& entries) {
-    add(entries, "TSSAO-1-cos", &reference::gloam_sample_cosine,
-        {.domain = {offsets(), normals()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}},
-        [](glm::dvec3, glm::dvec3 normal) { return short_enough(normal); });
+    add(entries, "TSSAO-1-cos", &reference::gloam_sample_cosine, {offsets(), normals()}, {.absolute = 3e-7},
+        {0, 1}, [](glm::dvec3, glm::dvec3 normal) { return short_enough(normal); });
     const Values slack = either(log_uniform(1e-4, 1), uniform(0, 1)).and_special();
     add(entries, "TSSAO-3-V", &reference::gloam_sample_blocked,
-        {.domain = Domain{depths(), depths(), slack, slack}.tied(1, 0).tied(3, 2),
-         .budget = {.backward_ulp = 1}});
+        Domain{depths(), depths(), slack, slack}.tied(1, 0).tied(3, 2), {.backward_ulp = 1});
     const Values factor =
         either(uniform(0, 1).and_near({0.0, 1.0}), signed_log_uniform(1e-30, 10)).and_special();
     const Domain three{factor, factor, factor};
-    add(entries, "TSSAO-3", &reference::gloam_contribution_ritschel,
-        {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 1}});
-    add(entries, "TSSAO-3-uniform", &reference::gloam_contribution_uniform_directions,
-        {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 2}});
+    add(entries, "TSSAO-3", &reference::gloam_contribution_ritschel, three, {.ulp = 1.5}, {0, 1});
+    add(entries, "TSSAO-3-uniform", &reference::gloam_contribution_uniform_directions, three, {.ulp = 1.5},
+        {0, 2});
 }
 
 void append_fox_compton(Entries& entries) {
     add(entries, "TSSAO-12", &reference::gloam_contribution_fox_compton,
-        {.domain = {finite_offsets(), unit_vector(3),
-                    either(log_uniform(0.01, 10), log_uniform(1e-15, 1e15))},
-         .budget = {.absolute = 3.5e-7},
-         .codomain = {0, 1}},
+        {finite_offsets(), unit_vector(3), either(log_uniform(0.01, 10), log_uniform(1e-15, 1e15))},
+        {.absolute = 3.5e-7}, {0, 1},
         [](glm::dvec3 v, glm::dvec3, double) { return moderate(1e-15, 1e15, glm::length(v)); });
     add(entries, "TSSAO-12-unscaled", &reference::gloam_contribution_fox_compton_unscaled,
-        {.domain = {finite_offsets(), unit_vector(3), either(log_uniform(0.1, 10), log_uniform(1e-15, 1e15))},
-         .budget = {.absolute = 4e-6},
-         .codomain = {0, 1.01e15}},
-        [](glm::dvec3 v, glm::dvec3, double epsilon) {
+        {finite_offsets(), unit_vector(3), either(log_uniform(0.1, 10), log_uniform(1e-15, 1e15))},
+        {.absolute = 4e-6}, {0, 1.01e15}, [](glm::dvec3 v, glm::dvec3, double epsilon) {
             return epsilon >= 0.1 && moderate(1e-15, 1e15, glm::length(v));
         });
 }
@@ -104,19 +97,10 @@ void append_means(Entries& entries) {
         return glm::vec2(n * static_cast<float>(random.uniform(0, 1.2)), n);
     });
     add(entries, "TSSAO-2-add", &reference::gloam_estimator_add,
-        {.domain = {count, either(uniform(0, 2), any_float()).and_special()},
-         .budget = {.ulp = 0.5},
-         .codomain = {-numeric::largest_float, numeric::largest_float}});
-    add(entries, "TSSAO-2", &reference::gloam_estimator_mean,
-        {.domain = {count.and_value(glm::vec2(0)).and_special()},
-         .budget = {.ulp = 2.5},
-         .codomain = {0, 1}});
-}
-
-void append_contributions(Entries& entries) {
-    append_ritschel(entries);
-    append_fox_compton(entries);
-    append_means(entries);
+        {count, either(uniform(0, 2), any_float()).and_special()}, {.ulp = 0.5},
+        {-numeric::largest_float, numeric::largest_float});
+    add(entries, "TSSAO-2", &reference::gloam_estimator_mean, {count.and_value(glm::vec2(0)).and_special()},
+        {.ulp = 2.5}, {0, 1});
 }
 
 Values point_offsets() {
@@ -140,13 +124,12 @@ bool ordinary(glm::dvec3 v) {
 }
 
 void append_alchemy(Entries& entries) {
-    add(entries, "BIAS-depth", &reference::gloam_depth_bias,
-        {.domain = {lengths(), depths(), lengths()}, .budget = {.ulp = 2.5}, .codomain = {0, float_max}},
+    add(entries, "BIAS-depth", &reference::gloam_depth_bias, {lengths(), depths(), lengths()}, {.ulp = 2.5},
+        {0, float_max},
         [](double b, double d, double reference) { return moderate(1e-9, 1e9, b, d, reference); });
     add(entries, "CS-M", &reference::gloam_contribution_alchemy,
-        {.domain = {finite_offsets(), unit_vector(3), biases(), log_uniform(1e-6, 1e-2), uniform(0.1, 2)},
-         .budget = {.absolute = 3e-6},
-         .codomain = {0, numeric::infinity}},
+        {finite_offsets(), unit_vector(3), biases(), log_uniform(1e-6, 1e-2), uniform(0.1, 2)},
+        {.absolute = 3e-6}, {0, numeric::infinity},
         [](glm::dvec3 v, glm::dvec3, double bias, double, double scale) {
             return ordinary(v) && bias >= 0 && bias <= 1 && scale <= 1;
         });
@@ -154,34 +137,28 @@ void append_alchemy(Entries& entries) {
 
 void append_issao_contributions(Entries& entries) {
     add(entries, "ISSAO-5", &reference::gloam_issao_attenuation,
-        {.domain = Domain{lengths(), lengths(), lengths()}.tied(0, 2),
-         .budget = {.ulp = 5},
-         .codomain = {0, float_max}},
+        Domain{lengths(), lengths(), lengths()}.tied(0, 2), {.ulp = 5}, {0, float_max},
         [](double d, double phi, double mu) { return moderate(1e-9, 1e9, d, phi, mu); });
     add(entries, "ISSAO-3", &reference::gloam_contribution_issao_basic,
-        {.domain = {point_offsets(), normals(), lengths()},
-         .budget = {.absolute = 4e-7, .backward_ulp = 4},
-         .codomain = {0, 1}},
+        {point_offsets(), normals(), lengths()}, {.absolute = 4e-7, .backward_ulp = 4}, {0, 1},
         [](glm::dvec3 v, glm::dvec3 n, double radius) {
             return ordinary(v) && std::isfinite(glm::dot(n, n)) && moderate(1e-9, 2, n) &&
                    moderate(1e-9, 1e9, radius);
         });
     add(entries, "ISSAO-4", &reference::gloam_contribution_issao_attenuated,
-        {.domain = {point_offsets(), normals(), lengths(), log_uniform(0.1, 1).and_special(),
-                    log_uniform(0.2, 2).and_special()},
-         .budget = {.absolute = 6e-7, .backward_ulp = 4},
-         .codomain = {0, float_max}},
+        {point_offsets(), normals(), lengths(), log_uniform(0.1, 1).and_special(),
+         log_uniform(0.2, 2).and_special()},
+        {.absolute = 6e-7, .backward_ulp = 4}, {0, float_max},
         [](glm::dvec3 v, glm::dvec3 n, double radius, double phi, double mu) {
             return ordinary(v) && moderate(1e-9, 2, n) && moderate(1e-9, 1e9, radius) && phi <= 1 &&
                    mu >= 0.2;
         });
     add(entries, "ISSAO-6", &reference::gloam_contribution_issao,
-        {.domain = {finite_offsets().only_as_drawn(), unit_vector(3).only_as_drawn(),
-                    log_uniform(0.5, 4).only_as_drawn(), log_uniform(0.1, 1).only_as_drawn(),
-                    either(constant(0.0F), log_uniform(1e-4, 0.1)).only_as_drawn(),
-                    log_uniform(1e-6, 1e-2).only_as_drawn()},
-         .budget = {.absolute = 3e-6, .backward_ulp = 4},
-         .codomain = {0, numeric::infinity}},
+        {finite_offsets().only_as_drawn(), unit_vector(3).only_as_drawn(),
+         log_uniform(0.5, 4).only_as_drawn(), log_uniform(0.1, 1).only_as_drawn(),
+         either(constant(0.0F), log_uniform(1e-4, 0.1)).only_as_drawn(),
+         log_uniform(1e-6, 1e-2).only_as_drawn()},
+        {.absolute = 3e-6, .backward_ulp = 4}, {0, numeric::infinity},
         [](glm::dvec3 v, const auto&...) { return ordinary(v); });
     const Values sums = made_by<glm::vec2>([](numeric::Random& random) {
                             const auto n = static_cast<float>(1 + random.below(64));
@@ -190,9 +167,7 @@ void append_issao_contributions(Entries& entries) {
                             .and_value(glm::vec2(0))
                             .and_special();
     add(entries, "ISSAO-6-mean", &reference::gloam_issao_occlusion,
-        {.domain = {sums, either(uniform(0.5, 1.5), lengths()).and_special()},
-         .budget = {.ulp = 2.5},
-         .codomain = {0, 1}},
+        {sums, either(uniform(0.5, 1.5), lengths()).and_special()}, {.ulp = 2.5}, {0, 1},
         [](glm::dvec2 sum, double lambda) { return moderate(1e-9, 1e9, sum, lambda); });
 }
 
@@ -200,23 +175,20 @@ void append_issao_samples(Entries& entries) {
     const Values unit = uniform(0, 1).and_near({0.25, 0.5, 0.75, 1.0}).and_special();
     const Values radius = uniform(0.5, 1).and_value(0.0F);
     const Domain disc{vector(2, unit), radius};
-    add(entries, "ISSAO-1", &reference::gloam_issao_offset_polar,
-        {.domain = disc, .budget = {.absolute = 2e-7}, .codomain = {-1.000001, 1.000001}});
-    add(entries, "ISSAO-1-printed", &reference::gloam_issao_offset_printed,
-        {.domain = disc, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "ISSAO-1", &reference::gloam_issao_offset_polar, disc, {.absolute = 2e-7},
+        {-1.000001, 1.000001});
+    add(entries, "ISSAO-1-printed", &reference::gloam_issao_offset_printed, disc, {.absolute = 3e-7},
+        {-1.000001, 1.000001});
     add(entries, "ISSAO-LOD", &reference::gloam_count_by_radius,
-        {.domain = Domain{either(uniform(0, 64), log_uniform(1e-37, 1e38)).and_special(),
-                          either(uniform(16, 64), log_uniform(1e-37, 1e38)).and_special(), integers(0, 4),
-                          integers(4, 64)}
-                       .tied(0, 1)
-                       .tied(0, 1, 0.5),
-         .budget = {.backward_ulp = 2},
-         .codomain = {0, 64}},
+        Domain{either(uniform(0, 64), log_uniform(1e-37, 1e38)).and_special(),
+               either(uniform(16, 64), log_uniform(1e-37, 1e38)).and_special(), integers(0, 4),
+               integers(4, 64)}
+            .tied(0, 1)
+            .tied(0, 1, 0.5),
+        {.backward_ulp = 2}, {0, 64},
         [](double, double reference_radius, int, int) { return !(reference_radius > 0x1p126); });
     add(entries, "ISSAO-2", &reference::gloam_ambient_light,
-        {.domain = {vector(3, uniform(0, 4)), uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-         .budget = {.ulp = 1.5},
-         .codomain = {0, 4}});
+        {vector(3, uniform(0, 4)), uniform(0, 1).and_near({0.0, 1.0}).and_special()}, {.ulp = 1.5}, {0, 4});
 }
 
 void append_covering_radii(Entries& entries) {
@@ -230,49 +202,44 @@ void append_covering_radii(Entries& entries) {
         const bool clear = !(r * std::hypot(p.x, p.y) > 0.5 * -p.z * along);
         return moderate(1e-9, 1e9, p, r) && clear;
     };
-    add(entries, "ISSAO-P-parallel", &reference::gloam_covering_radius_parallel,
-        {.domain = domain, .budget = {.ulp = 2.5}, .codomain = {0, float_max}}, usual);
-    add(entries, "ISSAO-P", &reference::gloam_covering_radius_perpendicular,
-        {.domain = domain, .budget = {.ulp = 8}, .codomain = {0, float_max}}, usual);
+    add(entries, "ISSAO-P-parallel", &reference::gloam_covering_radius_parallel, domain, {.ulp = 2.5},
+        {0, float_max}, usual);
+    add(entries, "ISSAO-P", &reference::gloam_covering_radius_perpendicular, domain, {.ulp = 8},
+        {0, float_max}, usual);
 }
 
 void append_crytek_and_filion(Entries& entries) {
-    add(entries, "CS-A", &reference::gloam_contribution_crytek,
-        {.domain = Domain{depths(), depths()}.tied(1, 0), .codomain = {0, 1}});
+    add(entries, "CS-A", &reference::gloam_contribution_crytek, Domain{depths(), depths()}.tied(1, 0), {},
+        {0, 1});
     const Values value = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-A-buffer", &reference::gloam_contribution_crytek_buffer,
-        {.domain = Domain{value, value}.tied(1, 0), .codomain = {0, 1}});
+    add(entries, "CS-A-buffer", &reference::gloam_contribution_crytek_buffer, Domain{value, value}.tied(1, 0),
+        {}, {0, 1});
     add(entries, "CS-A-sample", &reference::gloam_crytek_sample,
-        {.domain = {vector(2, uniform(0, 1)), uniform(0, 1), vector_of_length(3, uniform(0, 1)),
-                    log_uniform(0.1, 10), depths(), log_uniform(50, 2000).and_special()},
-         .budget = {.ulp = 4, .absolute = 1e-6, .of_largest_component = true},
-         .codomain = {-float_max, float_max}},
+        {vector(2, uniform(0, 1)), uniform(0, 1), vector_of_length(3, uniform(0, 1)), log_uniform(0.1, 10),
+         depths(), log_uniform(50, 2000).and_special()},
+        {.ulp = 4, .absolute = 1e-6, .of_largest_component = true}, {-float_max, float_max},
         [](glm::dvec2, double, glm::dvec3, double, double depth, double z_far) {
             return moderate(0.5, 1e9, depth) && moderate(1, 1e9, z_far);
         });
     add(entries, "CS-B", &reference::gloam_contribution_filion,
-        {.domain =
-             Domain{log_uniform(1e-3, 1e6).only_as_drawn(), depths(), log_uniform(0.01, 10).only_as_drawn()}
-                 .tied(1, 0)
-                 .tied(2, 0),
-         .budget = {.absolute = 2e-7, .backward_ulp = 1},
-         .codomain = {0, 1}});
-}
-
-void append_points(Entries& entries) {
-    append_alchemy(entries);
-    append_issao_contributions(entries);
-    append_issao_samples(entries);
-    append_covering_radii(entries);
-    append_crytek_and_filion(entries);
+        Domain{log_uniform(1e-3, 1e6).only_as_drawn(), depths(), log_uniform(0.01, 10).only_as_drawn()}
+            .tied(1, 0)
+            .tied(2, 0),
+        {.absolute = 2e-7, .backward_ulp = 1}, {0, 1});
 }
 
 }  // namespace
 
 void append_occlusion(Entries& entries) {
     append_falloffs(entries);
-    append_contributions(entries);
-    append_points(entries);
+    append_ritschel(entries);
+    append_fox_compton(entries);
+    append_means(entries);
+    append_alchemy(entries);
+    append_issao_contributions(entries);
+    append_issao_samples(entries);
+    append_covering_radii(entries);
+    append_crytek_and_filion(entries);
 }
 
 }  // namespace gloam::catalogue

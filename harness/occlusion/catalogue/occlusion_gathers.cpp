@@ -73,12 +73,11 @@ std::vector<ImageScenario> layer_scenarios() {
     return scenarios;
 }
 
-// The inputs of a method, before those of its own settings.
-Question gather(Budget budget, Domain domain) {
-    return {.domain = domain.adjusted(place_before_camera(0, 6)),
-            .budget = budget,
-            .codomain = {0, most_samples},
-            .scenarios = depth_scenarios(depth_prototype)};
+// The inputs of a method. own: its settings, if it has some.
+template <class... Own>
+Domain gather(const Own&... own) {
+    return Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(), own...}
+        .adjusted(place_before_camera(0, 6));
 }
 
 // A whole method with settings of its own. A sample near the border of two pixels, or near the depth at which
@@ -96,48 +95,43 @@ void add_method(Entries& entries, const char* id, Method<Own> method, const Valu
                  const Kernel& kernel, const Own& settings) {
             return method(position, normal, camera, kernel, settings, depth_of(images));
         },
-        gather(budget, {gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(), own}),
+        gather(own), budget, {0, most_samples},
         [promised](const glm::vec3& p, const glm::vec3& n, const Camera& camera, const Kernel& kernel,
-                   const Own&) { return promised(p, n, camera, kernel); });
+                   const Own&) { return promised(p, n, camera, kernel); },
+        depth_scenarios(depth_prototype));
 }
 
 void append_hemisphere(Entries& entries) {
     using Own = reference::GloamHemisphere;
-    Question question = gather({.ulp = 2.5, .backward_ulp = 4},
-                               {gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
-                                vector({gather_length(), integers(1, 4)})});
-    question.scenarios = layer_scenarios();
     add(
         entries, "TSSAO-2-hemisphere",
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const Camera& camera,
            const Kernel& kernel, const Own& own) {
             return reference::gloam_hemisphere(position, normal, camera, kernel, own, layers_of(images));
         },
-        question,
+        gather(vector({gather_length(), integers(1, 4)})), {.ulp = 2.5, .backward_ulp = 4}, {0, most_samples},
         [](const glm::vec3& p, const glm::vec3& n, const Camera& camera, const Kernel& kernel, const Own&) {
             return usual(p, n, camera, kernel);
-        });
+        },
+        layer_scenarios());
 }
 
 void append_can_gather(Entries& entries) {
     const Values vectors = vector(3, uniform(-4, 4)).and_special();
-    add(entries, "TSSAO-2-can", &reference::gloam_can_gather,
-        {.domain = {vectors, vectors, gather_length(), cameras()}});
+    add(entries, "TSSAO-2-can", &reference::gloam_can_gather, {vectors, vectors, gather_length(), cameras()});
 }
 
 void append_tap_pixel(Entries& entries) {
     const Values distance = either(constant(0.0F), log_uniform(1, 64)).and_special();
     const Values pixel = vector({integers(0, 2000), integers(0, 1000)});
     add(entries, "TAP-pixel", &reference::gloam_tap_pixel,
-        {.domain = {pixel, pixel, constant(glm::ivec2(2001, 1001)), distance}});
+        {pixel, pixel, constant(glm::ivec2(2001, 1001)), distance});
 }
 
 void append_pairs(Entries& entries) {
     const Values offset = vector(3, uniform(-4, 4));
     add(entries, "PAIR-height", &reference::gloam_height_at,
-        {.domain = {offset, offset, unit_vector(3), uniform(0.03, 1)},
-         .budget = {.absolute = 6e-5},
-         .codomain = {-700, 700}});
+        {offset, offset, unit_vector(3), uniform(0.03, 1)}, {.absolute = 6e-5}, {-700, 700});
 }
 
 void append_volumetric(Entries& entries) {
@@ -147,37 +141,30 @@ void append_volumetric(Entries& entries) {
            const Kernel& kernel) {
             return reference::gloam_volumetric(position, normal, camera, kernel, depth_of(images));
         },
-        gather({.absolute = 2e-6, .backward_ulp = 4},
-               {gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels()}),
-        usual);
+        gather(), {.absolute = 2e-6, .backward_ulp = 4}, {0, most_samples}, usual,
+        depth_scenarios(depth_prototype));
 }
 
 void append_estimates(Entries& entries) {
     const Values sum = either(uniform(0, 64), log_uniform(1e-37, 1e30)).and_special();
-    add(entries, "TSSAO-2-estimate", &reference::gloam_estimate,
-        {.domain = {sum, sum, integers(0, 2048)}, .budget = {.ulp = 2.5}, .codomain = {0, 2048}},
-        [](double occluded, double whole, unsigned) {
+    add(entries, "TSSAO-2-estimate", &reference::gloam_estimate, {sum, sum, integers(0, 2048)}, {.ulp = 2.5},
+        {0, 2048}, [](double occluded, double whole, unsigned) {
             return !(whole > 8.5e37) && moderate(1e-30, 3e37, occluded);
         });
     const Values weights = either(uniform(0, 64), log_uniform(1e-37, 64));
     add(entries, "SLICE-estimate", &reference::gloam_slice_estimate,
-        {.domain = {sum, weights, integers(0, 64), integers(1, 64)},
-         .budget = {.ulp = 2.5},
-         .codomain = {0, 8192}},
+        {sum, weights, integers(0, 64), integers(1, 64)}, {.ulp = 2.5}, {0, 8192},
         [](double occluded, double, unsigned, unsigned) { return moderate(1e-30, 3e37, occluded); });
     add(entries, "TSSAO-2-sees", &reference::gloam_tap_sees,
-        {.domain = {either(log_uniform(1e-37, 1e38), any_float()).and_special()}});
-    add(entries, "PAIR-samples", &reference::gloam_paired_samples, {.domain = {log_integers(100'000)}});
+        {either(log_uniform(1e-37, 1e38), any_float()).and_special()});
+    add(entries, "PAIR-samples", &reference::gloam_paired_samples, {log_integers(100'000)});
 }
 
 // The parts of the samples that all pixels share.
 void append_shared_points(Entries& entries) {
     const auto point = [&](const char* id, auto reference, double absolute, double most_third) {
-        add(entries, id, reference,
-            {.domain = {log_integers(16777216).and_near_integers({16777216, 4294967295})},
-             .budget = {.absolute = absolute},
-             .codomain = {-1.000001, 1.000001}},
-            [most_third](unsigned index) {
+        add(entries, id, reference, {log_integers(16777216).and_near_integers({16777216, 4294967295})},
+            {.absolute = absolute}, {-1.000001, 1.000001}, [most_third](unsigned index) {
                 return reference::gloam_radical_inverse(index, 5U) < most_third;
             });
     };
@@ -204,9 +191,8 @@ using Slice = reference::GloamSlice;
 void append_into_slice(Entries& entries) {
     const Values offsets = vector(3, uniform(-4, 4)).and_special();
     const Values units = unit_vector(3).and_special();
-    add(entries, "SLICE-into", &reference::gloam_into_slice,
-        {.domain = {offsets, units, units}, .budget = {.absolute = 2e-5}, .codomain = {-3.5e38, 3.5e38}},
-        [](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& n) {
+    add(entries, "SLICE-into", &reference::gloam_into_slice, {offsets, units, units}, {.absolute = 2e-5},
+        {-3.5e38, 3.5e38}, [](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& n) {
             const double turned = glm::dot(a, n);
             const bool unit = glm::dot(a, a) < 1.001 && glm::dot(n, n) < 1.001;
             return moderate(1e-9, 4, v, a, n) && unit && !(turned * turned > 0.9);
@@ -230,26 +216,19 @@ bool seen_from_above(const glm::vec3& p, const glm::vec3& n, const Camera& camer
 }
 
 void append_slice_parts(Entries& entries) {
-    add(entries, "SLICE-axes", &reference::gloam_slice_axes,
-        {.domain = {slices().only_as_drawn(), unit_vector(3)},
-         .budget = {.absolute = 1.5e-5},
-         .codomain = {-33, 33}},
-        [](const Slice& slice, const glm::vec3& n) {
+    add(entries, "SLICE-axes", &reference::gloam_slice_axes, {slices().only_as_drawn(), unit_vector(3)},
+        {.absolute = 1.5e-5}, {-33, 33}, [](const Slice& slice, const glm::vec3& n) {
             const double turned = glm::dot(glm::cross(slice.tangent, slice.view), glm::dvec3(n));
             return turned * turned < 0.9;
         });
-    add(entries, "SLICE-sample", &reference::gloam_slice_sample,
-        {.domain = {log_integers(16777216), uniform(0, 1)},
-         .budget = {.absolute = 5e-7, .backward_ulp = 2},
-         .codomain = {-1.000001, 1.000001}});
-    add(entries, "SLICE-place", &reference::gloam_slice_place,
-        {.domain = {uniform(0, 1), log_uniform(0.01, 1e6)}, .budget = {.ulp = 4}, .codomain = {0, 1}});
+    add(entries, "SLICE-sample", &reference::gloam_slice_sample, {log_integers(16777216), uniform(0, 1)},
+        {.absolute = 5e-7, .backward_ulp = 2}, {-1.000001, 1.000001});
+    add(entries, "SLICE-place", &reference::gloam_slice_place, {uniform(0, 1), log_uniform(0.01, 1e6)},
+        {.ulp = 4}, {0, 1});
     add(entries, "SLICE-places", &reference::gloam_slice_places,
-        {.domain = {uniform(0, 1), uniform(1, 32), log_uniform(0.01, 1e6)},
-         .budget = {.absolute = 6e-7},
-         .codomain = {0, 1.6}});
+        {uniform(0, 1), uniform(1, 32), log_uniform(0.01, 1e6)}, {.absolute = 6e-7}, {0, 1.6});
     add(entries, "SAMPLES-whole", &reference::gloam_whole_samples,
-        {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)}});
+        {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)});
 }
 
 void append_slice_gathers(Entries& entries) {
@@ -264,8 +243,7 @@ void append_slice_gathers(Entries& entries) {
 
 void append_ray_gathers(Entries& entries) {
     add(entries, "POISSON-disc", &reference::gloam_poisson_disc,
-        {.domain = {log_integers(16777216).and_near_integers({64, 16777216, 4294967295})},
-         .codomain = {-1, 1}});
+        {log_integers(16777216).and_near_integers({64, 16777216, 4294967295})}, {}, {-1, 1});
     add_method(entries, "RAY-gather", &reference::gloam_poisson, vector({gather_length(), integers(1, 4)}),
                {.ulp = 2.5, .backward_ulp = 4});
     add_method(entries, "PROXY-gather", &reference::gloam_sphere_proxy, vector({uniform(0, 2).and_special()}),

@@ -36,44 +36,36 @@ bool small(glm::dvec3 v) {
 
 void append_contribution_of_sao(Entries& entries) {
     add(entries, "CS-Q", &reference::gloam_contribution_sao,
-        {.domain = {vector_of_length(3, log_uniform(0.01, 1.5)), unit_vector(3),
-                    either(uniform(0.5, 1), log_uniform(0.1, 1e3)).and_near({0.5, 1.0}).and_special(),
-                    either(uniform(0, 0.1), constant(0.01F)).and_special(), log_uniform(0.01, 0.1),
-                    uniform(0.1, 5)},
-         .budget = {.absolute = 1.5e-5},
-         .codomain = {0, infinity}},
+        {vector_of_length(3, log_uniform(0.01, 1.5)), unit_vector(3),
+         either(uniform(0.5, 1), log_uniform(0.1, 1e3)).and_near({0.5, 1.0}).and_special(),
+         either(uniform(0, 0.1), constant(0.01F)).and_special(), log_uniform(0.01, 0.1), uniform(0.1, 5)},
+        {.absolute = 1.5e-5}, {0, infinity},
         [](glm::dvec3, glm::dvec3, double radius, double bias, double, double) {
             return radius >= 0.5 && radius <= 2 && bias >= 0 && bias <= 4;
         });
 }
 
 void append_combinations(Entries& entries) {
-    add(entries, "CS-F", &reference::gloam_contribution_mssao,
-        {.domain = {proxy_offsets(), normals(), lengths()}, .budget = {.absolute = 7e-7}, .codomain = {0, 1}},
-        [](glm::dvec3 v, glm::dvec3 n, double radius) {
+    add(entries, "CS-F", &reference::gloam_contribution_mssao, {proxy_offsets(), normals(), lengths()},
+        {.absolute = 7e-7}, {0, 1}, [](glm::dvec3 v, glm::dvec3 n, double radius) {
             return small(v) && is_unit(n) && !(radius < 1e-30);
         });
     const Values level = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-F-combine", &reference::gloam_mssao_combine,
-        {.domain = {level, level}, .budget = {.absolute = 2e-7}, .codomain = {0, 1}});
+    add(entries, "CS-F-combine", &reference::gloam_mssao_combine, {level, level}, {.absolute = 2e-7}, {0, 1});
 }
 
 void append_curvature(Entries& entries) {
     const Values slope = either(uniform(0, 4), log_uniform(1e-4, 4096));
-    add(entries, "CS-K-bowl", &reference::gloam_occlusion_bowl,
-        {.domain = {slope, slope}, .budget = {.absolute = 4e-7}, .codomain = {0, 1}});
+    add(entries, "CS-K-bowl", &reference::gloam_occlusion_bowl, {slope, slope}, {.absolute = 4e-7}, {0, 1});
     const Values falling =
         made_by<float>([](numeric::Random& random) { return -std::exp(random.uniform(-9.2, 8.3)); });
-    add(entries, "CS-K-saddle", &reference::gloam_occlusion_saddle,
-        {.domain = {slope, falling}, .budget = {.absolute = 8e-7}, .codomain = {0, 1}});
+    add(entries, "CS-K-saddle", &reference::gloam_occlusion_saddle, {slope, falling}, {.absolute = 8e-7},
+        {0, 1});
     const Values curvature =
         either(signed_log_uniform(1e-3, 100), any_float()).and_near({0.0, 2.0}).and_special();
     add(entries, "CS-K", &reference::gloam_occlusion_curvature,
-        {.domain = {curvature, curvature,
-                    either(log_uniform(0.1, 2), any_float()).and_near({1.0}).and_special()},
-         .budget = {.absolute = 8e-7},
-         .codomain = {0, 1}},
-        [](double a, double b, double radius) {
+        {curvature, curvature, either(log_uniform(0.1, 2), any_float()).and_near({1.0}).and_special()},
+        {.absolute = 8e-7}, {0, 1}, [](double a, double b, double radius) {
             return moderate(1e-18, 1e18, a, b, radius) && std::isfinite(radius);
         });
 }
@@ -82,36 +74,27 @@ void append_depths_and_layers(Entries& entries) {
     const Values depth =
         either(uniform(0.5, 8), log_uniform(1e-3, 1e6)).and_near({0x1p-126, 0x1.fffffep127}).and_special();
     add(entries, "CS-REJ", &reference::gloam_tap_rejected,
-        {.domain = {depth, depth, either(log_uniform(1e-3, 10), constant(1.0F)).and_special()},
-         .budget = {.backward_ulp = 1}});
+        {depth, depth, either(log_uniform(1e-3, 10), constant(1.0F)).and_special()}, {.backward_ulp = 1});
     const Values plain = either(uniform(0.5, 8), uniform(-8, -0.5));
     const Values further = vector(3, plain);
-    add(entries, "CS-LAYERS-depth", &reference::gloam_layer_depth,
-        {.domain = {plain, further, integers(0, 3)}, .codomain = {-8, 8}});
+    add(entries, "CS-LAYERS-depth", &reference::gloam_layer_depth, {plain, further, integers(0, 3)}, {},
+        {-8, 8});
     add(entries, "CS-LAYERS-together", &reference::gloam_layers_add,
-        {.domain = {vector({uniform(0, 1), uniform(0, 1), booleans()}).only_as_drawn(), uniform(0, 1),
-                    vector(3, plain), uniform(0.5, 8), integers(0, 3), integers(1, 4)},
-         .codomain = {0, 1}});
+        {vector({uniform(0, 1), uniform(0, 1), booleans()}).only_as_drawn(), uniform(0, 1), vector(3, plain),
+         uniform(0.5, 8), integers(0, 3), integers(1, 4)},
+        {}, {0, 1});
     const Values occlusion = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-O", &reference::gloam_separable_mean,
-        {.domain = {occlusion, occlusion}, .budget = {.ulp = 0.5}, .codomain = {0, 1}});
+    add(entries, "CS-O", &reference::gloam_separable_mean, {occlusion, occlusion}, {.ulp = 0.5}, {0, 1});
     const Values offset =
         either(vector_of_length(3, uniform(0, 2)), vector_of_length(3, log_uniform(1e-20, 1e20)))
             .and_value(glm::vec3(0))
             .and_special();
     const Values length = either(log_uniform(1e-2, 10), any_float()).and_special();
     add(entries, "CS-O-weight", &reference::gloam_separable_weight,
-        {.domain = {offset, unit_vector(3).and_special(), length, length},
-         .budget = {.absolute = 5e-7, .backward_ulp = 2},
-         .codomain = {0, 1}},
+        {offset, unit_vector(3).and_special(), length, length}, {.absolute = 5e-7, .backward_ulp = 2}, {0, 1},
         [](glm::dvec3 v, glm::dvec3 n, double sigma, double tolerance) {
             return moderate(1e-9, 1e9, v, n, sigma, tolerance);
         });
-}
-
-void append_occlusion_layers(Entries& entries) {
-    append_curvature(entries);
-    append_depths_and_layers(entries);
 }
 
 // Neither a dot product overflows nor a length loses digits.
@@ -122,15 +105,10 @@ bool sized(glm::dvec3 v) {
 
 void append_spheres(Entries& entries) {
     add(entries, "CS-H-fraction", &reference::gloam_sphere_fraction,
-        {.domain = Domain{lengths(), lengths()}.tied(1, 0).tied(1, 0, 1.0001),
-         .budget = {.absolute = 3e-7},
-         .codomain = {0, 1}},
+        Domain{lengths(), lengths()}.tied(1, 0).tied(1, 0, 1.0001), {.absolute = 3e-7}, {0, 1},
         [](double r, double d) { return !(r < 1e-30) && !(d < 1e-30); });
     const auto sphere = [&](const char* id, auto reference, double absolute) {
-        add(entries, id, reference,
-            {.domain = {proxy_offsets(), normals(), lengths()},
-             .budget = {.absolute = absolute},
-             .codomain = {0, 1}},
+        add(entries, id, reference, {proxy_offsets(), normals(), lengths()}, {.absolute = absolute}, {0, 1},
             [](glm::dvec3 v, glm::dvec3 n, double r) {
                 const double near = r / glm::length(v);
                 return sized(v) && is_unit(n) && !(r < 1e-18) && (near < 0.95 || near > 1.0001);
@@ -139,44 +117,31 @@ void append_spheres(Entries& entries) {
     sphere("CS-H", &reference::gloam_contribution_sphere, 8e-7);
     sphere("CS-H-cosine", &reference::gloam_contribution_sphere_cosine, 5e-7);
     add(entries, "CS-H-above", &reference::gloam_above_horizon,
-        {.domain = {proxy_offsets(), either(uniform(-4, 4), any_float()).and_near({0.0}).and_special()},
-         .budget = {.backward_ulp = 6},
-         .codomain = {0, 1}},
+        {proxy_offsets(), either(uniform(-4, 4), any_float()).and_near({0.0}).and_special()},
+        {.backward_ulp = 6}, {0, 1},
         [](glm::dvec3 v, double horizon) { return sized(v) && moderate(1e-9, 1e9, v, horizon); });
 }
 
 void append_discs(Entries& entries) {
     const Values area = either(log_uniform(1e-3, 10), log_uniform(1e-37, 1e38)).and_special();
-    add(entries, "CS-S-share", &reference::gloam_disc_share,
-        {.domain = {area, lengths()}, .budget = {.absolute = 4e-7}, .codomain = {0, 1}},
+    add(entries, "CS-S-share", &reference::gloam_disc_share, {area, lengths()}, {.absolute = 4e-7}, {0, 1},
         [](double a, double d) { return !(a < 1e-30) && !(d < 1e-30); });
     add(entries, "CS-S-cosine", &reference::gloam_contribution_disc_proxy_cosine,
-        {.domain = {proxy_offsets(), normals(), normals(), area, uniform(0, 1).and_special()},
-         .budget = {.absolute = 6e-7},
-         .codomain = {0, 1}},
-        [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 e, double a, double) {
+        {proxy_offsets(), normals(), normals(), area, uniform(0, 1).and_special()}, {.absolute = 6e-7},
+        {0, 1}, [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 e, double a, double) {
             return sized(v) && is_unit(n) && is_unit(e) && !(a < 1e-30);
         });
 }
 
 void append_aksoy_phaneuf(Entries& entries) {
     add(entries, "CS-J", &reference::gloam_contribution_aksoy_phaneuf,
-        {.domain = {vector_of_length(3, either(uniform(0, 2), log_uniform(1e-17, 1e17))), unit_vector(3),
-                    log_uniform(0.02, 2), either(uniform(0, 0.1), constant(0.0F))},
-         .budget = {.absolute = 4e-7, .backward_ulp = 4},
-         .codomain = {0, 1}},
-        [](glm::dvec3 v, glm::dvec3 n, double, double bias) {
+        {vector_of_length(3, either(uniform(0, 2), log_uniform(1e-17, 1e17))), unit_vector(3),
+         log_uniform(0.02, 2), either(uniform(0, 0.1), constant(0.0F))},
+        {.absolute = 4e-7, .backward_ulp = 4}, {0, 1}, [](glm::dvec3 v, glm::dvec3 n, double, double bias) {
             return std::abs(glm::dot(v, n) - bias) > 1e-6 * glm::length(v);
         });
     const Values occlusion = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-J-radii", &reference::gloam_two_radii_sum,
-        {.domain = {occlusion, occlusion}, .budget = {.ulp = 0.5}, .codomain = {0, 1}});
-}
-
-void append_occlusion_proxies(Entries& entries) {
-    append_spheres(entries);
-    append_discs(entries);
-    append_aksoy_phaneuf(entries);
+    add(entries, "CS-J-radii", &reference::gloam_two_radii_sum, {occlusion, occlusion}, {.ulp = 0.5}, {0, 1});
 }
 
 }  // namespace
@@ -184,8 +149,11 @@ void append_occlusion_proxies(Entries& entries) {
 void append_occlusion_scalable(Entries& entries) {
     append_contribution_of_sao(entries);
     append_combinations(entries);
-    append_occlusion_layers(entries);
-    append_occlusion_proxies(entries);
+    append_curvature(entries);
+    append_depths_and_layers(entries);
+    append_spheres(entries);
+    append_discs(entries);
+    append_aksoy_phaneuf(entries);
 }
 
 }  // namespace gloam::catalogue

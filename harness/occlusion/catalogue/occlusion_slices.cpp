@@ -15,25 +15,19 @@ using namespace check;
 constexpr double half_pi = 1.5707964;
 
 void append_tangents(Entries& entries) {
-    add(entries, "CS-C-slope", &reference::gloam_tangent_slope,
-        {.domain = {unit_vector(3), unit_vector(2)}, .budget = {.absolute = 4e-6}, .codomain = {-1e6, 1e6}},
-        [](glm::dvec3 n, glm::dvec2) { return n.z > 0.05; });
+    add(entries, "CS-C-slope", &reference::gloam_tangent_slope, {unit_vector(3), unit_vector(2)},
+        {.absolute = 4e-6}, {-1e6, 1e6}, [](glm::dvec3 n, glm::dvec2) { return n.z > 0.05; });
     const Values small = uniform(-0.2, 0.2);
     add(entries, "CS-C-derivatives", &reference::gloam_tangent_slope_of_derivatives,
-        {.domain = {unit_vector(2),
-                    vector({uniform(0.5, 1), small, signed_log_uniform(0.01, 100)}).and_special(),
-                    vector({small, uniform(-1, -0.5), signed_log_uniform(0.01, 100)}).and_special()},
-         .budget = {.ulp = 6, .absolute = 8e-6},
-         .codomain = {-1e6, 1e6}},
-        [](glm::dvec2, glm::dvec3 u, glm::dvec3 v) {
+        {unit_vector(2), vector({uniform(0.5, 1), small, signed_log_uniform(0.01, 100)}).and_special(),
+         vector({small, uniform(-1, -0.5), signed_log_uniform(0.01, 100)}).and_special()},
+        {.ulp = 6, .absolute = 8e-6}, {-1e6, 1e6}, [](glm::dvec2, glm::dvec3 u, glm::dvec3 v) {
             return moderate(1e-9, 1e9, u, v) && std::abs(u.x) >= 0.4 && std::abs(v.y) >= 0.4 &&
                    std::abs(u.y) <= 0.3 && std::abs(v.x) <= 0.3;
         });
     add(entries, "CS-C-sine", &reference::gloam_sine_of_tangent,
-        {.domain =
-             {either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_near({1e6, -1e6}).and_special()},
-         .budget = {.absolute = 2e-7},
-         .codomain = {-1, 1}});
+        {either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_near({1e6, -1e6}).and_special()},
+        {.absolute = 2e-7}, {-1, 1});
 }
 
 void append_hbao_horizon(Entries& entries) {
@@ -44,10 +38,8 @@ void append_hbao_horizon(Entries& entries) {
                             .and_value(glm::vec2(1, 0))
                             .only_as_drawn();
     add(entries, "CS-C-horizon", &reference::gloam_hbao_horizon,
-        {.domain = {unit_vector(3).and_value(glm::vec3(0, 0, 1)).only_as_drawn(), unit_vector(2), bias},
-         .budget = {.absolute = 4e-7},
-         .codomain = {-1.000001, 1.000001}},
-        [](glm::dvec3 n, glm::dvec2 direction, const glm::vec2&) {
+        {unit_vector(3).and_value(glm::vec3(0, 0, 1)).only_as_drawn(), unit_vector(2), bias},
+        {.absolute = 4e-7}, {-1.000001, 1.000001}, [](glm::dvec3 n, glm::dvec2 direction, const glm::vec2&) {
             const double across = n.x * direction.x + n.y * direction.y;
             return !(n.z * n.z + across * across < 0.05) && (n.z > 0.0 || std::abs(across) > 1e-5);
         });
@@ -55,33 +47,22 @@ void append_hbao_horizon(Entries& entries) {
 
 void append_hbao_march(Entries& entries) {
     add(entries, "CS-C-start-slope", &reference::gloam_hbao_start_slope,
-        {.domain = {either(uniform(-4, 4), signed_log_uniform(1e-3, 1e6)).and_special(),
-                    uniform(0, 0.6).and_near({0.0, 1.5707963}).and_special()},
-         .budget = {.absolute = 5e-7},
-         .codomain = {-1, 1}});
+        {either(uniform(-4, 4), signed_log_uniform(1e-3, 1e6)).and_special(),
+         uniform(0, 0.6).and_near({0.0, 1.5707963}).and_special()},
+        {.absolute = 5e-7}, {-1, 1});
     add(entries, "CS-C", &reference::gloam_hbao_step,
-        {.domain = {vector({uniform(-1, 1), uniform(0, 1)}).only_as_drawn(), uniform(-2, 2).only_as_drawn(),
-                    uniform(0.01, 4).only_as_drawn(), uniform(0.5, 2).only_as_drawn()},
-         .budget = {.absolute = 9e-7, .backward_ulp = 4},
-         .codomain = {-1.000001, 3.000001}});
+        {vector({uniform(-1, 1), uniform(0, 1)}).only_as_drawn(), uniform(-2, 2).only_as_drawn(),
+         uniform(0.01, 4).only_as_drawn(), uniform(0.5, 2).only_as_drawn()},
+        {.absolute = 9e-7, .backward_ulp = 4}, {-1.000001, 3.000001});
 }
 
 void append_hbao_results(Entries& entries) {
     add(entries, "CS-C-visibility", &reference::gloam_hbao_visibility,
-        {.domain = {uniform(0, 1).and_special(), uniform(0, 0.8).and_near({0.0}).and_special(),
-                    uniform(0.5, 2).and_special()},
-         .budget = {.absolute = 5e-7},
-         .codomain = {0, 1}},
-        [](double occlusion, double bias, double contrast) {
+        {uniform(0, 1).and_special(), uniform(0, 0.8).and_near({0.0}).and_special(),
+         uniform(0.5, 2).and_special()},
+        {.absolute = 5e-7}, {0, 1}, [](double occlusion, double bias, double contrast) {
             return moderate(1e-9, 4, occlusion, contrast) && !(std::abs(bias) > 0.8 && std::abs(bias) < 1.6);
         });
-}
-
-void append_horizons(Entries& entries) {
-    append_tangents(entries);
-    append_hbao_horizon(entries);
-    append_hbao_march(entries);
-    append_hbao_results(entries);
 }
 
 using Slice = reference::GloamSlice;
@@ -130,10 +111,8 @@ void append_slice(Entries& entries) {
             .and_value(glm::vec3(1, 0, 0))  // along a direction of the image
             .only_as_drawn();
     add(entries, "GTAO-slice", &reference::gloam_slice,
-        {.domain = {unit_vector(2), view, unit_vector(3).only_as_drawn()},
-         .budget = {.absolute = 6e-7},
-         .codomain = {-numeric::largest_float, numeric::largest_float}},
-        [](glm::dvec2 d, glm::dvec3 v, glm::dvec3 n) {
+        {unit_vector(2), view, unit_vector(3).only_as_drawn()}, {.absolute = 6e-7},
+        {-numeric::largest_float, numeric::largest_float}, [](glm::dvec2 d, glm::dvec3 v, glm::dvec3 n) {
             const glm::dvec3 along(d, 0.0);
             const glm::dvec3 across = along - glm::dot(along, v) * v;
             const double x = glm::dot(n, across);
@@ -142,69 +121,58 @@ void append_slice(Entries& entries) {
             return one_way && glm::dot(across, across) > 0.1 && x * x + y * y > 0.1 &&
                    moderate(1e-9, 2, v, n);
         });
-    add(entries, "GTAO-slice-whole", &reference::gloam_slice_whole,
-        {.domain = {slices().only_as_drawn()}, .budget = {.absolute = 3e-7}, .codomain = {0.99999, 1.571}});
+    add(entries, "GTAO-slice-whole", &reference::gloam_slice_whole, {slices().only_as_drawn()},
+        {.absolute = 3e-7}, {0.99999, 1.571});
 }
 
 void append_gtao_horizons(Entries& entries) {
     add(entries, "GTAO-horizon", &reference::gloam_gtao_horizon,
-        {.domain = {uniform(-1, 1), uniform(-1, 1).and_value(-1.0F),
-                    either(vector_of_length(2, uniform(0, 2)), vector_of_length(2, log_uniform(1e-18, 1e18))),
-                    uniform(0.5, 2)},
-         .budget = {.absolute = 4e-7},
-         .codomain = {-1.000001, 1.000001}},
-        [](double horizon, double lowest, glm::dvec2 v, double) {
+        {uniform(-1, 1), uniform(-1, 1).and_value(-1.0F),
+         either(vector_of_length(2, uniform(0, 2)), vector_of_length(2, log_uniform(1e-18, 1e18))),
+         uniform(0.5, 2)},
+        {.absolute = 4e-7}, {-1.000001, 1.000001}, [](double horizon, double lowest, glm::dvec2 v, double) {
             return horizon >= lowest && !(glm::length(v) < 1e-17);
         });
-    add(entries, "GTAO-arc", &reference::gloam_gtao_arc,
-        {.domain = {elevations(), directions(), directions()},
-         .budget = {.absolute = 3e-7},
-         .codomain = {0, half_pi}},
-        [](double, const glm::dvec2& h, const glm::dvec2& n) {
+    add(entries, "GTAO-arc", &reference::gloam_gtao_arc, {elevations(), directions(), directions()},
+        {.absolute = 3e-7}, {0, half_pi}, [](double, const glm::dvec2& h, const glm::dvec2& n) {
             return glm::dot(h, h) < 1.001 && glm::dot(n, n) < 1.001;
         });
 }
 
 void append_gtao_sums(Entries& entries) {
-    add(entries, "GTAO-side", &reference::gloam_gtao_side,
-        {.domain = {cosines(), projected_angles(), directions()},
-         .budget = {.absolute = 8e-7},
-         .codomain = {0, half_pi}},
-        [](double, double n, const glm::dvec2& normal) {
+    add(entries, "GTAO-side", &reference::gloam_gtao_side, {cosines(), projected_angles(), directions()},
+        {.absolute = 8e-7}, {0, half_pi}, [](double, double n, const glm::dvec2& normal) {
             return std::abs(n) <= 1.6 && glm::dot(normal, normal) < 1.001;
         });
 }
 
 void append_sectors(Entries& entries) {
     add(entries, "BITMASK-fraction-cosine", &reference::gloam_slice_fraction_cosine,
-        {.domain = {directions(), slices().only_as_drawn()},
-         .budget = {.absolute = 5e-7},
-         .codomain = {0, 1}},
+        {directions(), slices().only_as_drawn()}, {.absolute = 5e-7}, {0, 1},
         [](const glm::dvec2& d, const Slice&) {  // not at the cut at pi
             return glm::dot(d, d) < 1.001 && !(d.x < 0 && std::abs(d.y) < 1e-5);
         });
     const Values fractions =
         vector(2, either(uniform(0, 1), uniform(-0.1, 1.1)).and_near({0.0, 1.0})).and_special();
-    add(entries, "BITMASK-sectors", &reference::gloam_bitmask_sectors, {.domain = {fractions}});
+    add(entries, "BITMASK-sectors", &reference::gloam_bitmask_sectors, {fractions});
     const Values bits = either(log_integers(2147483647), integers(-2147483648L, 2147483647));
-    add(entries, "BIT-count", &reference::gloam_bit_count, {.domain = {bits}});
+    add(entries, "BIT-count", &reference::gloam_bit_count, {bits});
     const Values index = integers(0, 32).and_near_integers({0, 31, 32});
-    add(entries, "BIT-range", &reference::gloam_bit_range, {.domain = {index, index}});
-    add(entries, "BITMASK", &reference::gloam_bitmask_occlusion, {.domain = {bits}, .codomain = {0, 1}});
-}
-
-void append_slice_methods(Entries& entries) {
-    append_slice(entries);
-    append_gtao_horizons(entries);
-    append_gtao_sums(entries);
-    append_sectors(entries);
+    add(entries, "BIT-range", &reference::gloam_bit_range, {index, index});
+    add(entries, "BITMASK", &reference::gloam_bitmask_occlusion, {bits}, {}, {0, 1});
 }
 
 }  // namespace
 
 void append_occlusion_slices(Entries& entries) {
-    append_horizons(entries);
-    append_slice_methods(entries);
+    append_tangents(entries);
+    append_hbao_horizon(entries);
+    append_hbao_march(entries);
+    append_hbao_results(entries);
+    append_slice(entries);
+    append_gtao_horizons(entries);
+    append_gtao_sums(entries);
+    append_sectors(entries);
 }
 
 }  // namespace gloam::catalogue

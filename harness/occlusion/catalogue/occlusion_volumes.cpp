@@ -48,53 +48,37 @@ Values sides() {
 
 void append_sides(Entries& entries) {
     add(entries, "FALLOFF-choice", &reference::gloam_falloff_at,
-        {.domain = {integers(0, 5), uniform(0, 1.2).and_near({1.0})},
-         .budget = {.absolute = 2e-7},
-         .codomain = {0, 1}});
-    add(entries, "SWEEP-start", &reference::gloam_sweep_side,
-        {.domain = {uniform(-1, 1)}, .codomain = {-1, 1}});
+        {integers(0, 5), uniform(0, 1.2).and_near({1.0})}, {.absolute = 2e-7}, {0, 1});
+    add(entries, "SWEEP-start", &reference::gloam_sweep_side, {uniform(-1, 1)}, {}, {-1, 1});
     const Values lengths = either(uniform(0, 2), log_uniform(1e-30, 1e18));
-    add(entries, "SWEEP-distance", &reference::gloam_sweep_distance,
-        {.domain = {lengths, lengths}, .budget = {.ulp = 1, .absolute = 1e-37}, .codomain = {0, 1e18}});
+    add(entries, "SWEEP-distance", &reference::gloam_sweep_distance, {lengths, lengths},
+        {.ulp = 1, .absolute = 1e-37}, {0, 1e18});
     add(entries, "SWEEP-slice", &reference::gloam_sweep_slice,
-        {.domain = {slices(), uniform(1, 1).and_value(-1.0F).only_as_drawn()},
-         .codomain = {-half_pi, half_pi}});
-    add(entries, "SWEEP-behind", &reference::gloam_sweep_behind,
-        {.domain = {unit_vector(2), slices()}, .budget = {.absolute = 5e-7}, .codomain = {-half_pi, half_pi}},
-        [](const glm::dvec2& d, const Slice& slice) {
+        {slices(), uniform(1, 1).and_value(-1.0F).only_as_drawn()}, {}, {-half_pi, half_pi});
+    add(entries, "SWEEP-behind", &reference::gloam_sweep_behind, {unit_vector(2), slices()},
+        {.absolute = 5e-7}, {-half_pi, half_pi}, [](const glm::dvec2& d, const Slice& slice) {
             return std::atan2(std::abs(d.y), d.x) <= static_cast<double>(slice.angle) + half_pi;
         });
     const Values offsets = vector_of_length(2, uniform(1e-3, 2)).only_as_drawn();
     add(entries, "SWEEP-uncover", &reference::gloam_sweep_uncover,
-        {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
-         .budget = {.absolute = 8e-7, .backward_ulp = 4},
-         .codomain = {-3, 3}});
+        {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
+        {.absolute = 8e-7, .backward_ulp = 4}, {-3, 3});
 }
 
 // Features: how much of them counts, where they end, and a tap that begins or continues one.
 void append_features(Entries& entries) {
     const Values lengths = either(uniform(0, 2), log_uniform(1e-4, 1e4));
     const Values thicknesses = either(uniform(0, 3), log_uniform(1e-3, 1e18));
-    add(entries, "SWEEP-share", &reference::gloam_sweep_share,
-        {.domain = {lengths, log_uniform(1e-4, 1e4), thicknesses},
-         .budget = {.ulp = 3, .absolute = 1e-30},
-         .codomain = {0, 1}});
+    add(entries, "SWEEP-share", &reference::gloam_sweep_share, {lengths, log_uniform(1e-4, 1e4), thicknesses},
+        {.ulp = 3, .absolute = 1e-30}, {0, 1});
     const Values at = vector({uniform(-1, 1), uniform(0, 1)}).only_as_drawn();
     const Values moderate_thickness = uniform(0, 3).and_value(1e18F).only_as_drawn();
-    add(entries, "SWEEP-end", &reference::gloam_sweep_end,
-        {.domain = {sides(), at, moderate_thickness},
-         .budget = {.absolute = 1e-6, .backward_ulp = 4},
-         .codomain = {-3, 3}});
+    add(entries, "SWEEP-end", &reference::gloam_sweep_end, {sides(), at, moderate_thickness},
+        {.absolute = 1e-6, .backward_ulp = 4}, {-3, 3});
     const Values offsets = vector_of_length(2, uniform(1e-3, 2)).only_as_drawn();
     add(entries, "SWEEP-tap", &reference::gloam_sweep_tap,
-        {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3), moderate_thickness},
-         .budget = {.absolute = 2e-6, .backward_ulp = 4},
-         .codomain = {-3, 3}});
-}
-
-void append_sweeps(Entries& entries) {
-    append_sides(entries);
-    append_features(entries);
+        {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3), moderate_thickness},
+        {.absolute = 2e-6, .backward_ulp = 4}, {-3, 3});
 }
 
 constexpr double above_pi = 3.1415928;
@@ -124,52 +108,46 @@ double length_of(glm::dvec3 v) {
 }
 
 void append_acos(Entries& entries) {
-    add(entries, "CS-P-acos-cubic", &reference::gloam_acos_cubic,
-        {.domain = {cosines()}, .budget = {.absolute = 4e-7}, .codomain = {0, above_pi}});
+    add(entries, "CS-P-acos-cubic", &reference::gloam_acos_cubic, {cosines()}, {.absolute = 4e-7},
+        {0, above_pi});
 }
 
 void append_lines(Entries& entries) {
     add(entries, "CS-I-chord", &reference::gloam_chord_half_height,
-        {.domain = {vector_of_length(2, uniform(0, 1.1)).and_special(), uniform(0.1, 2).and_special()},
-         .budget = {.absolute = 8e-7},
-         .codomain = {0, numeric::infinity}},
-        [](glm::dvec2 xi, double radius) {
+        {vector_of_length(2, uniform(0, 1.1)).and_special(), uniform(0.1, 2).and_special()},
+        {.absolute = 8e-7}, {0, numeric::infinity}, [](glm::dvec2 xi, double radius) {
             const double squared = xi.x * xi.x + xi.y * xi.y;
             return !(squared > 0.99 && squared < 1.01) && moderate(1e-9, 2.1, radius);
         });
     add(entries, "CS-I", &reference::gloam_line_occlusion,
-        {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
-                       .tied(0, 1)
-                       .tied(0, 1, -1.0),
-         .budget = {.absolute = 1.2e-7},
-         .codomain = {0, 1}});
+        Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
+            .tied(0, 1)
+            .tied(0, 1, -1.0),
+        {.absolute = 1.2e-7}, {0, 1});
     add(entries, "CS-I-ratio", &reference::gloam_line_ratio,
-        {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
-                       .tied(0, 1)
-                       .tied(0, 1, -1.0),
-         .budget = {.ulp = 3, .absolute = 2e-7}},
-        [](double height, double half_height) {
+        Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
+            .tied(0, 1)
+            .tied(0, 1, -1.0),
+        {.ulp = 3, .absolute = 2e-7}, {}, [](double height, double half_height) {
             return !std::isfinite(height) || !(std::abs(height) > 1e38 * half_height);
         });
     const Values fraction = uniform(-1, 2).and_near({0.35, 0.5, 1.0}).and_special();
     add(entries, "CS-I-pair", &reference::gloam_line_pair,
-        {.domain = {vector(2, fraction), uniform(0.2, 0.5).and_near({0.35}).and_special(),
-                    uniform(0.8, 1).and_near({1.0}).and_special()},
-         .budget = {.ulp = 0.5, .absolute = 0x1p-126}});
+        {vector(2, fraction), uniform(0.2, 0.5).and_near({0.35}).and_special(),
+         uniform(0.8, 1).and_near({1.0}).and_special()},
+        {.ulp = 0.5, .absolute = 0x1p-126});
 }
 
 void append_areas_and_balls(Entries& entries) {
     add(entries, "CS-I-area", &reference::gloam_area_occlusion,
-        {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(),
-                          either(uniform(0, 2), lengths()).and_value(0.0F), lengths()}
-                       .tied(0, 2)
-                       .tied(0, 1)
-                       .tied(1, 2),
-         .budget = {.absolute = 2e-7},
-         .codomain = {0, 1}});
+        Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(),
+               either(uniform(0, 2), lengths()).and_value(0.0F), lengths()}
+            .tied(0, 2)
+            .tied(0, 1)
+            .tied(1, 2),
+        {.absolute = 2e-7}, {0, 1});
     const Values solid = uniform(0, 1).and_near({0.0, 0.5, 1.0}).and_special();
-    add(entries, "CS-I-two-balls", &reference::gloam_two_balls,
-        {.domain = {solid, solid}, .budget = {.absolute = 1.2e-7}, .codomain = {0, 1}});
+    add(entries, "CS-I-two-balls", &reference::gloam_two_balls, {solid, solid}, {.absolute = 1.2e-7}, {0, 1});
     // Not near the outline of the sphere.
     const auto inside = [](glm::dvec3 v, glm::dvec3 n, double radius) {
         const glm::dvec2 xi(v.x / (0.5 * radius) - n.x, v.y / (0.5 * radius) - n.y);
@@ -179,10 +157,10 @@ void append_areas_and_balls(Entries& entries) {
     };
     const Domain domain{either(vector_of_length(3, uniform(0, 0.6)), offsets()), normals(),
                         either(uniform(0.5, 2), lengths())};
-    add(entries, "CS-I-tangent-chord", &reference::gloam_tangent_sphere_half_height,
-        {.domain = domain, .budget = {.absolute = 4e-7}, .codomain = {0, 1e38}}, inside);
-    add(entries, "CS-I-tangent", &reference::gloam_tangent_sphere_occlusion,
-        {.domain = domain, .budget = {.absolute = 5e-7}, .codomain = {0, 1}}, inside);
+    add(entries, "CS-I-tangent-chord", &reference::gloam_tangent_sphere_half_height, domain,
+        {.absolute = 4e-7}, {0, 1e38}, inside);
+    add(entries, "CS-I-tangent", &reference::gloam_tangent_sphere_occlusion, domain, {.absolute = 5e-7},
+        {0, 1}, inside);
 }
 
 // Whether an offset's direction is not close to -n, where its part in the tangent plane has no direction.
@@ -194,55 +172,43 @@ bool clear_of_nadir(glm::dvec3 v, glm::dvec3 n) {
 }
 
 void append_angles(Entries& entries) {
-    add(entries, "CS-P-lifted", &reference::gloam_lifted_cosine,
-        {.domain = {offsets(), normals(), unit_vector(3)}, .budget = {.absolute = 5e-7}, .codomain = {-1, 1}},
+    add(entries, "CS-P-lifted", &reference::gloam_lifted_cosine, {offsets(), normals(), unit_vector(3)},
+        {.absolute = 5e-7}, {-1, 1},
         [](glm::dvec3 v, glm::dvec3 n, glm::dvec3) { return clear_of_nadir(v, n); });
-    add(entries, "CS-P-near", &reference::gloam_sample_near,
-        {.domain = {offsets(), uniform(0, 2).and_special()}});
+    add(entries, "CS-P-near", &reference::gloam_sample_near, {offsets(), uniform(0, 2).and_special()});
     add(entries, "CS-P-pair", &reference::gloam_angle_pair,
-        {.domain = {offsets(), offsets(), normals(), unit_vector(3), uniform(0, 2).and_special()},
-         .budget = {.absolute = 5e-7},
-         .codomain = {-1, 1}},
-        [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 n, glm::dvec3, double) {
+        {offsets(), offsets(), normals(), unit_vector(3), uniform(0, 2).and_special()}, {.absolute = 5e-7},
+        {-1, 1}, [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 n, glm::dvec3, double) {
             return clear_of_nadir(a, n) && clear_of_nadir(b, n);
         });
 }
 
 void append_unreal(Entries& entries) {
     add(entries, "CS-P-unreal", &reference::gloam_contribution_unreal,
-        {.domain = {either(vector_of_length(3, uniform(0.1, 1.5)),
-                           vector_of_length(3, log_uniform(1e-15, 1e15))),
-                    unit_vector(3), either(constant(0.0F), uniform(0, 0.1)), uniform(0.1, 1)},
-         .budget = {.absolute = 1e-6, .backward_ulp = 4},
-         .codomain = {0, 1}},
+        {either(vector_of_length(3, uniform(0.1, 1.5)), vector_of_length(3, log_uniform(1e-15, 1e15))),
+         unit_vector(3), either(constant(0.0F), uniform(0, 0.1)), uniform(0.1, 1)},
+        {.absolute = 1e-6, .backward_ulp = 4}, {0, 1},
         [](glm::dvec3 v, glm::dvec3, double, double) { return length_of(v) >= 0.1 && length_of(v) < 1e9; });
     add(entries, "CS-P-unreal-side", &reference::gloam_unreal_side,
-        {.domain = {uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-         .budget = {.ulp = 2},
-         .codomain = {0, 1}});
+        {uniform(0, 1).and_near({0.0, 1.0}).and_special()}, {.ulp = 2}, {0, 1});
     add(entries, "CS-P-unreal-visibility", &reference::gloam_unreal_visibility,
-        {.domain = {uniform(0, 1).and_special(), uniform(0.5, 4).and_near({1.0}).and_special(),
-                    uniform(0, 1).and_near({1.0}).and_special()},
-         .budget = {.absolute = 1e-6, .backward_ulp = 2},
-         .codomain = {0, 1}},
-        [](double ao, double power, double intensity) {
+        {uniform(0, 1).and_special(), uniform(0.5, 4).and_near({1.0}).and_special(),
+         uniform(0, 1).and_near({1.0}).and_special()},
+        {.absolute = 1e-6, .backward_ulp = 2}, {0, 1}, [](double ao, double power, double intensity) {
             return moderate(1e-9, 2, ao, intensity) && power >= 0.4 && power <= 4;
         });
-}
-
-void append_volumes(Entries& entries) {
-    append_acos(entries);
-    append_lines(entries);
-    append_areas_and_balls(entries);
-    append_angles(entries);
-    append_unreal(entries);
 }
 
 }  // namespace
 
 void append_occlusion_volumes(Entries& entries) {
-    append_sweeps(entries);
-    append_volumes(entries);
+    append_sides(entries);
+    append_features(entries);
+    append_acos(entries);
+    append_lines(entries);
+    append_areas_and_balls(entries);
+    append_angles(entries);
+    append_unreal(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -22,30 +22,27 @@ Values sample_index() {
 }
 
 void append_sequences(Entries& entries) {
-    add(entries, "HALTON-base2", &reference::gloam_radical_inverse_base2,
-        {.domain = {sample_index()}, .codomain = {0, 0.99999995}});
+    add(entries, "HALTON-base2", &reference::gloam_radical_inverse_base2, {sample_index()}, {},
+        {0, 0.99999995});
     add(entries, "HALTON", &reference::gloam_radical_inverse,
-        {.domain = {sample_index(),
-                    log_integers(4000).and_near_integers({2, 3, 5, 256, 1625, 65536, 16777216, 4294967295})},
-         .budget = {.ulp = 3},
-         .codomain = {0, 0.99999995}});
-    add(entries, "HALTON-2D", &reference::gloam_halton_2d,
-        {.domain = {sample_index()}, .budget = {.ulp = 3}, .codomain = {0, 0.99999995}});
-    add(entries, "HALTON-3D", &reference::gloam_halton_3d,
-        {.domain = {sample_index()}, .budget = {.ulp = 3}, .codomain = {0, 0.99999995}});
+        {sample_index(),
+         log_integers(4000).and_near_integers({2, 3, 5, 256, 1625, 65536, 16777216, 4294967295})},
+        {.ulp = 3}, {0, 0.99999995});
+    add(entries, "HALTON-2D", &reference::gloam_halton_2d, {sample_index()}, {.ulp = 3}, {0, 0.99999995});
+    add(entries, "HALTON-3D", &reference::gloam_halton_3d, {sample_index()}, {.ulp = 3}, {0, 0.99999995});
 }
 
 void append_sample_maps(Entries& entries) {
     add(entries, "UNIT", &reference::gloam_unit_interval,
-        {.domain = {either(zeta(1), either(any_float(), uniform(-2, 2)))}, .codomain = {0, 1}});
-    add(entries, "CIRCLE", &reference::gloam_circle_point,
-        {.domain = {zeta(1)}, .budget = {.absolute = 2e-7}, .codomain = {-1.000001, 1.000001}});
-    add(entries, "TSSAO-13", &reference::gloam_disc_sample,
-        {.domain = {zeta(2)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
-    add(entries, "TSSAO-14", &reference::gloam_hemisphere_cosine,
-        {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
-    add(entries, "TSSAO-14-uniform", &reference::gloam_hemisphere_uniform,
-        {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+        {either(zeta(1), either(any_float(), uniform(-2, 2)))}, {}, {0, 1});
+    add(entries, "CIRCLE", &reference::gloam_circle_point, {zeta(1)}, {.absolute = 2e-7},
+        {-1.000001, 1.000001});
+    add(entries, "TSSAO-13", &reference::gloam_disc_sample, {zeta(2)}, {.absolute = 3e-7},
+        {-1.000001, 1.000001});
+    add(entries, "TSSAO-14", &reference::gloam_hemisphere_cosine, {zeta(3)}, {.absolute = 3e-7},
+        {-1.000001, 1.000001});
+    add(entries, "TSSAO-14-uniform", &reference::gloam_hemisphere_uniform, {zeta(3)}, {.absolute = 3e-7},
+        {-1.000001, 1.000001});
 }
 
 Values kernel_points(int components) {
@@ -94,40 +91,30 @@ Values turns() {
 
 void append_rotations(Entries& entries) {
     add(entries, "TSSAO-ROT-turn-disc", &reference::gloam_turn_disc,
-        {.domain = {kernel_points(2).only_as_drawn(), turns().only_as_drawn()},
-         .budget = {.ulp = 3, .of_largest_component = true},
-         .codomain = {-2e19, 2e19}},
-        [](const auto& s, const auto&) { return turnable(s); });
+        {kernel_points(2).only_as_drawn(), turns().only_as_drawn()}, {.ulp = 3, .of_largest_component = true},
+        {-2e19, 2e19}, [](const auto& s, const auto&) { return turnable(s); });
     add(entries, "TSSAO-ROT-turn-hemisphere", &reference::gloam_turn_hemisphere,
-        {.domain = {kernel_points(3).only_as_drawn(), turns().only_as_drawn()},
-         .budget = {.ulp = 3, .of_largest_component = true},
-         .codomain = {-2e19, 2e19}},
-        [](const auto& s, const auto&) { return turnable(s); });
+        {kernel_points(3).only_as_drawn(), turns().only_as_drawn()}, {.ulp = 3, .of_largest_component = true},
+        {-2e19, 2e19}, [](const auto& s, const auto&) { return turnable(s); });
     add(entries, "TSSAO-ROT-disc", &reference::gloam_rotate_disc,
-        {.domain = {kernel_points(2).only_as_drawn(), angles()},
-         .budget = {.ulp = 4, .of_largest_component = true},
-         .codomain = {-2e19, 2e19}},
+        {kernel_points(2).only_as_drawn(), angles()}, {.ulp = 4, .of_largest_component = true}, {-2e19, 2e19},
         [](const auto& s, float) { return turnable(s); });
     add(entries, "TSSAO-ROT-hemisphere", &reference::gloam_rotate_hemisphere,
-        {.domain = {kernel_points(3).only_as_drawn(), angles()},
-         .budget = {.ulp = 4, .of_largest_component = true},
-         .codomain = {-2e19, 2e19}},
+        {kernel_points(3).only_as_drawn(), angles()}, {.ulp = 4, .of_largest_component = true}, {-2e19, 2e19},
         [](const auto& s, float) { return turnable(s); });
 }
 
 void append_hash(Entries& entries) {
     add(entries, "HASH-turn", &reference::gloam_hash_turn,
-        {.domain = {either(log_integers(4294967295), integers(0, 4294967295))
-                        .and_near_integers({0, 65536, 4294967295})}});
+        {either(log_integers(4294967295), integers(0, 4294967295))
+             .and_near_integers({0, 65536, 4294967295})});
     const Values coordinate = either(integers(0, 8191), integers(-2147483648L, 2147483647L));
     add(entries, "HASH-ROT", &reference::gloam_hash_rotation,
-        {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
-         .budget = {.ulp = 3, .absolute = 4e-9},
-         .codomain = {0, 6.2831853}});
+        {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))}, {.ulp = 3, .absolute = 4e-9},
+        {0, 6.2831853});
     add(entries, "LATTICE-ROT", &reference::gloam_lattice_rotation,
-        {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
-         .budget = {.ulp = 3, .absolute = 4e-9},
-         .codomain = {0, 6.2831855}});
+        {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))}, {.ulp = 3, .absolute = 4e-9},
+        {0, 6.2831855});
 }
 
 Values normals() {
@@ -139,21 +126,17 @@ void append_reflections(Entries& entries) {
                              .and_value(glm::vec3(0.5F))
                              .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
                              .and_special();
-    add(entries, "REFLECT", &reference::gloam_reflect_sample,
-        {.domain = {kernel_points(3).and_special(), texel},
-         .budget = {.ulp = 16, .of_largest_component = true},
-         .codomain = {-4e19, 4e19}},
+    add(entries, "REFLECT", &reference::gloam_reflect_sample, {kernel_points(3).and_special(), texel},
+        {.ulp = 16, .of_largest_component = true}, {-4e19, 4e19},
         [](const glm::vec3& s, const glm::vec3&) { return turnable(s); });
-    add(entries, "FLIP", &reference::gloam_hemisphere_flip,
-        {.domain = {kernel_points(3).and_special(), normals()},
-         .budget = {.backward_ulp = 2},
-         .codomain = {-1e19, 1e19}},
+    add(entries, "FLIP", &reference::gloam_hemisphere_flip, {kernel_points(3).and_special(), normals()},
+        {.backward_ulp = 2}, {-1e19, 1e19},
         [](glm::dvec3 s, glm::dvec3 normal) { return moderate(1e-15, 1e15, s, normal); });
 }
 
 void append_sample_rotations(Entries& entries) {
-    add(entries, "FRAME", &reference::gloam_tangent_frame,
-        {.domain = {unit_normals()}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "FRAME", &reference::gloam_tangent_frame, {unit_normals()}, {.absolute = 3e-7},
+        {-1.000001, 1.000001});
     append_rotations(entries);
     append_hash(entries);
     append_reflections(entries);
@@ -176,24 +159,22 @@ void append_poisson(Entries& entries) {
                !(distance > 1e18);
     };
     add(entries, "POISSON", &reference::gloam_poisson_accepts,
-        {.domain = Domain{point, point, uniform(0, 2).and_special()}.adjusted(place_at_distance),
-         .budget = {.backward_ulp = 3}},
-        representable);
+        Domain{point, point, uniform(0, 2).and_special()}.adjusted(place_at_distance), {.backward_ulp = 3},
+        {}, representable);
     add(entries, "POISSON-lift", &reference::gloam_hemisphere_lift,
-        {.domain = {either(vector_of_length(2, either(uniform(0, 1), either(uniform(0.9999, 1.0001),
-                                                                            uniform(0.9999995, 1.0000005)))),
-                           vector_of_length(2, log_uniform(1e-37, 1e38)))
-                        .and_special()},
-         .budget = {.absolute = 6e-6},
-         .codomain = {-1.000001, 1.000001}});
+        {either(vector_of_length(
+                    2, either(uniform(0, 1), either(uniform(0.9999, 1.0001), uniform(0.9999995, 1.0000005)))),
+                vector_of_length(2, log_uniform(1e-37, 1e38)))
+             .and_special()},
+        {.absolute = 6e-6}, {-1.000001, 1.000001});
 }
 
 void append_sample_patterns(Entries& entries) {
     const Values count = log_integers(32768).and_near_integers({0, 32768, 2147483647});
     const Values turns =
         either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647});
-    add(entries, "SPIRAL-point", &reference::gloam_spiral_point,
-        {.domain = {count, count, turns}, .budget = {.absolute = 5e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "SPIRAL-point", &reference::gloam_spiral_point, {count, count, turns}, {.absolute = 5e-7},
+        {-1.000001, 1.000001});
     append_poisson(entries);
 }
 
@@ -221,29 +202,26 @@ void append_sampling_levels(Entries& entries) {
                                 .and_near({8.0, 16.0, 32.0, 64.0, 128.0, 256.0})
                                 .and_special();
     add(entries, "CS-Q-level", &reference::gloam_depth_mip_level,
-        {.domain = Domain{distance, either(constant(16.0F), log_uniform(1, 64)).and_special(), levels()}
-                       .tied(0, 1)
-                       .tied(0, 1, 4.0)});
-    add(entries, "CS-Q-size", &reference::gloam_depth_mip_size, {.domain = {sizes(), levels()}});
-    add(entries, "CS-Q-pixel", &reference::gloam_depth_mip_pixel, {.domain = {pixels(), sizes(), levels()}});
-    add(entries, "CS-Q-grid", &reference::gloam_rotated_grid, {.domain = {pixels(), sizes()}});
+        Domain{distance, either(constant(16.0F), log_uniform(1, 64)).and_special(), levels()}.tied(0, 1).tied(
+            0, 1, 4.0));
+    add(entries, "CS-Q-size", &reference::gloam_depth_mip_size, {sizes(), levels()});
+    add(entries, "CS-Q-pixel", &reference::gloam_depth_mip_pixel, {pixels(), sizes(), levels()});
+    add(entries, "CS-Q-grid", &reference::gloam_rotated_grid, {pixels(), sizes()});
     add(entries, "CS-Q-source", &reference::gloam_depth_mip_source,
-        {.domain = {vector(2, integers(0, 600)), sizes(), levels()}});
+        {vector(2, integers(0, 600)), sizes(), levels()});
     add(entries, "CS-N", &reference::gloam_count_by_distance,
-        {.domain = Domain{either(uniform(0, 120), log_uniform(1e-3, 1e6)).and_special(),
-                          either(log_uniform(10, 1000), log_uniform(1e-37, 1e38)).and_special(),
-                          either(integers(0, 64), integers(-2, 10000)), integers(0, 16)}
-                       .tied(0, 1),
-         .codomain = {0, 4096}},
-        off_a_whole_number);
+        Domain{either(uniform(0, 120), log_uniform(1e-3, 1e6)).and_special(),
+               either(log_uniform(10, 1000), log_uniform(1e-37, 1e38)).and_special(),
+               either(integers(0, 64), integers(-2, 10000)), integers(0, 16)}
+            .tied(0, 1),
+        {}, {0, 4096}, off_a_whole_number);
 }
 
 void append_sampling_marches(Entries& entries) {
     add(entries, "CS-C2", &reference::gloam_eye_march,
-        {.domain = {vector(3, uniform(-8, 8)), unit_vector(3), uniform(0, 2), integers(0, 15),
-                    integers(1, 16), uniform(0, 1).and_near({1.0})},
-         .budget = {.absolute = 1e-6},
-         .codomain = {-50, 50}},
+        {vector(3, uniform(-8, 8)), unit_vector(3), uniform(0, 2), integers(0, 15), integers(1, 16),
+         uniform(0, 1).and_near({1.0})},
+        {.absolute = 1e-6}, {-50, 50},
         [](glm::dvec3, glm::dvec3, double, unsigned index, unsigned count, double) { return index < count; });
 }
 

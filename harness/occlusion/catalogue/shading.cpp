@@ -29,19 +29,13 @@ Values sums() {
 
 void append_sums(Entries& entries) {
     add(entries, "CS-L-add", &reference::gloam_bent_add,
-        {.domain = {sums(), unit_vector(3).and_special(), uniform(0, 1).and_special()},
-         .budget = {.absolute = 1e-6},
-         .codomain = {-numeric::largest_float, numeric::largest_float}},
+        {sums(), unit_vector(3).and_special(), uniform(0, 1).and_special()}, {.absolute = 1e-6},
+        {-numeric::largest_float, numeric::largest_float},
         [](glm::dvec4 bent, glm::dvec3 w, double) { return moderate(0.0, 16, bent, w); });
-    add(entries, "CS-L", &reference::gloam_bent_normal,
-        {.domain = {sums().and_special(), unit_vector(3)},
-         .budget = {.ulp = 3},
-         .codomain = {-1.000001, 1.000001}});
-    add(entries, "CS-L-length", &reference::gloam_bent_length,
-        {.domain = {sums().and_value(glm::vec4(0)).and_special()},
-         .budget = {.absolute = 4e-7},
-         .codomain = {0, 1}},
-        [](glm::dvec4 bent) {
+    add(entries, "CS-L", &reference::gloam_bent_normal, {sums().and_special(), unit_vector(3)}, {.ulp = 3},
+        {-1.000001, 1.000001});
+    add(entries, "CS-L-length", &reference::gloam_bent_length, {sums().and_value(glm::vec4(0)).and_special()},
+        {.absolute = 4e-7}, {0, 1}, [](glm::dvec4 bent) {
             return moderate(1e-18, 1e18, bent) && std::abs(bent.w) < 1e18 &&
                    glm::length(glm::dvec3(bent)) < 1e18;
         });
@@ -51,8 +45,7 @@ void add_cone(Entries& entries, const char* id, double (*reference)(double), dou
     const Values value = either(uniform(0, 1), either(log_uniform(1e-12, 1), uniform(0.999, 1.001)))
                              .and_near({0.5, 1.0})
                              .and_special();
-    add(entries, id, reference,
-        {.domain = {value}, .budget = {.absolute = absolute}, .codomain = {0, 1.5707965}});
+    add(entries, id, reference, {value}, {.absolute = absolute}, {0, 1.5707965});
 }
 
 void append_shading_bent(Entries& entries) {
@@ -103,22 +96,17 @@ void face_each_other(std::span<Word> words) {
 }
 
 void append_terms(Entries& entries) {
-    add(entries, "CS-D-radiance", &reference::gloam_ssdo_radiance,
-        {.domain = {colours()}, .codomain = {0, 65504}});
+    add(entries, "CS-D-radiance", &reference::gloam_ssdo_radiance, {colours()}, {}, {0, 65504});
     const Values visibility = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-D", &reference::gloam_ssdo_direct,
-        {.domain = {offsets(), normals(), colours(), visibility},
-         .budget = {.absolute = 6e-7},
-         .codomain = {0, 131008.1}},
-        [](glm::dvec3 w, glm::dvec3 n, glm::dvec3 radiance, double) {
+    add(entries, "CS-D", &reference::gloam_ssdo_direct, {offsets(), normals(), colours(), visibility},
+        {.absolute = 6e-7}, {0, 131008.1}, [](glm::dvec3 w, glm::dvec3 n, glm::dvec3 radiance, double) {
             return small(w) && is_unit(n) && dim(radiance);
         });
     const Values length = either(log_uniform(0.1, 1), any_float()).and_near({1.0}).and_special();
     add(entries, "CS-D-bounce", &reference::gloam_ssdo_bounce,
-        {.domain = Domain{offsets(), normals(), normals(), colours(), length, length, visibility}.adjusted(
-             face_each_other),
-         .budget = {.absolute = 6e-7},
-         .codomain = {0, 7e10}},
+        Domain{offsets(), normals(), normals(), colours(), length, length, visibility}.adjusted(
+            face_each_other),
+        {.absolute = 6e-7}, {0, 7e10},
         [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 s, glm::dvec3 radiance, double radius, double least,
            double) {
             const bool near_one = !(radius > std::max(glm::length(v), least));
@@ -130,26 +118,17 @@ void append_results(Entries& entries) {
     const Values count =
         made_by<float>([](numeric::Random& random) { return static_cast<float>(1 + random.below(64)); });
     add(entries, "CS-D-light", &reference::gloam_ssdo_light,
-        {.domain = {either(vector(3, uniform(0, 64)), vector(3, any_float())).and_special(),
-                    either(count, any_float()).and_special(), vector(3, uniform(0, 1)).and_special()},
-         .budget = {.ulp = 3},
-         .codomain = {0, 0x1.fffffep127}},
-        [](glm::dvec3 sum, double n, glm::dvec3 albedo) {
+        {either(vector(3, uniform(0, 64)), vector(3, any_float())).and_special(),
+         either(count, any_float()).and_special(), vector(3, uniform(0, 1)).and_special()},
+        {.ulp = 3}, {0, 0x1.fffffep127}, [](glm::dvec3 sum, double n, glm::dvec3 albedo) {
             return moderate(1e-9, 1e9, sum, albedo) && moderate(1e-9, 1e9, n);
         });
     const Values depth = either(uniform(0, 1), log_uniform(1e-3, 1e6)).and_special();
     add(entries, "CS-R", &reference::gloam_depth_darkening,
-        {.domain = {depth, depth, either(uniform(0, 4), any_float()).and_special()},
-         .budget = {.ulp = 2},
-         .codomain = {-0x1.fffffep127, 0}},
+        {depth, depth, either(uniform(0, 4), any_float()).and_special()}, {.ulp = 2}, {-0x1.fffffep127, 0},
         [](double d, double blurred, double strength) {
             return moderate(1e-9, 1e9, d, blurred, strength) && std::isfinite(strength);
         });
-}
-
-void append_shading_directional(Entries& entries) {
-    append_terms(entries);
-    append_results(entries);
 }
 
 }  // namespace
@@ -159,17 +138,15 @@ void append_shading(Entries& entries) {
     const Values offset = either(uniform(-0.5, 0.5), constant(0.0F)).and_near({0.5}).and_special();
     const Values brightness = uniform(0.5, 2).and_near({1.0}).and_special();
     const Values contrast = uniform(0.25, 8).and_near({0.0, 1.0, 2.0}).and_value(-1.0F).and_special();
-    add(entries, "CS-REMAP", &reference::gloam_remap,
-        {.domain = {visibility, offset, brightness, contrast},
-         .budget = {.absolute = 2e-6, .backward_ulp = 2},
-         .codomain = {0, 1}},
-        [](double ao, double a, double b, double c) {
+    add(entries, "CS-REMAP", &reference::gloam_remap, {visibility, offset, brightness, contrast},
+        {.absolute = 2e-6, .backward_ulp = 2}, {0, 1}, [](double ao, double a, double b, double c) {
             return moderate(1e-18, 1e18, ao, a, b) && moderate(1e-3, 16, c);
         });
-    add(entries, "GTAO-bounce", &reference::gloam_multi_bounce,
-        {.domain = {visibility, vector(3, visibility)}, .budget = {.absolute = 1.5e-6}, .codomain = {0, 1}});
+    add(entries, "GTAO-bounce", &reference::gloam_multi_bounce, {visibility, vector(3, visibility)},
+        {.absolute = 1.5e-6}, {0, 1});
     append_shading_bent(entries);
-    append_shading_directional(entries);
+    append_terms(entries);
+    append_results(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -31,12 +31,10 @@ void append_blend(Entries& entries) {
         return moderate(1e-30, 1e36, weight, k, weight_max);
     };
     add(entries, "TSSAO-5", &reference::gloam_blend,
-        {.domain = Domain{occlusions(), weights(), occlusions(), weights(), weights()}.tied(4, 1).tied(2, 0),
-         .budget = {.ulp = 0.5, .absolute = 1e-7},
-         .codomain = {0, float_max}},
-        usual);
+        Domain{occlusions(), weights(), occlusions(), weights(), weights()}.tied(4, 1).tied(2, 0),
+        {.ulp = 0.5, .absolute = 1e-7}, {0, float_max}, usual);
     add(entries, "TSSAO-5-weight", &reference::gloam_history_weight,
-        {.domain = Domain{occlusions(), weights(), weights()}.tied(2, 1), .codomain = {0, float_max}});
+        Domain{occlusions(), weights(), weights()}.tied(2, 1), {}, {0, float_max});
 }
 
 void append_accumulation(Entries& entries) {
@@ -44,16 +42,13 @@ void append_accumulation(Entries& entries) {
     const Values threshold = uniform(0, 1).and_near({0.2, 0.3, 0.5}).and_special();
     append_blend(entries);
     add(entries, "TSSAO-6", &reference::gloam_convergence,
-        {.domain = Domain{weights(), weights().and_near({0x1p-126})}.tied(0, 1),
-         .budget = {.ulp = 2.5},
-         .codomain = {0, 1}},
+        Domain{weights(), weights().and_near({0x1p-126})}.tied(0, 1), {.ulp = 2.5}, {0, 1},
         [](double, double most) { return !(most > 0x1p126); });
-    add(entries, "TSSAO-ROT", &reference::gloam_rotation_enabled,
-        {.domain = Domain{convergence, threshold}.tied(0, 1)});
+    add(entries, "TSSAO-ROT", &reference::gloam_rotation_enabled, Domain{convergence, threshold}.tied(0, 1));
     add(entries, "TSSAO-AS", &reference::gloam_sample_count,
-        {.domain = Domain{convergence, threshold, integers(0, 64).and_near_integers({0, -2147483647L}),
-                          integers(0, 64).and_near_integers({0, 2147483646L})}
-                       .tied(0, 1)});
+        Domain{convergence, threshold, integers(0, 64).and_near_integers({0, -2147483647L}),
+               integers(0, 64).and_near_integers({0, 2147483646L})}
+            .tied(0, 1));
 }
 
 Values buffer_occlusions() {
@@ -71,7 +66,7 @@ Values depths() {
 // A function of a history that has nothing special except its domain: no error is allowed, and no result is
 // below 0.
 void add_exact(Entries& entries, const char* id, auto reference, Domain domain) {
-    add(entries, id, reference, {.domain = std::move(domain), .codomain = {0, numeric::infinity}});
+    add(entries, id, reference, std::move(domain), {}, {0, numeric::infinity});
 }
 
 // Histories and texels, their members drawn independently; each special member beside ordinary ones.
@@ -92,7 +87,7 @@ Values texels() {
 void append_buffer(Entries& entries) {
     add_exact(entries, "TSSAO-BUF-empty", &reference::gloam_history_empty, {depths()});
     add(entries, "TSSAO-BUF-usable", &reference::gloam_history_usable,
-        {.domain = {buffer_occlusions(), buffer_weights()}});
+        {buffer_occlusions(), buffer_weights()});
     add_exact(entries, "TSSAO-BUF-sanitize", &reference::gloam_history_sanitize, {histories()});
     add_exact(entries, "TSSAO-BUF-pack", &reference::gloam_history_pack, {histories()});
     add_exact(entries, "TSSAO-BUF-unpack", &reference::gloam_history_unpack, {texels()});
@@ -104,13 +99,10 @@ void append_history(Entries& entries) {
     append_buffer(entries);
     const Values part = uniform(0, 1).and_near({0.0, 1.0});
     add(entries, "BILINEAR", &reference::gloam_bilinear_weights,
-        {.domain = {vector(2, either(part, log_uniform(1e-30, 1))).and_special()},
-         .budget = {.ulp = 2.5},
-         .codomain = {0, 1}});
+        {vector(2, either(part, log_uniform(1e-30, 1))).and_special()}, {.ulp = 2.5}, {0, 1});
     add(entries, "BILINEAR-valid", &reference::gloam_validated_weights,
-        {.domain = {vector(4, either(part, log_uniform(1e-37, 1))).and_special(), vector(4, booleans())},
-         .budget = {.ulp = 3},
-         .codomain = {0, 1}});
+        {vector(4, either(part, log_uniform(1e-37, 1))).and_special(), vector(4, booleans())}, {.ulp = 3},
+        {0, 1});
 }
 
 void append_disocclusion(Entries& entries) {
@@ -119,14 +111,13 @@ void append_disocclusion(Entries& entries) {
     const Domain depths{depth, depth};
     const Values epsilon = either(uniform(0.005, 0.05), log_uniform(1e-6, 2)).and_special();
     add(entries, "TSSAO-8", &reference::gloam_depth_consistent,
-        {.domain = Domain{depth, depth, epsilon}
-                       .tied(1, 0)
-                       .tied(1, 0, 1.01)
-                       .tied(1, 0, 0.99)
-                       .tied(1, 0, 1.005)
-                       .tied(1, 0, 1.02),
-         .budget = {.backward_ulp = 2}},
-        [](double stored, double expected, double epsilon) {
+        Domain{depth, depth, epsilon}
+            .tied(1, 0)
+            .tied(1, 0, 1.01)
+            .tied(1, 0, 0.99)
+            .tied(1, 0, 1.005)
+            .tied(1, 0, 1.02),
+        {.backward_ulp = 2}, {}, [](double stored, double expected, double epsilon) {
             // Beside a stored depth 2^24 times as large the expected one is lost in the difference, which is
             // then as large as a threshold of 1.
             const bool is_decided = expected > 1.2e-7 * stored || std::abs(epsilon - 1.0) > 2.4e-7;
@@ -136,24 +127,19 @@ void append_disocclusion(Entries& entries) {
                                 .and_value(glm::vec3(0))
                                 .and_special();
     const auto near = [](glm::dvec3 p) { return moderate(1e-30, 16, p); };
-    add(entries, "TSSAO-9", &reference::gloam_neighborhood_change,
-        {.domain = {position, position, position, position},
-         .budget = {.ulp = 4, .absolute = 6e-6},
-         .codomain = {0, float_max}},
+    add(entries, "TSSAO-9", &reference::gloam_neighborhood_change, {position, position, position, position},
+        {.ulp = 4, .absolute = 6e-6}, {0, float_max},
         [near](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
             return near(a) && near(b) && near(c) && near(d);
         });
     const Values change = either(log_uniform(1e-6, 1), uniform(0, 0.1)).and_special();
-    add(entries, "TSSAO-9-test", &reference::gloam_neighborhood_unchanged,
-        {.domain = Domain{change, change}.tied(0, 1)});
-    add(entries, "TSSAO-9-probe", &reference::gloam_probe_useful,
-        {.domain = {position, unit_vector(3).and_special()}, .budget = {.backward_ulp = 4}},
+    add(entries, "TSSAO-9-test", &reference::gloam_neighborhood_unchanged, Domain{change, change}.tied(0, 1));
+    add(entries, "TSSAO-9-probe", &reference::gloam_probe_useful, {position, unit_vector(3).and_special()},
+        {.backward_ulp = 4}, {},
         [](glm::dvec3 offset, glm::dvec3 normal) { return moderate(1e-15, 1e15, offset, normal); });
     add(entries, "TSSAO-9-reach", &reference::gloam_probe_change,
-        {.domain = {position, position, unit_vector(3), uniform(0, 16)},
-         .budget = {.absolute = 2e-6, .backward_ulp = 4},
-         .codomain = {0, float_max}},
-        [](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
+        {position, position, unit_vector(3), uniform(0, 16)}, {.absolute = 2e-6, .backward_ulp = 4},
+        {0, float_max}, [](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
             return moderate(1e-15, 16, now) && moderate(1e-15, 16, before) && moderate(1e-15, 1, normal) &&
                    moderate(1e-15, 16, reach);
         });
@@ -162,22 +148,13 @@ void append_disocclusion(Entries& entries) {
 void append_invalidation(Entries& entries) {
     const Values weight = either(uniform(0, 1500), log_uniform(1e-30, 1e30)).and_special();
     add(entries, "TSSAO-SI-a", &reference::gloam_invalidate_clamp,
-        {.domain = Domain{weight, uniform(32, 64).and_special()}.tied(0, 1),
-         .codomain = {0, numeric::infinity}});
+        Domain{weight, uniform(32, 64).and_special()}.tied(0, 1), {}, {0, numeric::infinity});
     add(entries, "TSSAO-SI-b", &reference::gloam_confidence,
-        {.domain = {either(uniform(0, 1), signed_log_uniform(1e-30, 1e30)).and_special(),
-                    either(uniform(15, 30), log_uniform(1e-6, 1e6)).and_special()},
-         .budget = {.ulp = 3},
-         .codomain = {0, 1}});
+        {either(uniform(0, 1), signed_log_uniform(1e-30, 1e30)).and_special(),
+         either(uniform(15, 30), log_uniform(1e-6, 1e6)).and_special()},
+        {.ulp = 3}, {0, 1});
     add(entries, "TSSAO-SI-b-weight", &reference::gloam_invalidate_confidence,
-        {.domain = {weight, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-         .budget = {.ulp = 0.5},
-         .codomain = {0, float_max}});
-}
-
-void append_validity(Entries& entries) {
-    append_disocclusion(entries);
-    append_invalidation(entries);
+        {weight, uniform(0, 1).and_near({0.0, 1.0}).and_special()}, {.ulp = 0.5}, {0, float_max});
 }
 
 constexpr const char* history_name = "gloam_fetch_history";
@@ -229,33 +206,29 @@ bool off_a_step(double u, int extent) {
 
 void append_reprojection(Entries& entries) {
     add(entries, "TSSAO-RP-texel", &reference::gloam_texel_position,
-        {.domain = {uniform(0, 1).and_near({0.0, 1.0, 0.5}).and_special(),
-                    log_integers(4096).and_near_integers({0})},
-         .budget = {.absolute = 1.25e-4},
-         .codomain = {-1, 4096}},
-        off_a_step);
+        {uniform(0, 1).and_near({0.0, 1.0, 0.5}).and_special(), log_integers(4096).and_near_integers({0})},
+        {.absolute = 1.25e-4}, {-1, 4096}, off_a_step);
     auto scenarios = image_scenarios(striped_history);
     scenarios.push_back({.name = "poisoned", .size = {7, 5}, .make = poisoned_history});
-    add(entries, "TSSAO-RP-history",
+    add(
+        entries, "TSSAO-RP-history",
         [](const ImageSet& images, glm::dvec2 uv, glm::ivec2 size, double expected_depth, double epsilon) {
             const auto fetch = [&images](glm::ivec2 pixel) {
                 return images.at(history_name).at<glm::dvec4>(pixel);
             };
             return reference::gloam_reprojected_history(uv, size, expected_depth, epsilon, fetch);
         },
-        {.domain = {previous_coordinates(), image_size(), expected_depths(),
-                    either(uniform(0, 0.05), constant(0.01F)).and_special()},
-         .budget = {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 1},
-         .codomain = {0, std::numeric_limits<double>::infinity()},
-         .scenarios = scenarios});
+        {previous_coordinates(), image_size(), expected_depths(),
+         either(uniform(0, 0.05), constant(0.01F)).and_special()},
+        {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 1}, {0, std::numeric_limits<double>::infinity()},
+        nullptr, scenarios);
 }
 
 void append_temporal_smoothing(Entries& entries) {
     const Values occlusion = uniform(0, 1).and_near({0.0, 1.0}).and_special();
     add(entries, "CS-G", &reference::gloam_temporal_smooth,
-        {.domain = {occlusion, booleans(), occlusion, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-         .budget = {.absolute = 2e-7},
-         .codomain = {0, 1}});
+        {occlusion, booleans(), occlusion, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
+        {.absolute = 2e-7}, {0, 1});
 }
 
 }  // namespace
@@ -263,7 +236,8 @@ void append_temporal_smoothing(Entries& entries) {
 void append_temporal(Entries& entries) {
     append_accumulation(entries);
     append_history(entries);
-    append_validity(entries);
+    append_disocclusion(entries);
+    append_invalidation(entries);
     append_reprojection(entries);
     append_temporal_smoothing(entries);
 }

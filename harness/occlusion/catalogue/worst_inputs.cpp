@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,111 +10,87 @@
 namespace gloam::catalogue {
 namespace {
 
-struct WorstInput {
-    std::string equation;
-    std::vector<check::Word> words;
-};
-
+// An equation and the words of its input, in hexadecimal; they may go on in lines that begin with a space.
 // Found by `gloam stress --only worst-inputs` on llvmpipe (LLVM 15): the climb found larger errors than the
 // same number of random inputs.
-std::vector<WorstInput> found() {
-    return {
-        {"SMALL-ARC", {0x3f029205U}},
-        {"ACOS", {0xbf01ba1dU}},
-        {"ATAN2", {0xbf5038b6U, 0xbf5312c6U}},
-        {"HALTON", {0x00000ad9U, 0x00000457U}},
-        {"TSSAO-13", {0x3f21cce4U, 0x3f7efec8U}},
-        {"TSSAO-14", {0x3e5f1971U, 0x3f7f3c64U, 0x3b838541U}},
-        {"TSSAO-14-uniform", {0x3be44cfeU, 0x3f7dc365U, 0x3e576215U}},
-        {"FRAME", {0x3f7f9cbbU, 0x3d57773cU, 0x3c78974bU}},
-        {"TSSAO-ROT-disc", {0xbd56ff1cU, 0x3f2e625bU, 0xc019c067U}},
-        {"TSSAO-ROT-hemisphere", {0x3e1c7e64U, 0xbf1f60b5U, 0xbdf03558U, 0x447b0fcbU}},
-        {"POISSON-lift", {0xbf30a03dU, 0xbf394f01U}},
-        {"DEPTH-perspective-vk", {0x3efff847U, 0xbf80013aU, 0xc000013eU}},
-        {"DEPTH-perspective-gl", {0x33a00000U, 0xbf8001f4U, 0xbd7fc06bU}},
-        {"DEPTH-orthographic-vk", {0x3efffe03U, 0x39006504U, 0x3f8000ebU}},
-        {"DEPTH-orthographic-gl", {0x33bfffffU, 0x3b004025U, 0x3f805d4cU}},
-        {"POSITION-perspective", {0xbf57ad61U, 0x3f8b76eaU, 0x417674c7U, 0x3f7ffff0U, 0xbf881e93U}},
-        {"NDC-perspective", {0xbf085a79U, 0xbd17033aU, 0xbd8265a3U, 0x4072f97eU, 0x3fc8ae64U}},
-        {"NORMALIZE", {0x47754b61U, 0x48b5a738U, 0xc6c163b6U, 0x3e87edb4U, 0xbf29e761U, 0x3f33061dU}},
-        {"NORMAL-orthographic",
-         {0xc09c5c17U, 0x2ecd4e04U, 0xbfdeb491U, 0xc09d277bU, 0xbbbe633aU, 0xc068c675U, 0xc09a9141U,
-          0x3bdd0cd4U, 0xbfd8e67eU, 0xc09c1ef2U, 0x3d5c288eU, 0xc09dd989U, 0xc0bc5c17U, 0xbdc03113U,
-          0xc024080eU}},
-        {"NORMAL-facing",
-         {0x3f1d4d1fU, 0x3f25b23fU, 0x3ee6f8e7U, 0xbf178967U, 0xbf29f22cU, 0xbeea044fU, 0x3bb8b5f4U,
-          0x3ce72d14U, 0xbbcc9ea8U}},
-        {"TSSAO-RP-uv", {0xbeef99beU, 0x3efc767aU, 0xbda4c0b1U, 0x3f027dd0U}},
-        {"TSSAO-RP",
-         {0x3f7cfeffU, 0xbf2269d1U, 0x3f429383U, 0x3f800000U, 0x3f712a10U, 0x3e470dffU, 0xbe9a12d9U,
-          0xbe9a12d9U, 0xbd95bc61U, 0x3f7cf42aU, 0xbd19bb0eU, 0xbd19bb0eU, 0x40b6246eU, 0xbf865d77U,
-          0x4041b7b1U, 0x4001b7b1U, 0xc0abbd93U, 0x3fa27a11U, 0xc0053bfbU, 0xbf8a77f7U}},
-        {"TSSAO-RP-static",
-         {0xc10d820bU, 0x40bdb345U, 0x4100d52cU, 0x41014c4cU, 0x3f65b71dU, 0x80000000U, 0x00000000U,
-          0x80000000U, 0x80000000U, 0xbf002ceaU, 0x80000000U, 0x00000000U, 0x00000000U, 0x80000000U,
-          0x00000000U, 0xc11a65cfU, 0x80000000U, 0x00000000U, 0xbf800000U, 0x411a83c7U, 0x3f5ff420U,
-          0x3ec0d5cdU, 0xbe9c0169U, 0x00000000U, 0x3dbee8fcU, 0xbf3f81a0U, 0xbf2833a8U, 0x00000000U,
-          0xbef36744U, 0x3f0bdff5U, 0xbf30856cU, 0x00000000U, 0x4073a6ebU, 0xbff0ca8eU, 0xc10f6c0dU,
-          0x3f800000U, 0x3f393cc5U, 0xbefa73caU, 0x3ef954cfU, 0x00000000U, 0x3f30039aU, 0x3f12ac0eU,
-          0xbee467feU, 0x00000000U, 0xbd78fc0aU, 0x3f285997U, 0x3f403ab7U, 0x00000000U, 0x40384855U,
-          0xc109a6e4U, 0xc05ee77fU, 0x3f800000U, 0x3f8ca3c6U, 0x00000000U, 0x00000000U, 0x00000000U,
-          0x00000000U, 0xbff919ecU, 0x00000000U, 0x00000000U, 0x00000000U, 0xbf800000U, 0x3ae88e94U,
-          0xbf800000U, 0x00000000U, 0x00000000U, 0x3e75323aU, 0x00000000U}},
-        {"TSSAO-RP-moving",
-         {0xc0bfbe6fU, 0xc07df52fU, 0x40f2c381U, 0x41008b65U, 0x3f27e027U, 0x80000000U, 0x00000000U,
-          0x80000000U, 0x80000000U, 0xbf0fb780U, 0x80000000U, 0x00000000U, 0x00000000U, 0x80000000U,
-          0x00000000U, 0xc115d9a1U, 0x80000000U, 0x00000000U, 0xbf800000U, 0x4115d9a1U, 0x3ef39237U,
-          0xbeec8e3bU, 0xbf3f9c53U, 0x00000000U, 0x3f195cc1U, 0xbee7df60U, 0x3f290a6fU, 0x00000000U,
-          0xbf24e064U, 0xbf433494U, 0x3d7b3fd7U, 0x00000000U, 0xc10c165bU, 0xbf3d645aU, 0x40641e06U,
-          0x3f800000U, 0x3f3927d6U, 0x3ed17275U, 0x3f0e6e25U, 0x00000000U, 0xbd9c1625U, 0x3f591841U,
-          0xbf06420aU, 0x00000000U, 0xbf2fb4d4U, 0x3eac7f5fU, 0x3f24ff8dU, 0x00000000U, 0xc0663a95U,
-          0xc082e3b1U, 0xc0c4a526U, 0x3f800000U, 0xbeb850f1U, 0x3f57e476U, 0xbecc499bU, 0x00000000U,
-          0x3f3dc8aeU, 0x3f04aa13U, 0x3eda5766U, 0x00000000U, 0x3f10fff6U, 0xbe11b11dU, 0xbf4fcf00U,
-          0x00000000U, 0xc08e1c45U, 0xc0ded3bfU, 0x3ebb391bU, 0x3f800000U, 0x3f0b9876U, 0x3f555d26U,
-          0xbdb74af7U, 0x00000000U, 0xbf47a7a1U, 0x3f0b27eeU, 0x3e9edd9cU, 0x00000000U, 0x3e9d50c4U,
-          0xbdcb9078U, 0x3f7248adU, 0x00000000U, 0xc040995cU, 0xc0c6b832U, 0x40e16310U, 0x3f800000U,
-          0x3f9715acU, 0x00000000U, 0x00000000U, 0x00000000U, 0xbf800000U, 0xbffc3d8bU, 0x00000000U,
-          0x00000000U, 0x00000000U, 0x00000000U, 0x00000000U, 0xbf800000U, 0x00000000U, 0x00000000U,
-          0x3f678ad3U, 0x00000000U}},
-        {"CAMERA-uv",
-         {0xbf89ec2aU, 0xc00db2d9U, 0xc00808beU, 0x3fb89a06U, 0xbf749014U, 0x00000001U, 0x00000001U,
-          0x00000000U}},
-        {"CAMERA-position",
-         {0xffdbc4e7U, 0x00000031U, 0x41763fedU, 0x3f36d9ffU, 0x3f3d00ceU, 0x00000001U, 0x00000001U,
-          0x00000000U}},
-        {"CAMERA-radius",
-         {0x3bf5d7a8U, 0x3eec0577U, 0x3f81b986U, 0x3ff30059U, 0x00000001U, 0x00000001U, 0x00000000U}},
-        {"TSSAO-BORDER-guard", {0x00000dd2U, 0x00400001U, 0x3f3fffffU}},
-        {"TSSAO-BORDER-tan", {0x3fff8487U, 0x3f0017d9U}},
-        {"FALLOFF-linear", {0xb6810001U, 0x3f007e84U}},
-        {"FALLOFF-quadratic", {0xbf074c33U, 0x3fcc4d0dU}},
-        {"TSSAO-1-cos", {0xf2b1480dU, 0x7197a2f2U, 0xf1491dbbU, 0xbf6c80e2U, 0x3c85bad3U, 0xbec3cd79U}},
-        {"TSSAO-3", {0x3e80de65U, 0x3dffffffU, 0x3cfd8978U}},
-        {"BILINEAR", {0x3e29506eU, 0x3ecd83dfU}},
-        {"BILINEAR-valid",
-         {0x39687000U, 0x3f1694d2U, 0x3d7f2470U, 0x3f7503dcU, 0x00000001U, 0x00000000U, 0x00000001U,
-          0x00000001U}},
-        {"TSSAO-9",
-         {0xbda40093U, 0x3eb2bb28U, 0x3eae77eaU, 0xbde4cd8bU, 0xbebd7fafU, 0xbdf289abU, 0x40e301b5U,
-          0xc0fe2843U, 0x4063f246U, 0x40dd603fU, 0x40ff1e8aU, 0x41000000U}},
-        {"TSSAO-SI-b", {0x4912a873U, 0x41e036f5U}},
-        {"TSSAO-11", {0x3ea0d100U, 0x43006dd0U}},
-        {"TSSAO-10-g", {0x3f693ce9U, 0x4034394bU}},
-        {"TSSAO-10-sigma", {0x3f7fffffU, 0x3f812a84U, 0x467bc153U, 0x40f3e46bU}},
-        {"CS-REMAP", {0x3f7bd5d3U, 0xbed0fa25U, 0x3fde2474U, 0x40ff5f02U}},
-    };
-}
+constexpr const char* found = R"(
+SMALL-ARC 3f029205
+ACOS bf01ba1d
+ATAN2 bf5038b6 bf5312c6
+HALTON 00000ad9 00000457
+TSSAO-13 3f21cce4 3f7efec8
+TSSAO-14 3e5f1971 3f7f3c64 3b838541
+TSSAO-14-uniform 3be44cfe 3f7dc365 3e576215
+FRAME 3f7f9cbb 3d57773c 3c78974b
+TSSAO-ROT-disc bd56ff1c 3f2e625b c019c067
+TSSAO-ROT-hemisphere 3e1c7e64 bf1f60b5 bdf03558 447b0fcb
+POISSON-lift bf30a03d bf394f01
+DEPTH-perspective-vk 3efff847 bf80013a c000013e
+DEPTH-perspective-gl 33a00000 bf8001f4 bd7fc06b
+DEPTH-orthographic-vk 3efffe03 39006504 3f8000eb
+DEPTH-orthographic-gl 33bfffff 3b004025 3f805d4c
+POSITION-perspective bf57ad61 3f8b76ea 417674c7 3f7ffff0 bf881e93
+NDC-perspective bf085a79 bd17033a bd8265a3 4072f97e 3fc8ae64
+NORMALIZE 47754b61 48b5a738 c6c163b6 3e87edb4 bf29e761 3f33061d
+NORMAL-orthographic c09c5c17 2ecd4e04 bfdeb491 c09d277b bbbe633a c068c675 c09a9141 3bdd0cd4 bfd8e67e
+ c09c1ef2 3d5c288e c09dd989 c0bc5c17 bdc03113 c024080e
+NORMAL-facing 3f1d4d1f 3f25b23f 3ee6f8e7 bf178967 bf29f22c beea044f 3bb8b5f4 3ce72d14 bbcc9ea8
+TSSAO-RP-uv beef99be 3efc767a bda4c0b1 3f027dd0
+TSSAO-RP 3f7cfeff bf2269d1 3f429383 3f800000 3f712a10 3e470dff be9a12d9 be9a12d9 bd95bc61 3f7cf42a bd19bb0e
+ bd19bb0e 40b6246e bf865d77 4041b7b1 4001b7b1 c0abbd93 3fa27a11 c0053bfb bf8a77f7
+TSSAO-RP-static c10d820b 40bdb345 4100d52c 41014c4c 3f65b71d 80000000 00000000 80000000 80000000 bf002cea
+ 80000000 00000000 00000000 80000000 00000000 c11a65cf 80000000 00000000 bf800000 411a83c7 3f5ff420 3ec0d5cd
+ be9c0169 00000000 3dbee8fc bf3f81a0 bf2833a8 00000000 bef36744 3f0bdff5 bf30856c 00000000 4073a6eb bff0ca8e
+ c10f6c0d 3f800000 3f393cc5 befa73ca 3ef954cf 00000000 3f30039a 3f12ac0e bee467fe 00000000 bd78fc0a 3f285997
+ 3f403ab7 00000000 40384855 c109a6e4 c05ee77f 3f800000 3f8ca3c6 00000000 00000000 00000000 00000000 bff919ec
+ 00000000 00000000 00000000 bf800000 3ae88e94 bf800000 00000000 00000000 3e75323a 00000000
+TSSAO-RP-moving c0bfbe6f c07df52f 40f2c381 41008b65 3f27e027 80000000 00000000 80000000 80000000 bf0fb780
+ 80000000 00000000 00000000 80000000 00000000 c115d9a1 80000000 00000000 bf800000 4115d9a1 3ef39237 beec8e3b
+ bf3f9c53 00000000 3f195cc1 bee7df60 3f290a6f 00000000 bf24e064 bf433494 3d7b3fd7 00000000 c10c165b bf3d645a
+ 40641e06 3f800000 3f3927d6 3ed17275 3f0e6e25 00000000 bd9c1625 3f591841 bf06420a 00000000 bf2fb4d4 3eac7f5f
+ 3f24ff8d 00000000 c0663a95 c082e3b1 c0c4a526 3f800000 beb850f1 3f57e476 becc499b 00000000 3f3dc8ae 3f04aa13
+ 3eda5766 00000000 3f10fff6 be11b11d bf4fcf00 00000000 c08e1c45 c0ded3bf 3ebb391b 3f800000 3f0b9876 3f555d26
+ bdb74af7 00000000 bf47a7a1 3f0b27ee 3e9edd9c 00000000 3e9d50c4 bdcb9078 3f7248ad 00000000 c040995c c0c6b832
+ 40e16310 3f800000 3f9715ac 00000000 00000000 00000000 bf800000 bffc3d8b 00000000 00000000 00000000 00000000
+ 00000000 bf800000 00000000 00000000 3f678ad3 00000000
+CAMERA-uv bf89ec2a c00db2d9 c00808be 3fb89a06 bf749014 00000001 00000001 00000000
+CAMERA-position ffdbc4e7 00000031 41763fed 3f36d9ff 3f3d00ce 00000001 00000001 00000000
+CAMERA-radius 3bf5d7a8 3eec0577 3f81b986 3ff30059 00000001 00000001 00000000
+TSSAO-BORDER-guard 00000dd2 00400001 3f3fffff
+TSSAO-BORDER-tan 3fff8487 3f0017d9
+FALLOFF-linear b6810001 3f007e84
+FALLOFF-quadratic bf074c33 3fcc4d0d
+TSSAO-1-cos f2b1480d 7197a2f2 f1491dbb bf6c80e2 3c85bad3 bec3cd79
+TSSAO-3 3e80de65 3dffffff 3cfd8978
+BILINEAR 3e29506e 3ecd83df
+BILINEAR-valid 39687000 3f1694d2 3d7f2470 3f7503dc 00000001 00000000 00000001 00000001
+TSSAO-9 bda40093 3eb2bb28 3eae77ea bde4cd8b bebd7faf bdf289ab 40e301b5 c0fe2843 4063f246 40dd603f 40ff1e8a
+ 41000000
+TSSAO-SI-b 4912a873 41e036f5
+TSSAO-11 3ea0d100 43006dd0
+TSSAO-10-g 3f693ce9 4034394b
+TSSAO-10-sigma 3f7fffff 3f812a84 467bc153 40f3e46b
+CS-REMAP 3f7bd5d3 bed0fa25 3fde2474 40ff5f02
+)";
 
 }  // namespace
 
 void add_worst_inputs(Entries& entries) {
-    for (const WorstInput& worst : found()) {
+    std::string text = found;
+    for (std::size_t at = 0; (at = text.find("\n ", at)) != std::string::npos;) text.erase(at, 1);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty()) continue;
+        std::istringstream row(line);
+        std::string equation;
+        row >> equation >> std::hex;
+        std::vector<check::Word> words;
+        for (check::Word word = 0; row >> word;) words.push_back(word);
         const auto entry =
-            std::ranges::find_if(entries, [&](const Entry& e) { return e.description.id == worst.equation; });
-        if (entry == entries.end())
-            throw std::logic_error("worst input of an unknown equation: " + worst.equation);
+            std::ranges::find_if(entries, [&](const Entry& e) { return e.description.id == equation; });
+        if (entry == entries.end()) throw std::logic_error("worst input of an unknown equation: " + equation);
         check::Domain& domain = entry->question.domain;
-        domain = domain.and_words(worst.words);
+        domain = domain.and_words(words);
     }
 }
 

@@ -252,8 +252,7 @@ class SizeRun {
         constexpr std::uint32_t pixels = 257;  // of a side of its image
         std::unique_ptr<effect::ClosedFormStudy>& study = shared_.closed_form;
         if (!study) study = std::make_unique<effect::ClosedFormStudy>(place_.device, place_.passes, pixels);
-        const effect::Estimate measured =
-            study->measure(view, settings, {.pixels = pixels, .frames = experiment_.frames});
+        const effect::Estimate measured = study->measure(view, settings, experiment_.frames);
         const effect::Remap remap = remap_of(settings);
         return PointQuality{.truth = view.occlusion,
                             .occlusion = measured.value,

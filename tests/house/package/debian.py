@@ -86,7 +86,7 @@ class Debian(unittest.TestCase):
         machine.install(*PROGRAM)
         self.assertTrue(machine.run("gloam --version").startswith(f"gloam {VERSION}, "))
         self.assertIn(" 0 failed", machine.run("gloam check TSSAO-5 HALTON --inputs 512 --device interpreter"))
-        self.assertIn("gloam_remap(", machine.run("gloam pack gloam/shading/remap.glsl"))
+        self.assertIn("gloam_remap(", machine.run("gloam pack gloam/shading/ambient.glsl"))
         machine.run("gloam pack --npm npm && test -s npm/LICENSE")
         machine.run("gloam site site HALTON --no-pictures && test -s site/document-drivers.js")
         machine.install("mesa-vulkan-drivers")

@@ -72,7 +72,7 @@ TEST(Stress, NoticesWhatIsBroken) {
                 "weight off, samples", short_run},
           Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size", "(index + k) % size",
                 "next index off", short_run},
-          Fault{"gloam/filter/weighted_mean.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
+          Fault{"gloam/filter/weights.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
                 "results outside their range", poisoned_filters},
           Fault{"gloam/gather/footprint.glsl", "footprint.size - 1.0", "footprint.size + 9.0",
                 "fetches outside the image", poisoned_gathers},

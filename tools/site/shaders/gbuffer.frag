@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // G-buffer of the page, fragments: eye-linear depth, the normal that faces the eye, the colour of the surface. The
 // images are cleared to 0: no geometry. Normals are those of scene::draw().
-#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/geometry/vector.glsl"
 
 in vec3 view_position;
 in vec3 view_normal;

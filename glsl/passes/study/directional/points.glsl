@@ -27,16 +27,14 @@ layout(push_constant) uniform Parameters {
     mat3x4 world_from_view;  // a rotation: only xyz of each column are used
 } parameters;
 
-#include "gloam/geometry/camera.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/vector.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/hash_rotation.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/tangent_frame.glsl"
 #include "passes/study/method_values.glsl"
 
 layout(binding = 2, std430) readonly buffer MethodSettings { MethodValues method_values; };

@@ -4,7 +4,7 @@
 
 #include "gloam/filter/convergence_filter.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/temporal/convergence.glsl"
+#include "gloam/temporal/blend.glsl"
 
 // Pixels that have not converged take the occlusion of pixels nearby in the world that have (TSSAO-10 and -11). Reads
 // sigma_pixels, c_adaptive, weight_max and filter_cap.

@@ -2,8 +2,7 @@
 #ifndef GLOAM_FILTERS_SAO_GLSL
 #define GLOAM_FILTERS_SAO_GLSL
 
-#include "gloam/filter/sao_blur.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/geometry/background.glsl"
 
 // The blur of scalable ambient obscurance (McGuire et al. 2012; CS-Q): at most four taps on each side, two pixels

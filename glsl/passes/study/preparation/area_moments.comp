@@ -3,7 +3,7 @@
 // Mean and variance of the surfaces in blocks of growing size, for volumetric_area.glsl. Each run computes one level
 // from the level before, with one invocation for each of its texels. Bindings and constants: pass.glsl.
 //
-// Writes a texel of each of the three values of gloam/gather/pyramid.glsl: (mean position, pixels with a surface),
+// Writes a texel of each of the three values of gloam/gather/pixels.glsl: (mean position, pixels with a surface),
 // variances, covariances.
 
 #include "passes/study/preparation/pass.glsl"

@@ -4,12 +4,12 @@
 // Bindings and constants: pass.glsl. Reads range: the largest difference in depth between pixels of one surface, world
 // units.
 //
-// Writes the position and the normal of the pyramid's texel (gloam/gather/pyramid.glsl), zeros for background.
+// Writes the position and the normal of the pyramid's texel (gloam/gather/pixels.glsl), zeros for background.
 
 #include "passes/study/preparation/pass.glsl"
 
-#include "gloam/filter/mssao_downsample.glsl"
-#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/filter/resolution.glsl"
+#include "gloam/geometry/vector.glsl"
 #include "gloam/methods/mssao.glsl"
 
 struct Surface {

@@ -29,7 +29,7 @@ layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
 layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_before;
 layout(binding = 3, GLOAM_PREPARED) uniform writeonly highp image2D prepared_image;
 
-#include "gloam/geometry/borders.glsl"
+#include "gloam/geometry/pixel.glsl"
 #include "passes/study/method_values.glsl"
 
 layout(binding = 4, std430) readonly buffer MethodSettings { MethodValues method_values; };

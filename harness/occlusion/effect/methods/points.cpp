@@ -54,7 +54,6 @@ std::vector<MethodInfo> point_methods() {
     return {
         {.name = "hemisphere",
          .description = "occlusion by points in the half ball (TSSAO-3, TSSAO-14)",
-         .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamHemisphere",
          .members = {{"range"}, {"layers"}},

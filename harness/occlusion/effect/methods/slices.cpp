@@ -83,7 +83,6 @@ std::vector<MethodInfo> slice_methods() {
          .presets = hbao_study_presets},
         {.name = "gtao",
          .description = "horizon slices, cosine-weighted, divided by their weights (Jimenez et al. 2016)",
-         .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamGtao",
          .members = {{"steps"}},
@@ -93,7 +92,6 @@ std::vector<MethodInfo> slice_methods() {
         {.name = "sweep",
          .description =
              "horizon sweep: slices in which each direction counts with the falloff at its distance",
-         .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamSweep",
          .members = {{"steps"},
@@ -114,7 +112,6 @@ std::vector<MethodInfo> slice_methods() {
         {.name = "separable",
          .description =
              "slices in two directions, the first one's carried along the second (Huang et al. 2011)",
-         .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamSeparable",
          .members = {{"sigma", "epsilon"}},
@@ -124,7 +121,6 @@ std::vector<MethodInfo> slice_methods() {
          .prepare = first_direction},
         {.name = "bitmask",
          .description = "slices of 32 sectors between front and back (Therrien et al. 2023)",
-         .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamBitmask",
          .members = {{"thickness"}, {"steps"}},

@@ -88,7 +88,6 @@ std::vector<MethodInfo> surface_methods() {
     return {
         {.name = "mssao",
          .description = "surface points under discs at several resolutions (Hoang and Low 2012)",
-         .measure = cosine,
          .falloff = "quadratic",
          .own_settings = "GloamMssao",
          .members = {{"resolutions", "steps"}},
@@ -115,7 +114,6 @@ std::vector<MethodInfo> surface_methods() {
          .points = "halton"},
         {.name = "disc_proxy",
          .description = "pixels as discs of their surface (Bunnell 2005)",
-         .measure = cosine,
          .falloff = "none up to the radius",
          .own_settings = "GloamDiscProxy",
          .members = {{"intensity"}},
@@ -123,7 +121,6 @@ std::vector<MethodInfo> surface_methods() {
          .reads_normals = true},
         {.name = "disc_proxy_two",
          .description = "disc_proxy, each disc by its own visibility from a first pass (Bunnell 2005)",
-         .measure = cosine,
          .falloff = "none up to the radius",
          .own_settings = "GloamDiscProxy",
          .members = {{"intensity"}},

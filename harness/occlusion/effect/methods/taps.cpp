@@ -32,7 +32,7 @@ void adapt_issao(Settings& s) {
     s.own.epsilon = 0.0126491F / 1.75F;
 }
 
-// GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
+// GLOAM_LAST_TAP_LEVEL of gloam/sampling/depth_mip.glsl.
 constexpr std::uint32_t last_tap_level = 5;
 
 // The image with the layout of gloam/methods/sao_chain.glsl.
@@ -176,7 +176,6 @@ std::vector<MethodInfo> tap_methods() {
          .points = "disc"},
         {.name = "alchemy",
          .description = "surface points under a disc (McGuire et al. 2011)",
-         .measure = cosine,
          .falloff = "alchemy",
          .own_settings = "GloamAlchemy",
          .members = {{"epsilon"}, {"intensity"}},
@@ -185,7 +184,6 @@ std::vector<MethodInfo> tap_methods() {
          .presets = alchemy_presets},
         {.name = "sao",
          .description = "surface points on a spiral, far ones from a depth chain (McGuire et al. 2012)",
-         .measure = cosine,
          .falloff = "cubic",
          .own_settings = "GloamSao",
          .members = {{"epsilon"}, {"intensity"}, {"mip_distance"}},
@@ -193,7 +191,6 @@ std::vector<MethodInfo> tap_methods() {
          .presets = sao_presets},
         {.name = "sao_chain",
          .description = "sao with its depth chain in an image: the same result (McGuire et al. 2012)",
-         .measure = cosine,
          .falloff = "cubic",
          .own_settings = "GloamSao",
          .members = {{"epsilon"}, {"intensity"}, {"mip_distance"}},
@@ -201,7 +198,6 @@ std::vector<MethodInfo> tap_methods() {
          .prepare = depth_chain},
         {.name = "issao",
          .description = "surface points under the covering circle, dense near the pixel (ISSAO)",
-         .measure = cosine,
          .falloff = "alchemy",
          .own_settings = "GloamIssao",
          .members = {{"epsilon"}, {"intensity"}, {.name = "distinct", .constant = "GLOAM_EVERY_TAP"}},
@@ -210,7 +206,6 @@ std::vector<MethodInfo> tap_methods() {
         {.name = "issao_distinct",
          .family = "issao",
          .description = "issao, in which taps that fall into the same pixel count once",
-         .measure = cosine,
          .falloff = "alchemy",
          .own_settings = "GloamIssao",
          .members = {{"epsilon"}, {"intensity"}, {.name = "distinct", .constant = "GLOAM_DISTINCT_TAPS"}},
@@ -221,7 +216,6 @@ std::vector<MethodInfo> tap_methods() {
         {.name = "issao_attenuated",
          .family = "issao",
          .description = "the taps of issao by its eq. 4: cosines, attenuated by distance",
-         .measure = cosine,
          .falloff = "alchemy",
          .own_settings = "GloamIssaoAttenuated",
          .members = {{"epsilon"}, {"intensity"}},
@@ -231,7 +225,6 @@ std::vector<MethodInfo> tap_methods() {
         {.name = "issao_basic",
          .family = "issao",
          .description = "the taps of issao by its eq. 3: cosines of all within the radius",
-         .measure = cosine,
          .falloff = "none up to the radius",
          .points = "halton",
          .adapt = [](Settings& s) { s.bias = 0.022F / 1.75F; },

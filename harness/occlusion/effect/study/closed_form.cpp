@@ -12,10 +12,9 @@ namespace {
 constexpr float most_weight = 8'388'608.0F;  // 2^23: no sample is forgotten
 
 // The mean of all samples, without a rotation, a filter or a remap.
-Settings accumulated(Settings settings, std::uint32_t samples) {
+Settings accumulated(Settings settings) {
     settings.history = true;
-    settings.samples = samples;
-    settings.samples_converged = samples;
+    settings.samples = settings.samples_converged = 1'024;
     settings.weight_max = most_weight;
     settings.table_size = 1U << 24U;
     settings.c_rot = 0.0F;
@@ -42,19 +41,13 @@ ClosedFormStudy::ClosedFormStudy(const gpu::Device& device, const scene::PassLib
                                  std::uint32_t pixels)
     : effect_(device, passes, {pixels, pixels}), pixels_(pixels) {}
 
-Estimate ClosedFormStudy::measure(const scene::ClosedFormView& view, const Settings& settings,
-                                  const ClosedFormOptions& options) {
-    if (options.frames < 2)
-        throw std::invalid_argument(fmt::format("{} frames: expected 2 or more", options.frames));
-    if (options.pixels != pixels_)
-        throw std::invalid_argument(fmt::format("{} pixels: expected {}", options.pixels, pixels_));
-    scene::GBuffer buffer = scene::draw(view, options.pixels);
-    if (options.reconstruct_normals) buffer.normal.clear();
-    effect_.begin(buffer, accumulated(settings, options.samples));
+Estimate ClosedFormStudy::measure(const scene::ClosedFormView& view, const Settings& settings, int frames) {
+    if (frames < 2) throw std::invalid_argument(fmt::format("{} frames: expected 2 or more", frames));
+    effect_.begin(scene::draw(view, pixels_), accumulated(settings));
     std::vector<double> means;
     double sum = 0.0;
     double weight = 0.0;
-    for (int i = 0; i < options.frames; ++i) {
+    for (int i = 0; i < frames; ++i) {
         const Frame frame = effect_.next();
         const double counted = double{frame.convergence.front()} * double{most_weight};
         const double total = double{frame.occlusion.front()} * counted;

@@ -14,27 +14,19 @@ struct Estimate {
     double error = 0.0;
 };
 
-struct ClosedFormOptions {
-    std::uint32_t pixels = 129;        // on each side of the image, odd
-    int frames = 16;                   // >= 2
-    std::uint32_t samples = 1'024;     // of each frame
-    bool reconstruct_normals = false;  // from the depth, instead of the view's own normals
-};
-
 // Measures methods on closed-form views with the real passes: with history, without filter, remap and
 // rotation.
 class ClosedFormStudy {
   public:
-    // The device must outlive this object. Throws like AmbientOcclusion.
+    // pixels: on each side of the image, odd. The device must outlive this object. Throws like
+    // AmbientOcclusion.
     ClosedFormStudy(const gpu::Device& device, const scene::PassLibrary& passes, std::uint32_t pixels);
 
-    // The occlusion of the view's point: the mean over all frames, with a standard error from the spread of
-    // the frames' means. Consecutive frames of a low-discrepancy sequence have opposite errors, so the actual
-    // error of the mean is smaller than this estimate. Settings are for a radius of 1. Throws like
-    // AmbientOcclusion, and std::invalid_argument for fewer than two frames and for another size than that of
-    // the study.
-    [[nodiscard]] Estimate measure(const scene::ClosedFormView& view, const Settings& settings,
-                                   const ClosedFormOptions& options);
+    // The occlusion of the view's point: the mean over all frames of 1024 samples, with a standard error from
+    // the spread of the frames' means. Consecutive frames of a low-discrepancy sequence have opposite errors,
+    // so the actual error of the mean is smaller than this estimate. Settings are for a radius of 1. Throws
+    // like AmbientOcclusion, and std::invalid_argument for fewer than two frames.
+    [[nodiscard]] Estimate measure(const scene::ClosedFormView& view, const Settings& settings, int frames);
 
   private:
     AmbientOcclusion effect_;
