@@ -2,7 +2,7 @@
 #include <csignal>
 
 #include "base/process.hpp"
-#include "cli/check/worker_session.hpp"
+#include "cli/framework/check/worker_session.hpp"
 #include "tools/gloam.hpp"
 
 namespace gloam::test::check_test {

@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "base/process.hpp"
-#include "cli/check/worker_session.hpp"
+#include "cli/framework/check/worker_session.hpp"
 #include "support/run_command.hpp"
 #include "tools/gloam.hpp"
 
