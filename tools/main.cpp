@@ -17,11 +17,11 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "cli/framework/check.hpp"
 #include "cli/framework/check/checker.hpp"
 #include "cli/framework/cost.hpp"
 #include "cli/framework/variants.hpp"
-#include "cli/commands.hpp"
 #include "cli/occlusion/names.hpp"
 #include "cli/occlusion/render.hpp"
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text.hpp"
@@ -34,64 +35,41 @@ struct AuditCommand {
     check::AuditOptions options;
 };
 
-// The functions of the file on one device.
-class AuditedFile {
-  public:
-    explicit AuditedFile(const AuditCommand& command)
-        : command_(command),
-          own_(own_file(command.file.string(), command.functions, command.ranges, command.includes)),
-          text_(shader::read_text(command.file)) {
-        for (const check::LeftOut& function : own_.functions.left_out)
-            fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
-                                                          function.name, function.why)));
-        for (const std::string& made : own_.by_macro)
-            fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(),
-                       made);
-        if (functions().empty())
-            throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
-                                                 why_nothing(own_.functions.left_out)));
-    }
-
-    [[nodiscard]] const std::vector<check::OwnFunction>& functions() const { return own_.functions.found; }
-    [[nodiscard]] const std::string& text() const { return text_; }
-
-    [[nodiscard]] check::Lab lab(const std::string& device) const {
-        return lab_of_file(command_.file, command_.includes, device);
-    }
-
-    [[nodiscard]] check::Audit audit(const check::Lab& lab, const check::OwnFunction& function) const {
-        return check::audit(lab, name(), function, ranges_from(command_.ranges), command_.options);
-    }
-
-    void add_witness(check::Audit& audit, const check::Lab& lab, const check::OwnFunction& function) const {
-        check::add_witness(audit, lab,
-                           check::question_of(lab, name(), function, ranges_from(command_.ranges)),
-                           command_.options);
-    }
-
-  private:
-    [[nodiscard]] std::string name() const { return command_.file.filename().string(); }
-
-    const AuditCommand& command_;
-    OwnFile own_;
-    std::string text_;
-};
+// The functions of the file. Says what is left out; throws where nothing remains.
+std::vector<check::OwnFunction> functions_of(const AuditCommand& command) {
+    OwnFile own = own_file(command.file.string(), command.functions, command.ranges, command.includes);
+    for (const check::LeftOut& function : own.functions.left_out)
+        fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
+                                                      function.name, function.why)));
+    for (const std::string& made : own.by_macro)
+        fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(), made);
+    if (own.functions.found.empty())
+        throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
+                                             why_nothing(own.functions.left_out)));
+    return std::move(own.functions.found);
+}
 
 // One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
-std::vector<check::Audit> audits_of(const AuditCommand& command, const AuditedFile& file) {
+std::vector<check::Audit> audits_of(const AuditCommand& command,
+                                    const std::vector<check::OwnFunction>& functions) {
     std::vector<check::Audit> audits;
-    const check::Lab interpreter = file.lab(std::string(check::interpreter_name));
+    const std::string name = command.file.filename().string();
+    const check::Ranges ranges = ranges_from(command.ranges);
+    const check::Lab interpreter =
+        lab_of_file(command.file, command.includes, std::string(check::interpreter_name));
     if (!command.devices.empty()) require_good_drivers();
     std::vector<check::Lab> labs;
-    for (const std::string& device : command.devices) labs.push_back(file.lab(device));
-    for (const check::OwnFunction& function : file.functions()) {
+    for (const std::string& device : command.devices)
+        labs.push_back(lab_of_file(command.file, command.includes, device));
+    for (const check::OwnFunction& function : functions) {
         try {
-            audits.push_back(file.audit(interpreter, function));
+            audits.push_back(check::audit(interpreter, name, function, ranges, command.options));
         } catch (const interpreter::Error& error) {
             throw std::runtime_error(
                 fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
         }
-        for (const check::Lab& lab : labs) file.add_witness(audits.back(), lab, function);
+        for (const check::Lab& lab : labs)
+            add_witness(audits.back(), lab, question_of(lab, name, function, ranges), command.options);
         fmt::print("{}\n", to_text(audits.back()));
         (void)std::fflush(stdout);
     }
@@ -101,9 +79,10 @@ std::vector<check::Audit> audits_of(const AuditCommand& command, const AuditedFi
 int run_audit(const AuditCommand& command) {
     const report::OutputFile json(command.json);
     const report::OutputFile html(command.html);
-    const AuditedFile file(command);
-    const report::AuditReport report{
-        .file = command.file.string(), .source = file.text(), .audits = audits_of(command, file)};
+    const std::vector<check::OwnFunction> functions = functions_of(command);
+    const report::AuditReport report{.file = command.file.string(),
+                                     .source = shader::read_text(command.file),
+                                     .audits = audits_of(command, functions)};
     int status = 0;
     for (const check::Audit& audit : report.audits) {
         if (audit.is_broken()) status = 1;

@@ -143,13 +143,11 @@ class CheckRun {
     }
 
     report::CheckReport on_device(const std::string& device) {
-        const auto timeout = timeout_of(options_);
         DeviceRun run{.checker = {.equations = options_.named,
                                   .device = device,
                                   .validation = options_.validation,
-                                  .timeout = timeout},
+                                  .timeout = timeout_of(options_)},
                       .tasks = tasks_,
-                      .timeout = timeout,
                       .jobs = jobs_of(options_, tasks_.size()),
                       .until = until_,
                       .in_process = options_.in_process,
@@ -296,6 +294,68 @@ int run_check(const CheckOptions& options) {
     return status == 0 && !outcome.complete ? 2 : status;
 }
 
+// What is checked, in which variants.
+void add_selection_options(CLI::App& command, CheckOptions& options) {
+    command.add_option("equation", options.equations,
+                       "IDs, functions or globs (all when none is given); or a GLSL file of your own, and "
+                       "its functions");
+    command.add_option("--range", options.ranges,
+                       "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
+    add_include_option(command, options.includes);
+    command.add_option("--device", options.device,
+                       "name or index of the device, or all: every Vulkan device; gl: every OpenGL and "
+                       "OpenGL ES device, or one's "
+                       "name; interpreter: no driver, every operation correctly rounded");
+    command
+        .add_option("--variant", options.variant,
+                    "how the shaders are compiled (gloam list variants), all, or metamorphic: changed "
+                    "without a change of meaning")
+        ->capture_default_str();
+    command.add_option("--compiler", options.compilers,
+                       "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
+                       "'spirv-opt {each}', a program with {in} or {glsl} and {out}; several joined by "
+                       "' | '");
+    command.add_option("--seeds", options.seeds, "seeds of metamorphic steps, from --seed on")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->capture_default_str();
+}
+
+// How much of it, and how.
+void add_run_options(CLI::App& command, CheckOptions& options) {
+    command.add_option("--inputs", options.inputs, "inputs for each equation")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+        ->capture_default_str();
+    command.add_option("--seed", options.seed, "seed of the inputs")->capture_default_str();
+    command.add_option("--shard", options.shard,
+                       "INDEX/COUNT: run only this part of the checks, counted from 0 "
+                       "(default: GTEST_SHARD_INDEX of GTEST_TOTAL_SHARDS)");
+    command.add_flag("--coverage", options.coverage,
+                     "report which lines and branches of the GLSL the inputs reach");
+    command.add_flag("--validation", options.validation,
+                     "Vulkan validation layers on; any message fails the check");
+    command
+        .add_option(
+            "--timeout", options.timeout,
+            "seconds that one check may take; one that takes longer is stopped and reported as a hang")
+        ->check(CLI::Range(0.001, 1e6))
+        ->capture_default_str();
+    command
+        .add_option("--budget", options.budget,
+                    "seconds for all checks: none begins after them, and --resume runs those that are left")
+        ->check(CLI::Range(0.001, 1e9));
+    CLI::Option* jobs = command.add_option("--jobs", options.jobs, "worker processes for each device")
+                            ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+                            ->default_str("one a core, fewer for a short check");
+    command
+        .add_flag("--in-process", options.in_process,
+                  "no worker processes, for a debugger: a driver that crashes then ends the whole run")
+        ->excludes(jobs);
+    command.add_flag_callback(
+        std::string(bisect_option), [] {},
+        "for git bisect run: status 125 instead of 2, so that a build that cannot be judged is "
+        "skipped");
+}
+
 // Options for written files and for the printed output.
 void add_file_options(CLI::App& command, CheckOptions& options) {
     CLI::Option* json = command.add_option(
@@ -319,60 +379,8 @@ void add_check(CLI::App& app, EquationsNamed* equations, int& status) {
     auto options = std::make_shared<CheckOptions>(CheckOptions{.named = equations});
     CLI::App* command =
         app.add_subcommand("check", "run equations on a Vulkan or OpenGL device and judge every result");
-    command->add_option("equation", options->equations,
-                        "IDs, functions or globs (all when none is given); or a GLSL file of your own, and "
-                        "its functions");
-    command->add_option("--range", options->ranges,
-                        "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
-    add_include_option(*command, options->includes);
-    command->add_option("--device", options->device,
-                        "name or index of the device, or all: every Vulkan device; gl: every OpenGL and "
-                        "OpenGL ES device, or one's "
-                        "name; interpreter: no driver, every operation correctly rounded");
-    command
-        ->add_option("--variant", options->variant,
-                     "how the shaders are compiled (gloam list variants), all, or metamorphic: changed "
-                     "without a change of meaning")
-        ->capture_default_str();
-    command->add_option("--compiler", options->compilers,
-                        "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
-                        "'spirv-opt {each}', a program with {in} or {glsl} and {out}; several joined by "
-                        "' | '");
-    command->add_option("--seeds", options->seeds, "seeds of metamorphic steps, from --seed on")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
-        ->capture_default_str();
-    command->add_option("--inputs", options->inputs, "inputs for each equation")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
-        ->capture_default_str();
-    command->add_option("--seed", options->seed, "seed of the inputs")->capture_default_str();
-    command->add_option("--shard", options->shard,
-                        "INDEX/COUNT: run only this part of the checks, counted from 0 "
-                        "(default: GTEST_SHARD_INDEX of GTEST_TOTAL_SHARDS)");
-    command->add_flag("--coverage", options->coverage,
-                      "report which lines and branches of the GLSL the inputs reach");
-    command->add_flag("--validation", options->validation,
-                      "Vulkan validation layers on; any message fails the check");
-    command
-        ->add_option(
-            "--timeout", options->timeout,
-            "seconds that one check may take; one that takes longer is stopped and reported as a hang")
-        ->check(CLI::Range(0.001, 1e6))
-        ->capture_default_str();
-    command
-        ->add_option("--budget", options->budget,
-                     "seconds for all checks: none begins after them, and --resume runs those that are left")
-        ->check(CLI::Range(0.001, 1e9));
-    CLI::Option* jobs = command->add_option("--jobs", options->jobs, "worker processes for each device")
-                            ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
-                            ->default_str("one a core, fewer for a short check");
-    command
-        ->add_flag("--in-process", options->in_process,
-                   "no worker processes, for a debugger: a driver that crashes then ends the whole run")
-        ->excludes(jobs);
-    command->add_flag_callback(
-        std::string(bisect_option), [] {},
-        "for git bisect run: status 125 instead of 2, so that a build that cannot be judged is "
-        "skipped");
+    add_selection_options(*command, *options);
+    add_run_options(*command, *options);
     add_file_options(*command, *options);
     add_driver_option(*command);
     command->callback([options, &status] {

@@ -81,7 +81,7 @@ GlExecutor listed(const std::string& name) {
         base::run_process(gl_listing_command(name), "", {.patience = time_to_list});
     if (!result.succeeded()) return {.name = name, .error = "its process " + base::one_line(result.how())};
     try {
-        Greeting greeting = greeting_from(result.output.substr(0, result.output.find('\n')));
+        Greeting greeting = report::from_line<Greeting>(result.output.substr(0, result.output.find('\n')));
         return {.name = name, .devices = std::move(greeting.devices), .error = std::move(greeting.error)};
     } catch (const std::exception& error) {
         return {.name = name,

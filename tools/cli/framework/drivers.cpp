@@ -119,7 +119,8 @@ DriverTrouble tried(const fs::path& manifest) {
     }
     if (result.output.empty()) return fail(check::Reason::crash, "its process " + result.how());
     try {
-        const Greeting greeting = greeting_from(result.output.substr(0, result.output.find('\n')));
+        const Greeting greeting =
+            report::from_line<Greeting>(result.output.substr(0, result.output.find('\n')));
         if (!greeting.error.empty()) return fail(check::Reason::error, greeting.error);
         if (greeting.devices.empty()) return fail(check::Reason::error, "gives no device");
     } catch (const std::exception& error) {

@@ -160,8 +160,8 @@ void add_pack_options(CLI::App& command, PackOptions& options) {
         "includes or whole shaders, as paths or as gloam/..., or equations (gloam list equations)");
     command
         .add_option("--function", options.functions,
-                     "only this function and what it uses (default: main, else every function of the files); "
-                     "may be repeated")
+                    "only this function and what it uses (default: main, else every function of the files); "
+                    "may be repeated")
         ->allow_extra_args(false);
     add_include_option(command, options.includes);
     command

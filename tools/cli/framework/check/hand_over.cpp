@@ -92,39 +92,6 @@ check::Reproduction reproduction_of(const check::Lab& lab, const check::Question
 
 }  // namespace
 
-template <class Io>
-void members(Io& io, HandOverRequest& request) {
-    report::each(io, "hand_over", request.task, "ran", request.ran, "worst", request.worst);
-}
-
-template <class Io>
-void members(Io& io, HandOver& all) {
-    report::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
-                 "shader_test", all.shader_test, "c_program", all.c_program, "steps", all.steps, "rules",
-                 all.rules, "before", all.before, "smallest", all.smallest, "error", all.error);
-}
-
-std::string to_line(const HandOverRequest& request) {
-    return report::line_of(request);
-}
-
-bool is_hand_over_request(std::string_view line) {
-    const json object = json::parse(line, nullptr, false);
-    return object.is_object() && object.contains("hand_over");
-}
-
-HandOverRequest hand_over_request_from(std::string_view line) {
-    return report::from_line<HandOverRequest>(line);
-}
-
-std::string to_line(const HandOver& hand_over) {
-    return report::line_of(hand_over);
-}
-
-HandOver hand_over_from(std::string_view line) {
-    return report::from_line<HandOver>(line);
-}
-
 HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {
     HandOverRequest request{.task = task, .ran = row.ran(), .worst = std::nullopt};
     if (row.outside() > 0) request.worst = row.worst;

@@ -41,12 +41,23 @@ struct HandOver {
     std::string error;                      // why the other members are empty; empty: no error
 };
 
-// Each in one line of JSON. Reading throws std::runtime_error.
-[[nodiscard]] std::string to_line(const HandOverRequest& request);
-[[nodiscard]] bool is_hand_over_request(std::string_view line);
-[[nodiscard]] HandOverRequest hand_over_request_from(std::string_view line);
-[[nodiscard]] std::string to_line(const HandOver& hand_over);
-[[nodiscard]] HandOver hand_over_from(std::string_view line);
+// Their one line of JSON: report::line_of(), report::from_line().
+template <class Io>
+void members(Io& io, HandOverRequest& request) {
+    report::each(io, "hand_over", request.task, "ran", request.ran, "worst", request.worst);
+}
+
+template <class Io>
+void members(Io& io, HandOver& all) {
+    report::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
+                 "shader_test", all.shader_test, "c_program", all.c_program, "steps", all.steps, "rules",
+                 all.rules, "before", all.before, "smallest", all.smallest, "error", all.error);
+}
+
+// Whether a line is a HandOverRequest; else it is a CheckTask.
+[[nodiscard]] inline bool is_hand_over_request(std::string_view line) {
+    return line.starts_with("{\"hand_over\"");
+}
 
 // The request for a failing row.
 [[nodiscard]] HandOverRequest request_for(const CheckTask& task, const check::Answer& row);

@@ -19,7 +19,7 @@ using check::Answer;
 using check::Reason;
 
 std::string refusal_of(const std::string& greeting) {
-    return greeting_from(greeting).error;
+    return report::from_line<Greeting>(greeting).error;
 }
 
 bool is_unusable_after(Reason reason) {
@@ -112,7 +112,7 @@ class Board {
 // Asks a worker for the row of one task. Throws NoWorker.
 Answer ask(WorkerSession& session, const CheckTask& task, const std::vector<check::Question>& equations) {
     const auto begin = std::chrono::steady_clock::now();
-    Reply reply = session.ask(to_line(task));
+    Reply reply = session.ask(report::line_of(task));
     if (reply.error.empty()) {
         try {
             Answer row = report::answer_from_json(reply.line);
@@ -131,10 +131,10 @@ Answer ask(WorkerSession& session, const CheckTask& task, const std::vector<chec
 
 // Asks a worker to prepare a failure for a report. Throws NoWorker.
 HandOver ask_more(WorkerSession& session, const CheckTask& task, const Answer& row) {
-    const Reply reply = session.ask(to_line(request_for(task, row)));
+    const Reply reply = session.ask(report::line_of(request_for(task, row)));
     if (!reply.error.empty()) return {.error = reply.error};
     try {
-        return hand_over_from(reply.line);
+        return report::from_line<HandOver>(reply.line);
     } catch (const std::exception& error) {
         session.dismiss();
         return {.error = fmt::format("the worker's answer makes no sense: {}", error.what())};
@@ -159,10 +159,10 @@ void work(WorkerSession& session, const DeviceRun& run, const std::vector<check:
 
 void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
     const std::vector<std::string> command = worker_command(run.checker);
-    const auto make_session = [&] { return WorkerSession(command, run.timeout, refusal_of); };
+    const auto make_session = [&] { return WorkerSession(command, run.checker.timeout, refusal_of); };
     WorkerSession session = make_session();
     try {
-        report.device = greeting_from(session.greeting()).devices.at(0);
+        report.device = report::from_line<Greeting>(session.greeting()).devices.at(0);
     } catch (const NoWorker& none) {
         if (none.reason == Reason::error) throw DeviceRefused(none.what());
         report.device.name = run.checker.device.empty() ? "default" : run.checker.device;
@@ -213,11 +213,7 @@ check::Answer device_row(Reason reason, const std::string& error, std::size_t ch
 
 report::CheckReport run_on_device(const DeviceRun& run) {
     report::CheckReport report;
-    if (run.in_process) {
-        run_here(run, report);
-    } else {
-        run_in_workers(run, report);
-    }
+    (run.in_process ? run_here : run_in_workers)(run, report);
     return report;
 }
 

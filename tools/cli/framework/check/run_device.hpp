@@ -17,10 +17,9 @@ namespace gloam::cli {
 
 // The tasks of one device, and how they run.
 struct DeviceRun {
-    CheckerOptions checker;
+    CheckerOptions checker;  // its timeout is that of each check, too
     std::vector<CheckTask> tasks;
-    std::chrono::milliseconds timeout{120'000};  // for each check
-    std::size_t jobs = 1;                        // worker processes
+    std::size_t jobs = 1;  // worker processes
     // No check begins after it; those that are left have no row.
     std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
     bool in_process = false;  // without workers: a crash of a driver ends the whole run

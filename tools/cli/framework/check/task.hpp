@@ -11,7 +11,9 @@
 
 namespace gloam::cli {
 
-// One check for a worker.
+// One check for a worker. The messages between workers and their parent are one line of JSON each:
+// report::line_of(), and report::from_line(), which throws std::runtime_error with the missing or invalid
+// part.
 struct CheckTask {
     std::string equation;  // its ID; or a function of `file`
     std::string variant;
@@ -30,17 +32,15 @@ void members(Io& io, CheckTask& task) {
                  task.includes);
 }
 
-// The messages between workers and their parent, one line of JSON each. Reading throws std::runtime_error
-// with the missing or invalid part.
-[[nodiscard]] std::string to_line(const CheckTask& task);
-[[nodiscard]] CheckTask task_from(std::string_view line);
-
 // A worker's greeting: its device, or all those that it was to list, or why there are none.
 struct Greeting {
     std::vector<report::DeviceSummary> devices;
     std::string error;  // empty: there is a device
 };
-[[nodiscard]] std::string to_line(const Greeting& greeting);
-[[nodiscard]] Greeting greeting_from(std::string_view line);
+
+template <class Io>
+void members(Io& io, Greeting& greeting) {
+    report::each(io, "devices", greeting.devices, "error", greeting.error);
+}
 
 }  // namespace gloam::cli

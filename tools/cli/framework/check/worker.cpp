@@ -56,7 +56,7 @@ void list_and_tell(const List& list) {
     } catch (const std::exception& error) {
         greeting.error = error.what();
     }
-    replies.send(to_line(greeting));
+    replies.send(report::line_of(greeting));
 }
 
 void run_worker(const CheckerOptions& options) {
@@ -69,11 +69,12 @@ void run_worker(const CheckerOptions& options) {
     } catch (const std::exception& error) {
         greeting.error = error.what();
     }
-    replies.send(to_line(greeting));
+    replies.send(report::line_of(greeting));
     if (!checker) return;
     for (std::string line; std::getline(std::cin, line);) {
-        replies.send(is_hand_over_request(line) ? to_line(checker->hand_over(hand_over_request_from(line)))
-                                                : report::to_json(checker->run(task_from(line))));
+        replies.send(is_hand_over_request(line)
+                         ? report::line_of(checker->hand_over(report::from_line<HandOverRequest>(line)))
+                         : report::to_json(checker->run(report::from_line<CheckTask>(line))));
     }
 }
 
@@ -99,9 +100,9 @@ std::vector<std::string> gl_listing_command(const std::string& executor) {
 
 std::size_t count_devices() {
     WorkerSession session(listing_command({}), time_to_count,
-                          [](const std::string& line) { return greeting_from(line).error; });
+                          [](const std::string& line) { return report::from_line<Greeting>(line).error; });
     try {
-        return greeting_from(session.greeting()).devices.size();
+        return report::from_line<Greeting>(session.greeting()).devices.size();
     } catch (const NoWorker& none) {
         if (none.reason == check::Reason::error) throw;
         throw std::runtime_error(std::string("cannot list the devices: ") + none.what());
