@@ -17,11 +17,13 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "cli/check.hpp"
-#include "cli/check/checker.hpp"
 #include "cli/commands.hpp"
-#include "cli/names.hpp"
-#include "cli/render.hpp"
+#include "cli/framework/check.hpp"
+#include "cli/framework/check/checker.hpp"
+#include "cli/framework/cost.hpp"
+#include "cli/framework/variants.hpp"
+#include "cli/occlusion/names.hpp"
+#include "cli/occlusion/render.hpp"
 
 namespace {
 
@@ -86,11 +88,11 @@ int run(int argc, char** argv) {
     gloam::cli::add_demo(app, status);
     gloam::cli::add_devices(app);
     gloam::cli::add_list(app);
-    gloam::cli::add_check(app, status);
-    gloam::cli::add_check_worker(app);
+    gloam::cli::add_check(app, gloam::cli::equations_named, status);
+    gloam::cli::add_check_worker(app, gloam::cli::equations_named);
     gloam::cli::add_audit(app, status);
-    gloam::cli::add_explain(app);
-    gloam::cli::add_cost(app, status);
+    gloam::cli::add_explain(app, gloam::cli::equations_named);
+    gloam::cli::add_cost(app, gloam::cli::frame_of, status);
     gloam::cli::add_mutate(app, std::move(tested), status);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);

@@ -146,6 +146,15 @@ def wing(source):
         yield 1, f"harness/{source.wing}/{source.room}: expected harness/WING/ROOM of WINGS in tests/house/borders.py"
 
 
+def framework_command(source):
+    """The commands of the framework include nothing that knows of occlusion: main hands that in."""
+    if source.path.parts[:3] != ("tools", "cli", "framework"):
+        return
+    for number, _, name in source.includes():
+        if name.split("/")[0] in WINGS["occlusion"] or name.startswith("cli/occlusion/"):
+            yield number, f"a command of the framework may not include {name}"
+
+
 def internal_include(source):
     """What lies in ROOM/internal is for that room and its tests, the fuzz targets among them."""
     if source.area == "tests" and source.room == "fuzz":
@@ -313,7 +322,7 @@ def paper_code(source):
             yield line_of(source.text, block.start()), "this code stands in no file of the house"
 
 
-RULES = (room_include, wing, internal_include, include_style, library_home, shader_bindings, shader_comment,
+RULES = (room_include, wing, framework_command, internal_include, include_style, library_home, shader_bindings, shader_comment,
          shader_name, shader_include, shader_reference, guard, spdx, length, machine_path, paper_path, paper_code)
 
 

@@ -202,17 +202,4 @@ TEST_F(BenchExperiments, AFileOfOnesOwn) {
     EXPECT_EQ(run_command({"bench", file.string(), "--fail-if-missed"}).status, 1);
 }
 
-TEST_F(BenchExperiments, WrongFilesAreNamed) {
-    const auto expect = [](const Arguments& arguments, const std::string& named) {
-        expect_could_not_run(run_command(with({"bench"}, arguments)), named);
-    };
-    expect({"front", "--page", write("page.md", "no block\n").string()}, "begin front");
-    expect({write("broken.json", "{\"sizes\": [").string()}, "no JSON");
-    expect(
-        {write("no.json", R"({"sizes": ["48x27"], "cases": [{"scene": "sky"}], "candidates": [{"name": "a"}],
-      "tables": [{"select": "SELECT rmse FROM result"}, {"select": "DROP TABLE result"}]})")
-             .string()},
-        "experiment no: tables[1]: not authorized");
-}
-
 }  // namespace gloam::test::bench_experiments_test

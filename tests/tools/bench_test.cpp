@@ -117,17 +117,6 @@ TEST_F(Bench, ComparesWithWhatGotWorse) {
     expect_success(run_command({"bench", "--compare", worse.string(), worse.string(), "--fail-if-worse"}));
 }
 
-TEST_F(Bench, WrongFilesAreOneClearLine) {
-    const auto bad = folder.path() / "bad.json";
-    std::ofstream(bad) << R"({"experiment": "e", "device": 7})";
-    expect_could_not_run(run_command({"bench", "--from", bad.string(), "--samples", "4"}), "--samples");
-    expect_could_not_run(run_command({"bench", "views", "--from", bad.string(), "--single", "fast"}),
-                         "--single");
-    expect_could_not_run(run_command({"bench", "--from", bad.string()}), "device: expected a text");
-    expect_could_not_run(run_command({"bench", "--compare", bad.string()}), "--compare");
-    expect_could_not_run(run_command({"bench", "--compare", bad.string(), bad.string()}), bad.string());
-}
-
 fs::path page_with(const fs::path& folder, const Arguments& blocks) {
     std::ofstream page(folder / "methods.md");
     for (const std::string& name : blocks)
@@ -175,13 +164,6 @@ TEST(BenchMethods, WritesTablesPicturesAndNumbers) {
         ++converged;
     }
     EXPECT_EQ(converged, 4U) << "both methods, the preset of one, and (D)";
-}
-
-TEST(BenchMethods, ATableWithoutCasesIsLeftOut) {
-    for (const char* name : {"ceiling", "groove", "pit"})
-        EXPECT_THAT(
-            output_of(gloam("bench methods --case {} --method gtao --size 48x32 --frames 2 --rays 32", name)),
-            testing::AllOf(HasSubstr("configuration, occlusion"), Not(HasSubstr("one frame"))));
 }
 
 TEST(BenchMethods, APageWithoutABlockStaysAsItIs) {

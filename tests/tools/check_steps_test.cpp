@@ -32,35 +32,6 @@ std::string broken_compiler(const fs::path& folder, const std::string& edits) {
 
 using CheckSteps = InFolder;
 
-TEST_F(CheckSteps, RightPassesAreOkAndUnchangedModulesAreCounted) {
-    const CommandResult result = check("HALTON-2D", {"spirv-opt -O", "spirv-opt --wrap-opkill"});
-    EXPECT_EQ(result.status, 0) << result.out << result.err;
-    EXPECT_THAT(result.out, HasSubstr("device: interpreter"));  // no driver is needed
-    EXPECT_THAT(result.out, HasSubstr("1        1       0           0  shipped | spirv-opt -O"));
-    EXPECT_THAT(result.out, HasSubstr("1        0       0           0  shipped | spirv-opt --wrap-opkill"));
-}
-
-// The module before the step reads outside of its array for them too.
-TEST_F(CheckSteps, UndefinedInputsAreNotJudged) {
-    const auto file = folder.write("f.glsl",
-                                   "float f(int i, float x) {\n    float a[4] = float[4](1.0, x, 3.0, 4.0);\n"
-                                   "    return a[i] + x;\n}\n");
-    const CommandResult result = check(file.string(), {"spirv-opt -O"}, words("--range i=0:7"));
-    EXPECT_EQ(result.status, 0) << result.out << result.err;
-    EXPECT_THAT(result.out, HasSubstr("the result is undefined for"));
-}
-
-TEST_F(CheckSteps, NothingChangedIsNoVerdict) {
-    EXPECT_EQ(check("HALTON-2D", {"spirv-opt --wrap-opkill"}).status, 2);
-}
-
-TEST_F(CheckSteps, MetamorphicVariantsRunOnADriverAndThroughACompiler) {
-    const CommandResult result = check("HALTON-2D", {}, words("--variant metamorphic --seeds 2"));
-    EXPECT_EQ(result.status, 0) << result.out << result.err;
-    EXPECT_THAT(result.out, HasSubstr("shipped | metamorphic 2"));
-    EXPECT_EQ(check("HALTON-2D", {"metamorphic | spirv-opt -O"}, words("--seeds 2")).status, 0);
-}
-
 // The folder of the failure of a shader after a broken compiler among other steps.
 fs::path handed_over(const fs::path& folder, const std::string& glsl, const std::string& edits = exchanges,
                      const Arguments& options = {}) {
@@ -165,23 +136,6 @@ TEST_F(CheckSteps, ABudgetOfTimeLeavesChecksForALaterRun) {
     EXPECT_EQ(second.status, 0) << second.out << second.err;
     EXPECT_THAT(second.out, HasSubstr(" checks, 0 failed"));
     EXPECT_THAT(second.out, Not(HasSubstr("not run")));
-}
-
-TEST_F(CheckSteps, AStepThatFailsFailsTheCheckInOneLine) {
-    const CommandResult result = check("HALTON-2D", {"/bin/false {in} {out}"});
-    EXPECT_EQ(result.status, 1);
-    EXPECT_THAT(result.out, HasSubstr("/bin/false ended with status 1"));
-}
-
-TEST_F(CheckSteps, BadWordsAreNamed) {
-    for (const auto& [what, step, named] :
-         {std::array{"HALTON-2D", "spirv-opt --no-pass", "--no-pass"},
-          std::array{"HALTON-2D", "spirv-opt -O | metamorphic 1", "metamorphic steps before"}}) {
-        const CommandResult result = check(what, {step});
-        EXPECT_EQ(result.status, 2);
-        EXPECT_THAT(result.err, HasSubstr(named));
-        EXPECT_EQ(line_count(result.err), 1) << result.err;
-    }
 }
 
 // `gloam check --exit-code`, and what `git bisect run` makes of it.

@@ -111,17 +111,6 @@ TEST_F(LitPictures, AMeshOfAnyUnitHasTheSameOcclusion) {
     for (const std::string& image : shown) EXPECT_EQ(image, shown.front());
 }
 
-TEST_F(LitPictures, WrongViewsAreNamed) {
-    expect_refused(words("{} --up w", cube()), "--up w");
-    expect_refused(words("{} --eye 1,2", cube()), "--eye 1,2");
-    expect_refused(words("{} --eye 1,2,inf", cube()), "--eye 1,2,inf");
-    expect_refused(words("{} --orbit 1,2,3", cube()), "--orbit 1,2,3");
-    expect_refused(words("{} --orbit 0,95", cube()), "elevation");
-    expect_refused(words("{} --fovy 180", cube()), "angle of view of 180 degrees, expected 1 to 170");
-    expect_refused(words("{} --eye 0,0.5,0", cube()), "eye");
-    expect_refused(words("{} --eye 1,1,1 --orbit 1,1", cube()), "--orbit");
-}
-
 // gloam site: the files that it writes. The site itself is used in tests/site.
 
 class SiteTest : public InFolder {};

@@ -36,37 +36,6 @@ class Drivers : public InFolder {
     [[nodiscard]] std::string crashing() const { return manifest("crashing.json", GLOAM_CRASHING_DRIVER); }
 };
 
-TEST_F(Drivers, WhatIsNoManifestIsNamedByEveryCommand) {
-    const std::string missing = path("missing.json").string();
-    const std::string malformed = write("malformed.json", R"({"ICD": )").string();
-    for (const char* command : {"check", "demo", "devices", "render"}) {
-        expect_could_not_run(gloam("{} --driver {}", command, missing), missing + ": no such file");
-        expect_could_not_run(gloam("{} --driver {}", command, malformed),
-                             malformed + ": not a driver manifest");
-    }
-}
-
-TEST_F(Drivers, TheOptionTakesOneFileAndMayBeRepeated) {
-    const std::string first = manifest("first.json", "libno_such_driver.so");
-    const std::string second = manifest("second.json", "./gone.so");
-    const CommandResult result =
-        gloam("check --driver {} --driver {} gloam_radical_inverse_base2", first, second);
-    expect_could_not_run(result, "second.json");
-    EXPECT_THAT(result.err, HasSubstr("gone.so"));
-}
-
-// Asked for by name, a driver is checked, or the run fails: it once was passed over without a word.
-TEST_F(Drivers, WhatIsNoDriverIsAnError) {
-    const std::string library = write("libnone.so", "no library").string();
-    const std::string unknown = manifest("unknown.json", "libno_such_driver.so");
-    const std::string text = manifest("text.json", library);
-    const std::string other = manifest("other.json", "libm.so.6");  // a library, but no driver
-    for (const std::string& each : {unknown, text, other}) {
-        expect_could_not_run(gloam("check --driver {} gloam_radical_inverse_base2 --inputs 64", each), each);
-        expect_could_not_run(gloam("devices --driver {}", each), each);
-    }
-}
-
 // A driver that crashes, exits or hangs while it loads costs itself only, and is named.
 TEST_F(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
     const std::string crashing = this->crashing();

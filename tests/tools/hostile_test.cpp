@@ -109,13 +109,6 @@ TEST_F(HostileFiles, JsonThatIsDeeplyNested) {
     }
 }
 
-TEST_F(HostileFiles, NumbersBeyondAllNumbersNameTheFile) {
-    const std::string file = write("a.json", R"({"benchmark": 1e999, "device": {"name": 1e999}})").string();
-    expect_could_not_run(gloam("report {}", file), file);
-    expect_could_not_run(gloam("bench --from {}", file), file);
-    expect_could_not_run(gloam("bench --compare {} {}", file, file), file);
-}
-
 TEST_F(HostileFiles, AWrongValueIsNotQuotedWhole) {
     const std::string long_text(5'000'000, 'x');
     write("gbuffer/f0000.json", R"({"camera": {}, "width": ")" + std::string(900'000, 'x') + "\"}");
@@ -126,11 +119,6 @@ TEST_F(HostileFiles, AWrongValueIsNotQuotedWhole) {
     const CommandResult report = gloam("bench --from {}", file);
     expect_could_not_run(report, "experiment");
     EXPECT_LT(report.err.size(), 1000U);
-}
-
-TEST_F(HostileFiles, FilesWithoutEnd) {
-    expect_could_not_run(gloam("report /dev/zero"), "/dev/zero");
-    expect_could_not_run(gloam("bench --from /dev/zero"), "/dev/zero");
 }
 
 // Text in a results file is never a command, nor a way out of --out.
@@ -179,28 +167,6 @@ class HostileShaders : public InFolder {
         }
     }
 };
-
-TEST_F(HostileShaders, IncludesFromElsewhere) {
-    write("secret.glsl", "float secret;\n");
-    write("library/math/twice.glsl", "float twice(float x) { return x + x; }\n");
-    const std::string use = "float f(float x) { return twice(x); }\n";
-    const fs::path outside = write("library/color/a.glsl", "#include \"../../secret.glsl\"\n" + use);
-    const std::string why = "a.glsl:1: include \"../../secret.glsl\" is outside the include roots";
-    expect_refused(outside, why);
-    const fs::path beside = write("library/color/b.glsl", "#include \"../math/twice.glsl\"\n" + use);
-    expect_refused(beside, "b.glsl:1: include \"../math/twice.glsl\" is outside the include roots");
-    const std::string root = path("library").string();
-    EXPECT_THAT(output_of(gloam("check --include {} {} --inputs 64", root, beside)),
-                HasSubstr("1 checks, 0 failed"));
-    for (const fs::path& folder : {fs::path(root), fs::relative(root)}) {
-        const fs::path file = folder / "color/b.glsl";
-        expect_success(gloam("explain --include {} {} f 1", folder, file));
-        expect_success(gloam("pack --include {} {}", folder, file));
-    }
-    expect_could_not_run(gloam("check --include {} {}", root, outside), "include roots");
-    expect_could_not_run(gloam("check --include {} REMAP", root), "--include");
-    expect_could_not_run(gloam("check --include {} {}", root + "/none", beside), "none");
-}
 
 // A #line directive can name any file as the place of a line; gloam does not follow it.
 TEST_F(HostileShaders, CoverageDoesNotQuoteOtherFiles) {

@@ -84,45 +84,6 @@ TEST_F(Mutate, AGoodTestKillsAndWhatItMissesSurvives) {
         HasSubstr("tone.glsl:4: 'x > 9.0' -> 'true' in unused: differs\n  unused(x = 0): -8 becomes 0\n"));
 }
 
-TEST_F(Mutate, SortsSurvivorsByWhatIsPromised) {
-    const std::string file = write("own.glsl",
-                                   "// x in [0, 4]\n"
-                                   "float near(float x) { return sqrt(x + 1.0) * 0.999999940395355; }\n"
-                                   "// x in [-2, 2]\n"
-                                   "float root(float x) { return x < 0.0 ? sqrt(x) : 1.0; }\n"
-                                   "float whole(float x) { return x > x + 1.0 ? x : x; }\n"
-                                   "float fade(float d) { return d < 12.3 ? 1.0 : 0.0; }\n")
-                                 .string();
-    const std::string out = gloam("mutate {} -- true", file).out;
-    EXPECT_THAT(out, HasSubstr("own.glsl:2: '*' -> '/' in near: differs within the budget"));
-    EXPECT_THAT(out, HasSubstr("own.glsl:4: 'sqrt' -> '' in root: differs only where nothing is promised"));
-    EXPECT_THAT(out, HasSubstr("own.glsl:4: 'x < 0.0' -> 'true' in root: differs\n"));
-    EXPECT_THAT(out, Not(HasSubstr("'1.0' -> '2.0' in whole"))) << "the optimised modules are the same";
-    EXPECT_THAT(out, HasSubstr("'<' -> '<=' in fade: differs\n  fade(d = 12.3): 0 becomes 1\n"))
-        << "the numbers of a text are inputs";
-}
-
-TEST_F(Mutate, ComparesFunctionsOfQuadsAndWorkGroups) {
-    (void)write("together/quad.glsl",
-                "// x in [0, 4]\n"
-                "float edge(float x) { return x / fwidth(x); }\n"
-                "// uv in [0, 1]\n"
-                "vec4 dim(sampler2D image, vec2 uv) { return texture(image, uv) * 0.5; }\n");
-    (void)write("together/group.glsl",
-                "shared float tile[64];\n"
-                "// x in [1, 4]\n"
-                "float neighbour(float x) {\n"
-                "    tile[gl_LocalInvocationIndex] = x;\n"
-                "    barrier();\n"
-                "    return tile[gl_LocalInvocationIndex ^ 1u];\n"
-                "}\n");
-    const std::string out = gloam("mutate {} -- true", path("together").string()).out;
-    EXPECT_THAT(out, HasSubstr("quad.glsl:2: '/' -> '*' in edge: differs\n"));
-    EXPECT_THAT(out, HasSubstr("quad.glsl:4: '*' -> '/' in dim: differs\n"));
-    EXPECT_THAT(out, HasSubstr("group.glsl:6: '1u' -> '2u' in neighbour: differs\n"));
-    EXPECT_THAT(out, Not(HasSubstr("not compared")));
-}
-
 TEST_F(Mutate, DrawsTheSameFaultsOfASeed) {
     const std::string file = tone();
     const std::string count = path("count").string();
@@ -157,47 +118,6 @@ TEST_F(Mutate, CountsWhatTakesTooLongApartAndLeavesNothingBehind) {
     EXPECT_EQ(killed, 0);
     EXPECT_EQ(too_long, 2) << "the sum and its first summand";
     EXPECT_THAT(read_file(file), HasSubstr("x / (1.0 + x)")) << "the file itself is as it was";
-}
-
-TEST_F(Mutate, HonoursWhatIsKnown) {
-    const std::string known =
-        write("known.txt",
-              "# a comment\n"
-              "shaders/tone.glsl | float tone(float x) { return x / (1.0 - x); } | no test asks\n")
-            .string();
-    const CommandResult result = gloam("mutate {} --known {} -- true", tone(), known);
-    EXPECT_THAT(result.out, HasSubstr("tone.glsl:2: '+' -> '-' in tone: known: no test asks"));
-    const std::string bad = write("bad.txt", "tone.glsl | only two\n").string();
-    expect_could_not_run(gloam("mutate {} --known {} -- true", tone(), bad),
-                         "bad.txt:1: expected FILE | LINE");
-}
-
-TEST_F(Mutate, ShowsNoControlCharactersOfAFile) {
-    const std::string file =
-        write("hostile.glsl", "float f(float x) { return x /* \x1b[31m */ * 3.0 < 1.0 ? x : 2.0; }\n")
-            .string();
-    const CommandResult result = gloam("mutate {} -- true", file);
-    EXPECT_THAT(result.out, HasSubstr("hostile.glsl:1: "));
-    EXPECT_THAT(result.out, Not(HasSubstr("\x1b")));
-}
-
-TEST_F(Mutate, RefusesWhatItCannotTry) {
-    const std::string file = tone();
-    expect_could_not_run(gloam("mutate {}", file), "expected -- COMMAND");
-    expect_could_not_run(gloam("mutate {} --", file), "expected -- COMMAND");
-    expect_could_not_run(gloam("mutate {} -- true", path("missing.glsl").string()), "missing.glsl");
-    expect_could_not_run(gloam("mutate {} -- /no/such/program", file), "/no/such/program");
-    expect_could_not_run(gloam("mutate {} -- false", file), "ended with status 1 without a fault");
-    expect_could_not_run(gloam("mutate {} --jobs 0 -- true", file), "--jobs");
-    expect_could_not_run(gloam("mutate {} --json /no/such/folder/a.json -- true", file), "/no/such/folder");
-    (void)write("empty/readme.txt", "");
-    expect_could_not_run(gloam("mutate {} -- true", path("empty").string()), "a folder without shaders");
-    expect_could_not_run(gloam("mutate {} --include {} -- true", file, path("empty").string()),
-                         "expected a file below");
-    const std::string broken = write("broken.glsl", "float f(float x) {\n return y; }\n").string();
-    expect_could_not_run(gloam("mutate {} -- true", broken), "broken.glsl:2: 'y' : undeclared identifier");
-    const std::string nothing = write("nothing.glsl", "float f(float x);\n").string();
-    expect_could_not_run(gloam("mutate {} -- true", nothing), "no place for a fault");
 }
 
 }  // namespace gloam::test::mutate_test

@@ -9,68 +9,6 @@ constexpr const char* halton = "gloam/sampling/halton.glsl";
 
 class Pack : public InFolder {};
 
-TEST_F(Pack, OneSelfContainedTextInEachVersion) {
-    for (const auto& [version, first_line] :
-         {std::pair("450", "#version 450"), std::pair("430", "#version 430"),
-          std::pair("330", "#version 330"), std::pair("300es", "#version 300 es"),
-          std::pair("310es", "#version 310 es")}) {
-        const std::string result = output_of(gloam("pack {} --version {}", halton, version));
-        EXPECT_THAT(result, StartsWith(first_line));
-        EXPECT_EQ(result.find("\n// Packed by gloam " + base::version() + " for "), result.find('\n'));
-        EXPECT_THAT(result, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
-        EXPECT_THAT(result, Not(HasSubstr("#include")));
-    }
-}
-
-TEST_F(Pack, WritesTheFileItIsTold) {
-    const fs::path out = path("packed.glsl");
-    expect_success(gloam("pack {} --out {}", halton, out));
-    EXPECT_EQ(read_file(out), gloam("pack {}", halton).out);
-}
-
-TEST_F(Pack, TakesOnesOwnFile) {
-    const fs::path own = path("own.glsl");
-    std::ofstream(own) << "#include \"" << halton
-                       << "\"\nfloat own() { return gloam_radical_inverse_base2(1u); }\n";
-    EXPECT_THAT(output_of(gloam("pack {}", own)), HasSubstr("float own()"));
-}
-
-// The engine defines what the library asks for.
-TEST_F(Pack, AnEnginesOwnImagesServeThePrototypes) {
-    const std::string folder = GLOAM_TOOLS_FIXTURES;
-    const auto packed = [&](const char* file, const char* version) {
-        return gloam("pack {} --function gloam_camera_normal --version {}", folder + file, version);
-    };
-    EXPECT_THAT(output_of(packed("/engine_vulkan.glsl", "450")), HasSubstr("vec3 gloam_camera_normal("));
-    for (const char* version : {"330", "300es", "310es"}) expect_success(packed("/engine_gl.glsl", version));
-}
-
-TEST_F(Pack, OneFunctionAlone) {
-    const std::string result = output_of(gloam("pack {} --function gloam_halton_2d", halton));
-    EXPECT_THAT(result, AllOf(HasSubstr("vec2 gloam_halton_2d("), Not(HasSubstr("gloam_halton_3d"))));
-}
-
-TEST_F(Pack, OtherLanguages) {
-    const CommandResult hlsl = gloam("pack {} --target hlsl", halton);
-    expect_success(hlsl);
-    EXPECT_THAT(hlsl.out, StartsWith("// Packed by gloam "));
-    EXPECT_THAT(hlsl.out, HasSubstr("float gloam_radical_inverse_base2(uint index)\n{"));
-    const std::string metal =
-        output_of(gloam("pack {} --target msl", GLOAM_GLSL_DIR "/passes/study/reproject.comp"));
-    EXPECT_THAT(metal, HasSubstr("kernel void main0("));
-    const fs::path own = write("own.glsl", "float own(sampler2D s) { return texture(s, vec2(0.5)).x; }\n");
-    expect_could_not_run(gloam("pack {} --target msl", own), "sampler2D");
-}
-
-// A whole shader, whose stage follows from its name.
-TEST_F(Pack, AShaderWithAMain) {
-    for (const char* name : {"study/reproject.comp", "study/remap.comp"}) {
-        const std::string result = output_of(gloam("pack {}", std::string(GLOAM_GLSL_DIR "/passes/") + name));
-        EXPECT_THAT(result, HasSubstr("void main()")) << name;
-        EXPECT_THAT(result, Not(HasSubstr("#if"))) << name;
-    }
-}
-
 TEST_F(Pack, CountsTheLinesOfEveryMethod) {
     const std::string result =
         output_of(run_command(words("pack --lines"), {.timeout = std::chrono::seconds(300)}));
@@ -80,42 +18,6 @@ TEST_F(Pack, CountsTheLinesOfEveryMethod) {
         EXPECT_THAT(result,
                     testing::ContainsRegex("\n\\| " + name + " \\| [1-9][0-9]* \\| [1-9][0-9]* \\|\n"));
     EXPECT_GT(counted, 30);
-}
-
-TEST_F(Pack, CountsLines) {
-    const std::string result = output_of(gloam("pack --lines {} gloam/temporal/history.glsl", halton));
-    EXPECT_THAT(result,
-                StartsWith("| file | lines of code |\n| --- | --- |\n| `gloam/sampling/halton.glsl` | "));
-    EXPECT_EQ(line_count(result), 5);
-    write("both.glsl", "float twice(float x) {\n    return 2.0 * x;\n}\n");
-    const std::string text =
-        "#version 450\n#include \"both.glsl\"\nlayout(binding = 0) buffer B { float v; };\n";
-    for (const char* name : {"a.comp", "b.comp"}) write(name, text + "void main() {\n    v = twice(v);\n}\n");
-    EXPECT_THAT(output_of(gloam("pack --lines {} {}", path("a.comp"), path("b.comp"))),
-                HasSubstr("b.comp` | 8 |\n| together | 13 |\n"));
-}
-
-// Uniforms outside blocks are OpenGL's.
-TEST_F(Pack, ATextForOpenGlIsNotForVulkan) {
-    const fs::path own =
-        write("own.glsl", "uniform float a, b;\nuniform float c;\nfloat own() { return a; }\n");
-    const CommandResult result = gloam("pack {}", own);
-    expect_could_not_run(result, "own.glsl:1: ");
-    EXPECT_THAT(result.err, HasSubstr("--version 430"));
-    EXPECT_EQ(line_count(result.err), 1);
-    expect_success(gloam("pack {} --version 430", own));
-}
-
-TEST_F(Pack, AnErrorNamesTheFileAndItsLine) {
-    for (const auto& [text, named] :
-         {std::pair{"float own() {\n    return no_such_variable;\n}\n", ":2: 'no_such_variable'"},
-          {"#version 450\n#include \"gloam/sampling/halton.glsl\"\n\nfloat own() { return wrong; }\n", ":4:"},
-          {"#version banana\nfloat own() { return 1.0; }\n", ":1: #version banana"}}) {
-        const fs::path own = write("own.glsl", text);
-        const CommandResult result = gloam("pack {}", own);
-        expect_could_not_run(result, own.string() + named);
-        EXPECT_THAT(result.err, Not(HasSubstr("packed text")));
-    }
 }
 
 // Each file includes the next one twice: 2^40 lines.
@@ -215,24 +117,6 @@ TEST_F(PackEffect, TheHeaderIsCAndShort) {
     EXPECT_EQ(compiled(text), "");
     EXPECT_THAT(compiled("#include \"fast/gloam_frame.h\"\n#include \"quality/gloam_fast.h\"\n" + text),
                 HasSubstr("gloam_fast"));
-}
-
-// Each is in the texts or in the preset.
-TEST_F(PackEffect, OptionsAreConstants) {
-    pack("fast", words("--version 430 --orthographic --normals world-octahedral-unorm --set samples=6 "
-                       "--set steps=3 --bent-normals --multi-bounce"));
-    const std::string sweep = read_file(path("fast") / "sweep.comp");
-    for (const char* constant : {"orthographic = true", "world_normals = true", "octahedral_normals = true",
-                                 "unorm_normals = true", "steps = 3", "history = true", "stride = 2"})
-        EXPECT_THAT(sweep, HasSubstr(constant));
-    EXPECT_THAT(read_file(path("fast") / "join.comp"),
-                AllOf(HasSubstr("OUTPUT r8\n"), HasSubstr("bounce(alone("), HasSubstr("bends.xyz += ")));
-    pack("quality", words("--normals none --set history=off --set history_range=0.25 --set output=r16f"));
-    EXPECT_THAT(read_file(path("quality") / "sweep.comp"),
-                AllOf(HasSubstr("position_at("), Not(HasSubstr("octahedral")), HasSubstr("history = false")));
-    EXPECT_THAT(read_file(path("quality") / "filter.comp"), HasSubstr("#define GLOAM_OUTPUT r16f\n"));
-    EXPECT_THAT(read_file(path("quality") / "gloam_frame.h"),
-                AllOf(HasSubstr("gloam_quality = {0, 0.25f, 0.5f};"), HasSubstr(" shown        R16F  ")));
 }
 
 }  // namespace gloam::test::pack_test

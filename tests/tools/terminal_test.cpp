@@ -55,12 +55,6 @@ TEST_F(Terminal, TheTableExplainsItsColumnsAndLinesUp) {
     EXPECT_EQ(columns[0], columns[2]);
 }
 
-TEST_F(Terminal, QuietLeavesTheCountAlone) {
-    EXPECT_EQ(output_of(gloam("check gloam_radical_inverse_base2 --inputs 64 --quiet")),
-              "1 checks, 0 failed\n");
-    EXPECT_EQ(output_of(gloam("render corner --size 16x9 --samples 1 --quiet --out {}", path("out"))), "");
-}
-
 // A browser runs the page's script, which its content security policy names by a hash: it counts the rows.
 void expect_script_runs(const std::string& page) {
     constexpr const char* browser = "/usr/bin/chromium";

@@ -6,41 +6,6 @@ namespace gloam::test::usage_test {
 
 class Usage : public InFolder {};
 
-TEST_F(Usage, HelpNamesEveryCommand) {
-    const std::string result = output_of(gloam("--help"));
-    EXPECT_THAT(result, HasSubstr("Examples:\n  gloam demo"));
-    for (const char* command :
-         {"demo", "devices", "list", "check", "report", "render", "bench", "stress", "pack", "explain"}) {
-        EXPECT_THAT(result, HasSubstr(command));
-        const std::string help = output_of(gloam("{} --help", command));
-        EXPECT_THAT(help, HasSubstr(command));
-        EXPECT_THAT(help, HasSubstr(std::string("Examples:\n  gloam ") + command));
-    }
-}
-
-TEST_F(Usage, OutputsNameTheVersionAndWhatCompiles) {
-    const std::string file = path("a.json").string();
-    expect_success(
-        gloam("check gloam_radical_inverse_base2 --inputs 64 --json {} --junit {}", file, file + ".xml"));
-    const std::string version = output_of(gloam("--version"));
-    EXPECT_EQ(line_count(version), 1);
-    for (const std::string& text : {version, read_file(file), read_file(file + ".xml")})
-        for (const char* part : {"glslang ", "SPIRV-Tools "})
-            EXPECT_THAT(text, AllOf(HasSubstr("gloam " + base::version() + ", "), HasSubstr(part)));
-    EXPECT_EQ(nlohmann::json::parse(output_of(gloam("list views --json"))).at("gloam"), base::version());
-    const auto one = nlohmann::json::parse(output_of(gloam("list presets fast --json")));
-    EXPECT_EQ(one.at("gloam"), base::version());
-    EXPECT_EQ(one.at("name"), "fast");
-    expect_success(gloam("list equations --html {}", path("page.html")));
-    EXPECT_THAT(read_file(path("page.html")),
-                HasSubstr("<meta name=\"generator\" content=\"gloam " + base::version() + "\">"));
-}
-
-TEST_F(Usage, AloneItSaysWhatToDoFirst) {
-    for (const char* first : {"gloam demo", "gloam pack", "gloam check FILE.glsl", "gloam --help"})
-        EXPECT_THAT(output_of(run_command({})), HasSubstr(first));
-}
-
 TEST(Devices, AreListedWithTheirFloatControls) {
     const std::string text = output_of(gloam("devices"));
     EXPECT_THAT(text, StartsWith("0: "));
@@ -102,28 +67,6 @@ TEST_F(List, ANameAndItsMeaningALine) {
     }
 }
 
-TEST_F(List, SettingsWithDefaultAndRange) {
-    const CommandResult result = gloam("list settings");
-    expect_success(result);
-    for (const char* line :
-         {"samples            k_1: for each pixel that has not converged, in each frame (balanced: 32 "
-          "samples; ",
-          "guard_history      the band is sampled too: what moves in from it has a history (tssao-paper: "
-          "on; on or off)"})
-        EXPECT_THAT(result.out, HasSubstr(line));
-    const auto settings = json::parse(gloam("list settings --json").out).at("settings");
-    EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
-    const CommandResult one = gloam("list settings samples");
-    EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
-    EXPECT_THAT(one.out, HasSubstr("default: 32\n"));
-}
-
-TEST_F(List, AMethodSaysWhatItMeasures) {
-    const std::string result = output_of(gloam("list methods poisson"));
-    EXPECT_THAT(result, HasSubstr("measure: cosine-weighted\nfalloff: none up to the radius\nsamples: "));
-    EXPECT_THAT(result, HasSubstr("file: gloam/methods/poisson.glsl\n"));
-}
-
 // What is printed of a preset makes the same: as text by --method and --set, as JSON by --preset.
 TEST_F(List, APresetSaysWhatItSets) {
     const std::string result = output_of(gloam("list presets balanced"));
@@ -170,55 +113,12 @@ TEST_F(List, APresetShowsEverySettingThatRunsWithItsSymbol) {
     }
 }
 
-// One way to name an equation: `list`, `check`, `explain` and `pack` take each.
-TEST_F(List, EveryCommandTakesEveryNameOfAnEquation) {
-    for (const char* name : {"TSSAO-11", "gloam_shrink", "gloam_shrin?", "tssao-eq-11"}) {
-        EXPECT_THAT(output_of(gloam("list equations {}", name)), HasSubstr("gloam_shrink")) << name;
-        EXPECT_THAT(output_of(gloam("explain {} 0.1 0.2", name)), HasSubstr("result 0.5")) << name;
-        EXPECT_THAT(output_of(gloam("pack {}", name)), HasSubstr("float gloam_shrink(")) << name;
-        EXPECT_THAT(output_of(gloam("check {} --device interpreter --inputs 64", name)),
-                    HasSubstr("TSSAO-11"))
-            << name;
-    }
-    const CommandResult mean = gloam("explain TSSAO-4 2 4");
-    EXPECT_THAT(mean.out, HasSubstr("result 0.5")) << mean.err;
-    EXPECT_THAT(mean.err, StartsWith("TSSAO-4, contribution of a frame: ")) << "why, and what stands for it";
-    EXPECT_THAT(output_of(gloam("list CS-3.1")), HasSubstr("gloam_contribution_crytek_buffer"));
-    EXPECT_THAT(output_of(gloam("list equations gloam/filter/weights.glsl")),
-                HasSubstr("gloam_window_coverage"));
-    EXPECT_THAT(output_of(gloam("check gloam/filter/weights.glsl --device interpreter --inputs 64")),
-                HasSubstr("TSSAO-11-window"));
-}
-
-TEST_F(List, ExplainEndsWithTheResult) {
-    const std::pair<const char*, const char*> rows[] = {
-        {"gloam_shrink 0.3 0.2", "result 0"},
-        {"gloam_falloff_linear 1 4", "result 0.75 (0.75 in double, permitted ["},
-        {"gloam_bit_count 255", "result 8\n"},
-        {"gloam_next_index 7 8 10", "result 5\n"},
-        {"gloam_clamp_to_edge -3 9 8 8", "result 0, 7\n"},
-        {"gloam_rotation_enabled 0.1 0.5", "result true\n"},
-        {"gloam_blend 0.5 4 1 4 500", "result 0.75, 8 ("}};
-    for (const auto& [call, result] : rows)
-        EXPECT_THAT(output_of(gloam("explain " + std::string(call))), HasSubstr(result)) << call;
-    EXPECT_THAT(output_of(gloam("explain gloam_bit_count 255")), HasSubstr("arithmetic.glsl"))
-        << "its operations";
-}
-
 TEST_F(List, EquationsSayAllThatIsKnownOfThem) {
     const auto equations = json::parse(gloam("list equations --json").out).at("equations");
     for (const auto& equation : equations) {
         for (const char* member : {"name", "description", "function", "file", "formula", "error", "source"})
             EXPECT_NE(equation.at(member), "") << equation;
     }
-}
-
-TEST_F(List, ParametersHaveTheirNames) {
-    for (const auto& [id, function] :
-         {std::pair{"TSSAO-2", "float gloam_estimator_mean(vec2 accumulated)"},
-          std::pair{"REFLECT", "vec3 gloam_reflect_sample(vec3 s, vec3 encoded)"},
-          std::pair{"HALTON", "float gloam_radical_inverse(uint index, uint base)"}})
-        EXPECT_THAT(output_of(gloam("list " + std::string(id))), HasSubstr(function));
 }
 
 TEST_F(List, EquationsAsAPage) {
@@ -228,12 +128,6 @@ TEST_F(List, EquationsAsAPage) {
     std::istringstream names(gloam("list equations").out);
     for (std::string name, meaning; names >> name && std::getline(names, meaning);)
         ASSERT_THAT(page, HasSubstr("<td>" + name + "</td>")) << name;
-}
-
-TEST_F(Usage, TheSceneMayComeBehindTruth) {
-    EXPECT_THAT(output_of(gloam("render --size 16x9 --samples 1 --out {} --truth-rays 32 --truth corner",
-                                path("out"))),
-                StartsWith("corner: "));
 }
 
 }  // namespace gloam::test::usage_test

@@ -2,86 +2,78 @@
 #include "cli/commands.hpp"
 
 #include <CLI/CLI.hpp>
-#include <map>
+#include <utility>
 
 namespace gloam::cli {
 namespace {
 
 // Examples by command; the program itself has the empty name.
-const std::map<std::string, std::string>& examples() {
-    static const std::map<std::string, std::string> table{
-        {"",
-         "  gloam demo                                  pictures, a check, a page\n"
-         "  gloam check --device all --html check.html  every equation on every driver\n"
-         "  gloam render mesh.obj                       a mesh in light, with and without\n"
-         "  gloam site my-site                          checks for any browser\n"
-         "  gloam COMMAND --help                        the options of a command\n"},
-        {"demo", "  gloam demo --out first-look\n"},
-        {"devices", "  gloam devices --json\n"},
-        {"list",
-         "  gloam list methods\n"
-         "  gloam list settings --json\n"
-         "  gloam list presets balanced          the settings that it changes\n"},
-        {"check",
-         "  gloam check                                          every equation on the default device\n"
-         "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
-         "  gloam check --device all --variant all --html r.html every driver, every compiler setting\n"
-         "  gloam check --quiet --junit results.xml              for continuous integration\n"
-         "  gloam check --failures failures                      each failure ready to report\n"
-         "  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own\n"},
-        {"report",
-         "  gloam report a.json b.json\n"
-         "  gloam report a.json b.json --html all.html\n"
-         "  gloam report now.json --since last-week.json\n"},
-        {"render",
-         "  gloam render mesh.obj --frames 8\n"
-         "  gloam render mesh.obj --up z --orbit 40,25\n"
-         "  gloam render columns --method all --truth\n"
-         "  gloam render --gbuffer FOLDER --radius 0.5\n"},
-        {"bench",
-         "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
-         "  gloam bench --from results.json --error 0.05\n"},
-        {"audit",
-         "  gloam audit tone.glsl                              every function, in the domain that it prints "
-         "first\n"
-         "  gloam audit tone.glsl curve --range x=0:16 --html audit.html\n"
-         "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst inputs\n"},
-        {"cost",
-         "  gloam cost tone.glsl curve --below 40              a function; status 1 above 40 vector "
-         "instructions\n"
-         "  gloam cost blur.comp --define RADIUS=3             a whole compute shader\n"
-         "  gloam cost --preset balanced --family NAVI31       the passes of a frame\n"},
-        {"mutate",
-         "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
-         "  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests\n\n"
-         "COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the "
-         "fault.\n"
-         "GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the "
-         "files) with\n"
-         "the fault, GLOAM_SHADERS_OF that folder, and GLOAM_SHADERS_CHANGED the changed file below it. "
-         "gloam and tests\n"
-         "that use its framework read the copy by themselves.\n"},
-        {"explain", "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"},
-        {"stress",
-         "  gloam stress --brief                           seconds instead of minutes\n"
-         "  gloam stress --only worst-inputs --equation 'TSSAO-*'\n"},
-        {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"},
-        {"site",
-         "  gloam site my-site                             then open my-site/index.html\n"
-         "  gloam site few 'TSSAO-*' --inputs 2048         some equations, with more inputs\n"}};
-    return table;
-}
-
-void add_footer(CLI::App& command, const std::string& name) {
-    const auto found = examples().find(name);
-    if (found != examples().end()) command.footer("Examples:\n" + found->second);
-}
+constexpr std::pair<const char*, const char*> examples[]{
+    {"",
+     "  gloam demo                                  pictures, a check, a page\n"
+     "  gloam check --device all --html check.html  every equation on every driver\n"
+     "  gloam render mesh.obj                       a mesh in light, with and without\n"
+     "  gloam site my-site                          checks for any browser\n"
+     "  gloam COMMAND --help                        the options of a command\n"},
+    {"demo", "  gloam demo --out first-look\n"},
+    {"devices", "  gloam devices --json\n"},
+    {"list",
+     "  gloam list methods\n"
+     "  gloam list settings --json\n"
+     "  gloam list presets balanced          the settings that it changes\n"},
+    {"check",
+     "  gloam check                                          every equation on the default device\n"
+     "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
+     "  gloam check --device all --variant all --html r.html every driver, every compiler setting\n"
+     "  gloam check --quiet --junit results.xml              for continuous integration\n"
+     "  gloam check --failures failures                      each failure ready to report\n"
+     "  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own\n"},
+    {"report",
+     "  gloam report a.json b.json\n"
+     "  gloam report a.json b.json --html all.html\n"
+     "  gloam report now.json --since last-week.json\n"},
+    {"render",
+     "  gloam render mesh.obj --frames 8\n"
+     "  gloam render mesh.obj --up z --orbit 40,25\n"
+     "  gloam render columns --method all --truth\n"
+     "  gloam render --gbuffer FOLDER --radius 0.5\n"},
+    {"bench",
+     "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
+     "  gloam bench --from results.json --error 0.05\n"},
+    {"audit",
+     "  gloam audit tone.glsl                              every function, in the domain that it prints "
+     "first\n"
+     "  gloam audit tone.glsl curve --range x=0:16 --html audit.html\n"
+     "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst inputs\n"},
+    {"cost",
+     "  gloam cost tone.glsl curve --below 40              a function; status 1 above 40 vector "
+     "instructions\n"
+     "  gloam cost blur.comp --define RADIUS=3             a whole compute shader\n"
+     "  gloam cost --preset balanced --family NAVI31       the passes of a frame\n"},
+    {"mutate",
+     "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
+     "  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests\n\n"
+     "COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the "
+     "fault.\n"
+     "GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the "
+     "files) with\n"
+     "the fault, GLOAM_SHADERS_OF that folder, and GLOAM_SHADERS_CHANGED the changed file below it. "
+     "gloam and tests\n"
+     "that use its framework read the copy by themselves.\n"},
+    {"explain", "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"},
+    {"stress",
+     "  gloam stress --brief                           seconds instead of minutes\n"
+     "  gloam stress --only worst-inputs --equation 'TSSAO-*'\n"},
+    {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"},
+    {"site",
+     "  gloam site my-site                             then open my-site/index.html\n"
+     "  gloam site few 'TSSAO-*' --inputs 2048         some equations, with more inputs\n"}};
 
 }  // namespace
 
 void add_help_examples(CLI::App& app) {
-    add_footer(app, "");
-    for (CLI::App* command : app.get_subcommands(nullptr)) add_footer(*command, command->get_name());
+    for (const auto& [name, text] : examples)
+        (*name == '\0' ? app : *app.get_subcommand(name)).footer(std::string("Examples:\n") + text);
 }
 
 namespace {

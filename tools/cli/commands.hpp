@@ -8,16 +8,27 @@ namespace CLI {
 class App;
 }
 
+namespace gloam::check {
+struct Question;
+}
+
 namespace gloam::cli {
+
+struct PresetFrame;
+
+// What is about ambient occlusion, for the commands of the framework: the equations that names stand for, or
+// all without names; the passes of a preset with NAME=VALUE set. Both throw std::invalid_argument.
+using EquationsNamed = std::vector<check::Question>(const std::vector<std::string>& names);
+using FrameOf = PresetFrame(const std::string& preset, const std::vector<std::string>& set);
 
 // Each adds a subcommand of that name, whose help says what it does. `status` receives its exit status: 0, or
 // 1 where it ran and found something wrong.
 void add_demo(CLI::App& app, int& status);
 void add_devices(CLI::App& app);
 void add_list(CLI::App& app);
-void add_explain(CLI::App& app);
+void add_explain(CLI::App& app, EquationsNamed* equations);
 void add_audit(CLI::App& app, int& status);
-void add_cost(CLI::App& app, int& status);
+void add_cost(CLI::App& app, FrameOf* frame, int& status);
 void add_report(CLI::App& app, int& status);
 void add_stress(CLI::App& app, int& status);
 void add_pack(CLI::App& app);

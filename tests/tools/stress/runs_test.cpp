@@ -120,14 +120,4 @@ TEST(Report, LinesSayTheVerdict) {
     EXPECT_EQ(table_line({"run", "a", "b", 0.5, 1.0}).find("0.5"), table_header().find("value") + 2);
 }
 
-TEST(Runs, ByNameOrAll) {
-    EXPECT_EQ(select_runs("").size(), all_runs().size());
-    for (const stress::Run& run : all_runs()) {
-        ASSERT_EQ(select_runs(run.name).size(), 1U);
-        EXPECT_EQ(select_runs(run.name).front().go, run.go);
-        EXPECT_FALSE(run.description.empty());
-    }
-    EXPECT_THROW((void)select_runs("no-such-run"), std::invalid_argument);
-}
-
 }  // namespace gloam::stress::test::runs_test

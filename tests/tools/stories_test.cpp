@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The stories of stories/*.txt: what the program says where its users run it, in a folder of its own.
+//
+//   == TITLE                a story begins
+//   > FILE                  a file; the lines behind it are its text, four blanks before each
+//   $ WORDS => A && B       gloam with these words: status 0, nothing on standard error, and its output holds
+//   A and B $1 WORDS => A && B      another status, and anything on standard error ! WORDS : ROW || ROW each
+//   row behind the words cannot run: status 2, no folder "out", and one line on standard
+//                           error, with the text in brackets, or behind =>
+//   < FILE                  what follows is about this file
+//   = A && B, - A && B      it holds the texts, or none of them; ~ REGEX: it matches; ^ TEXT: it begins so
+//
+// Where four blanks begin a line, it goes on with the one before. {a,b} stands for a, then for b. 'a b' is
+// one word;
+// @glsl, @examples and @fixtures are folders of the repository, @here is the story's own, @version gloam's
+// version,
+// \n a new line, \e the escape character. # begins a comment.
+#include "base/version.hpp"
+#include "tools/gloam.hpp"
+
+namespace gloam::test::stories_test {
+
+struct Story {
+    std::string name;
+    std::vector<std::string> lines;
+};
+
+void PrintTo(const Story& story, std::ostream* stream) {
+    *stream << story.name;
+}
+
+std::vector<Story> stories() {
+    std::set<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(GLOAM_STORIES)) files.insert(entry.path());
+    std::vector<Story> all;
+    for (const fs::path& file : files) {
+        std::istringstream lines(read_file(file));
+        for (std::string line; std::getline(lines, line);) {
+            if (line.empty() || line.starts_with('#')) continue;
+            if (line.starts_with("== ")) {
+                all.emplace_back();
+                for (std::size_t i = 3; i < line.size(); ++i)
+                    if (std::isalnum(line[i]) != 0)
+                        all.back().name +=
+                            static_cast<char>(line[i - 1] == ' ' ? std::toupper(line[i]) : line[i]);
+            } else if (std::vector<std::string>& told = all.at(all.size() - 1).lines;
+                       line.starts_with("    ")) {
+                told.back() += (told.back().starts_with("> ") ? "\n" : " ") + line.substr(4);
+            } else {
+                told.push_back(line);
+            }
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> parts_of(const std::string& text, const std::string& between) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + between.size()) {
+        end = std::min(text.find(between, begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+    }
+    return parts;
+}
+
+// The text with each choice of {a,b}.
+std::vector<std::string> choices_of(const std::string& text) {
+    for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
+        const std::size_t close = std::min(text.find('}', open), text.size());
+        const std::string inside = text.substr(open + 1, close - open - 1);
+        if (inside.find(',') == std::string::npos) continue;
+        std::vector<std::string> all;
+        for (const std::string& one : parts_of(inside, ","))
+            for (const std::string& choice : choices_of(text.substr(0, open) + one + text.substr(close + 1)))
+                all.push_back(choice);
+        return all;
+    }
+    return {text};
+}
+
+std::vector<std::string> quoted_words(const std::string& text) {
+    std::vector<std::string> all;
+    bool quoted = false;
+    bool in_word = false;
+    for (const char c : text) {
+        const bool is_part = c != ' ' || quoted;
+        if (is_part && !in_word) all.emplace_back();
+        in_word = is_part;
+        if (c == '\'')
+            quoted = !quoted;
+        else if (is_part)
+            all.back() += c;
+    }
+    return all;
+}
+
+class Stories : public InFolder, public testing::WithParamInterface<Story> {
+  protected:
+    [[nodiscard]] std::string replaced(std::string text) const {
+        const std::pair<std::string, std::string> names[] = {{"@glsl", GLOAM_GLSL_DIR},
+                                                             {"@examples", GLOAM_EXAMPLES},
+                                                             {"@fixtures", GLOAM_TOOLS_FIXTURES},
+                                                             {"@version", base::version()},
+                                                             {"@here", path("").string()},
+                                                             {"\\n", "\n"},
+                                                             {"\\e", "\x1b"}};
+        for (const auto& [name, value] : names)
+            for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += value.size())
+                text.replace(at, name.size(), value);
+        return text;
+    }
+
+    CommandResult run(const std::string& line) {
+        CommandResult result = run_command(
+            quoted_words(line), {.working_directory = path(""), .timeout = std::chrono::seconds(300)});
+        output_ = result.out + result.err;
+        return result;
+    }
+
+    void expect_refused(const std::string& before, const std::string& row) {
+        SCOPED_TRACE(before + row);
+        const std::size_t arrow = std::min(row.find("=> "), row.size());
+        std::string line = before + " " + row.substr(0, arrow);
+        const std::size_t open = line.find('[');
+        const std::string named =
+            arrow < row.size() ? row.substr(arrow + 3) : line.substr(open + 1, line.find(']') - open - 1);
+        std::erase_if(line, [](char c) { return c == '[' || c == ']'; });
+        expect_could_not_run(run(line), named);
+        EXPECT_FALSE(fs::exists(path("out")));
+    }
+
+    void expect_runs(const std::string& line, std::optional<int> status) {
+        const std::size_t arrow = std::min(line.find(" => "), line.size());
+        const CommandResult result = run(line.substr(0, arrow));
+        if (!status) expect_success(result);
+        EXPECT_EQ(result.status, status.value_or(0)) << output_;
+        if (arrow < line.size()) expect_texts(line.substr(arrow + 4), true);
+    }
+
+    void expect_texts(const std::string& texts, bool there) const {
+        for (const std::string& text : parts_of(texts, " && "))
+            EXPECT_EQ(output_.find(text) != std::string::npos, there) << text << "\nin " << output_;
+    }
+
+    void take(const std::string& line) {
+        const std::string mark = line.substr(0, line.find(' '));
+        const std::string rest = replaced(line.substr(mark.size()));
+        const std::string text = rest.substr(std::min<std::size_t>(1, rest.size()));
+        if (mark == ">") {
+            const std::size_t end = std::min(text.find('\n'), text.size());
+            write(text.substr(0, end),
+                  text.substr(std::min(end + 1, text.size())) + (end < text.size() ? "\n" : ""));
+        } else if (mark == "!") {
+            const std::size_t colon = rest.find(" : ");
+            const std::string before = colon == std::string::npos ? "" : rest.substr(0, colon);
+            for (const std::string& row :
+                 parts_of(colon == std::string::npos ? rest : rest.substr(colon + 3), " || "))
+                for (const std::string& choice : choices_of(row)) expect_refused(before, choice);
+        } else if (mark == "<") {
+            output_ = read_file(path(text));
+        } else if (mark == "=" || mark == "-") {
+            expect_texts(text, mark == "=");
+        } else if (mark == "^") {
+            EXPECT_THAT(output_, StartsWith(text));
+        } else if (mark == "~") {
+            EXPECT_THAT(output_, testing::ContainsRegex(text));
+        } else {
+            for (const std::string& choice : choices_of(rest))
+                expect_runs(choice, mark == "$" ? std::nullopt : std::optional(std::stoi(mark.substr(1))));
+        }
+    }
+
+  private:
+    std::string output_;  // of the last run, or the file's text
+};
+
+TEST_P(Stories, AreTrue) {
+    for (const std::string& line : GetParam().lines) {
+        SCOPED_TRACE(line);
+        take(line);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Stories, testing::ValuesIn(stories()),
+                         [](const auto& story) { return story.param.name; });
+
+}  // namespace gloam::test::stories_test

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "audit/audit.hpp"
+#include "base/text.hpp"
+#include "cli/commands.hpp"
+#include "cli/environment.hpp"
+#include "cli/framework/check/checker.hpp"
+#include "cli/framework/open_device.hpp"
+#include "interpreter/program.hpp"
+#include "module/include.hpp"
+#include "report/audit_report.hpp"
+#include "report/output.hpp"
+
+namespace gloam::cli {
+namespace {
+
+struct AuditCommand {
+    std::filesystem::path file;
+    std::vector<std::string> functions;
+    std::vector<std::string> ranges;
+    std::vector<std::string> includes;
+    std::vector<std::string> devices;
+    std::string json;
+    std::string html;
+    check::AuditOptions options;
+};
+
+// The functions of the file. Says what is left out; throws where nothing remains.
+std::vector<check::OwnFunction> functions_of(const AuditCommand& command) {
+    OwnFile own = own_file(command.file.string(), command.functions, command.ranges, command.includes);
+    for (const check::LeftOut& function : own.functions.left_out)
+        fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
+                                                      function.name, function.why)));
+    for (const std::string& made : own.by_macro)
+        fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(), made);
+    if (own.functions.found.empty())
+        throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
+                                             why_nothing(own.functions.left_out)));
+    return std::move(own.functions.found);
+}
+
+// One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
+std::vector<check::Audit> audits_of(const AuditCommand& command,
+                                    const std::vector<check::OwnFunction>& functions) {
+    std::vector<check::Audit> audits;
+    const std::string name = command.file.filename().string();
+    const check::Ranges ranges = ranges_from(command.ranges);
+    const check::Lab interpreter =
+        lab_of_file(command.file, command.includes, std::string(check::interpreter_name));
+    if (!command.devices.empty()) require_good_drivers();
+    std::vector<check::Lab> labs;
+    for (const std::string& device : command.devices)
+        labs.push_back(lab_of_file(command.file, command.includes, device));
+    for (const check::OwnFunction& function : functions) {
+        try {
+            audits.push_back(check::audit(interpreter, name, function, ranges, command.options));
+        } catch (const interpreter::Error& error) {
+            throw std::runtime_error(
+                fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
+        }
+        for (const check::Lab& lab : labs)
+            add_witness(audits.back(), lab, question_of(lab, name, function, ranges), command.options);
+        fmt::print("{}\n", to_text(audits.back()));
+        (void)std::fflush(stdout);
+    }
+    return audits;
+}
+
+int run_audit(const AuditCommand& command) {
+    const report::OutputFile json(command.json);
+    const report::OutputFile html(command.html);
+    const std::vector<check::OwnFunction> functions = functions_of(command);
+    const report::AuditReport report{.file = command.file.string(),
+                                     .source = shader::read_text(command.file),
+                                     .audits = audits_of(command, functions)};
+    int status = 0;
+    for (const check::Audit& audit : report.audits) {
+        if (audit.is_broken()) status = 1;
+        if (!audit.was_run() && status == 0) status = 2;
+    }
+    if (!command.json.empty()) json.write(to_audit_json(report));
+    if (!command.html.empty()) html.write(to_audit_page(report));
+    return status;
+}
+
+}  // namespace
+
+void add_audit(CLI::App& app, int& status) {
+    auto command = std::make_shared<AuditCommand>();
+    CLI::App* audit = app.add_subcommand(
+        "audit",
+        "show where a shader function itself goes wrong: NaN, lost digits, jumps, what drivers may do");
+    audit->add_option("file", command->file, "a GLSL file")->required();
+    audit->add_option("function", command->functions, "functions that it defines (all when none is given)");
+    audit->add_option("--range", command->ranges, "NAME=LOW:HIGH: what a parameter is drawn from");
+    add_include_option(*audit, command->includes);
+    audit->add_option("--inputs", command->options.inputs, "inputs for each function, half of them by search")
+        ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}))
+        ->capture_default_str();
+    audit->add_option("--seed", command->options.seed, "seed of the inputs")->capture_default_str();
+    audit->add_option("--device", command->devices,
+                      "run the worst inputs on these devices as well (names or indices of gloam devices)");
+    add_driver_option(*audit);
+    audit->add_option("--json", command->json, "file for all results");
+    audit->add_option("--html", command->html,
+                      "file for a page: the source coloured by what its lines lose, worst inputs, rewrites");
+    audit->callback([command, &status] { status = run_audit(*command); });
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/check.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "backend/gl/device.hpp"
+#include "base/threads.hpp"
+#include "cli/environment.hpp"
+#include "cli/framework/check/checker.hpp"
+#include "cli/framework/check/hand_over.hpp"
+#include "cli/framework/check/run_device.hpp"
+#include "cli/framework/check/selection.hpp"
+#include "cli/framework/check/worker_session.hpp"
+#include "cli/framework/open_device.hpp"
+#include "cli/framework/variants.hpp"
+#include "cli/progress.hpp"
+#include "report/check_page.hpp"
+#include "report/check_report.hpp"
+#include "report/output.hpp"
+
+namespace gloam::cli {
+namespace {
+
+std::vector<std::string> devices_to_check(const std::string& device) {
+    if (device == every_opengl) return gl_device_names();
+    if (device != "all") return {device};
+    std::vector<std::string> all;
+    const std::size_t count = count_devices();
+    for (std::size_t i = 0; i < count; ++i) all.push_back(std::to_string(i));
+    if (all.empty()) all.emplace_back();  // then opening the default device fails with a clear message
+    return all;
+}
+
+void print_device(const report::DeviceSummary& device) {
+    fmt::print("device: {}\nversions: {}\n{}\n", report::name_of(device), versions(), report::table_header());
+    std::fflush(stdout);
+}
+
+void print_row(const check::Answer& row) {
+    std::string verdict = report::verdict_of(row);
+    if (row.passed() || row.failed()) verdict = colored(verdict, row.passed() ? Ink::good : Ink::bad);
+    if (row.reason == check::Reason::unchanged) return;  // there are many, and step_summary() counts them
+    fmt::print("{}\n", report::table_line(row, verdict));
+    std::fflush(stdout);
+}
+
+// The command that repeats this check exactly: the same inputs on the same device.
+std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
+                        const check::Answer& row) {
+    std::string what = report::shell_word(row.equation);
+    if (is_of_file(options)) what = report::shell_word(options.equations.front()) + " " + what;
+    std::string variant = report::shell_word(row.variant_before_steps());
+    if (!row.steps().empty()) variant += " --compiler " + report::shell_word(row.steps());
+    for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
+    for (const std::string& folder : options.includes) what += " --include " + report::shell_word(folder);
+    std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
+                                      variant, report::shell_word(device.name), options.inputs, options.seed);
+    for (const auto& driver : drivers_asked_for())
+        command += " --driver " + report::shell_word(driver.string());
+    return options.validation ? command + " --validation" : command;
+}
+
+void print_failure(const CheckOptions& options, const report::DeviceSummary& device,
+                   const check::Answer& row) {
+    fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
+    if (row.variant.empty()) return;  // the device itself
+    fmt::print("run it again: {}\n", command_for(options, device, row));
+}
+
+void print_coverage(const report::CheckReport& report) {
+    for (const check::Answer& row : report.rows)
+        if (row.coverage) fmt::print("{} {}: {}\n", row.equation, row.variant, to_text(*row.coverage));
+}
+
+// Inputs for which a user's function has no defined result.
+void print_undefined(const report::CheckReport& report) {
+    for (const check::Answer& row : report.rows)
+        if (row.undefined > 0)
+            fmt::print("{} {}: {} {} of {} inputs, which were not judged: {}\n", row.equation, row.variant,
+                       row.first_undefined.starts_with("more than") ? "it takes too long for"
+                                                                    : "the result is undefined for",
+                       row.undefined, row.inputs(), row.first_undefined);
+}
+
+// What helps where the usual inputs of a user's function could not be judged.
+void print_range_hint(const CheckOptions& options, const report::OutcomeCounts& counts) {
+    if (counts.not_judged > 0 && is_of_file(options) && options.ranges.empty())
+        fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
+}
+
+std::chrono::milliseconds timeout_of(const CheckOptions& options) {
+    return std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
+}
+
+// One worker for each core, unless the work is too short for another worker's start.
+std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
+    constexpr std::size_t checks_that_pay = 64;
+    constexpr std::size_t most = 16;
+    if (options.jobs > 0) return options.jobs;
+    const std::size_t cores = std::min<std::size_t>(base::processors(), most);
+    return std::clamp<std::size_t>(checks / checks_that_pay, 1, cores);
+}
+
+// The journal of the rows while the check runs; empty if no result file is written.
+std::filesystem::path journal_of(const CheckOptions& options) {
+    return options.json.empty() ? "" : options.json.string() + ".journal";
+}
+
+// Prints rows as they come, writes them to the journal, and shows the progress.
+class CheckRun {
+  public:
+    CheckRun(const CheckOptions& options, std::vector<CheckTask> tasks, std::size_t devices)
+        : options_(options),
+          tasks_(std::move(tasks)),
+          journal_(journal_of(options),
+                   {.versions = versions(),
+                    .inputs = options.inputs,
+                    .seed = options.seed,
+                    .validation = options.validation},
+                   options.resume),
+          failures_(options.failures),
+          progress_("checks", tasks_.size() * devices, options.progress) {
+        if (options.budget > 0.0)
+            until_ = std::chrono::steady_clock::now() +
+                     std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                         std::chrono::duration<double>(options.budget));
+    }
+
+    // Checks of a device that a run to its end would have, and this one has not.
+    [[nodiscard]] std::size_t left_out_of(const report::CheckReport& report) const {
+        return until_ == std::chrono::steady_clock::time_point::max()
+                   ? 0
+                   : tasks_.size() - std::min(tasks_.size(), report.rows.size());
+    }
+
+    report::CheckReport on_device(const std::string& device) {
+        DeviceRun run{.checker = {.equations = options_.named,
+                                  .device = device,
+                                  .validation = options_.validation,
+                                  .timeout = timeout_of(options_)},
+                      .tasks = tasks_,
+                      .jobs = jobs_of(options_, tasks_.size()),
+                      .until = until_,
+                      .in_process = options_.in_process,
+                      .known = [this](const auto& on, const CheckTask& task) { return known(on, task); },
+                      .on_device = [this](const auto& on) { begin(on); },
+                      .on_row = [this](const auto& on, const auto& row) { take(on, row); },
+                      .on_failure = {}};
+        if (failures_.wanted()) {
+            run.on_failure = [this](const auto& on, const auto& row, const HandOver& failure) {
+                failures_.write(on, row, failure, {command_for(options_, on, row), versions()});
+            };
+        }
+        try {
+            return run_on_device(run);
+        } catch (const DeviceRefused& refused) {
+            if (options_.device != "all" && options_.device != every_opengl) throw;
+            report::CheckReport report{
+                .device = {.name = "device " + device},
+                .rows = {device_row(check::Reason::error, refused.what(), tasks_.size())}};
+            if (options_.rows) print_row(report.rows.front());
+            return report;
+        }
+    }
+
+  private:
+    // The row of an earlier run. A failure is run again if it is to be prepared for a report.
+    [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& on,
+                                                     const CheckTask& task) const {
+        std::optional<check::Answer> row = journal_.known(on, task);
+        if (row && row->failed() && failures_.wanted()) return std::nullopt;
+        return row;
+    }
+
+    void begin(const report::DeviceSummary& on) {
+        progress_.wipe();
+        if (options_.rows) print_device(on);
+        progress_.show();
+    }
+
+    void take(const report::DeviceSummary& on, const check::Answer& row) {
+        const bool is_known = journal_.add(on, row);
+        progress_.wipe();
+        if (options_.rows) print_row(row);
+        progress_.step(is_known);
+        progress_.show();
+    }
+
+    const CheckOptions& options_;
+    std::vector<CheckTask> tasks_;
+    CheckJournal journal_;
+    FailureFolders failures_;
+    ProgressLine progress_;
+    std::chrono::steady_clock::time_point until_ = std::chrono::steady_clock::time_point::max();
+};
+
+// A driver that cannot be loaded is reported by a row, if it was selected, and by a line; others are not
+// affected.
+std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& options, std::size_t checks) {
+    std::vector<report::CheckReport> reports;
+    const LeftOut left_out = leave_out_bad_drivers();
+    if (!left_out.others) return reports;  // opening a device reports the reason
+    for (const DriverTrouble& driver : left_out.drivers) {
+        const std::string name = "driver " + driver.manifest.string();
+        if (options.device != "all" && !driver.asked_for) {
+            fmt::print(stderr, "gloam: Vulkan {}: {}; it is skipped\n", name, driver.error);
+            continue;
+        }
+        reports.push_back(
+            {.device = {.name = name}, .rows = {device_row(driver.reason, driver.error, checks)}});
+        if (!options.rows) continue;
+        print_device(reports.back().device);
+        print_row(reports.back().rows.front());
+    }
+    return reports;
+}
+
+// Adds the reports to the outcome, and what was left out.
+void run_devices(const CheckOptions& options, CheckOutcome& outcome) {
+    if (is_of_file(options) && options.resume)
+        throw std::invalid_argument("--resume is for equations, not for a shader file");
+    if (!is_of_file(options) && !options.ranges.empty())
+        throw std::invalid_argument("--range is for the functions of a shader file");
+    if (!is_of_file(options) && !options.includes.empty())
+        throw std::invalid_argument("--include is for a shader file");
+    std::vector<CheckTask> tasks = tasks_of(options, outcome);
+    std::vector<report::CheckReport>& reports = outcome.reports;
+    if (options.device != check::interpreter_name && !is_opengl(options.device))
+        reports = reports_of_bad_drivers(options, tasks.size());
+    const std::vector<std::string> devices = devices_to_check(options.device);
+    CheckRun run(options, std::move(tasks), devices.size());
+    for (const std::string& device : devices) {
+        reports.push_back(run.on_device(device));
+        outcome.not_run += run.left_out_of(reports.back());
+    }
+    if (outcome.not_run > 0)
+        outcome.notes.push_back(fmt::format("{} checks were not run: the budget of {:g} s is spent{}",
+                                            outcome.not_run, options.budget,
+                                            options.json.empty() ? "" : "; --resume runs them"));
+}
+
+}  // namespace
+
+CheckOutcome check(const CheckOptions& options) {
+    const report::OutputFile json(options.json);
+    const report::OutputFile junit(options.junit);
+    const report::OutputFile html(options.html);
+    CheckOutcome outcome;
+    run_devices(options, outcome);
+    for (report::CheckReport& report : outcome.reports) {
+        report.versions = versions();
+        report.inputs = options.inputs;
+        report.seed = options.seed;
+    }
+    outcome.counts = counts_of(outcome.reports);
+    json.write(report::to_json(outcome.reports));
+    junit.write(report::to_junit(outcome.reports));
+    html.write(report::to_check_page(outcome.reports));
+    if (!options.json.empty() && outcome.not_run == 0) {  // the results are now in the result file
+        std::error_code still_there;                      // harmless: the next run starts it anew
+        std::filesystem::remove(journal_of(options), still_there);
+    }
+    return outcome;
+}
+
+namespace {
+
+// Runs check() and prints the story of each failure. Returns the exit status: 0, 1 or 2; 2 for an outcome
+// that is not complete, unless a check failed.
+int run_check(const CheckOptions& options) {
+    const CheckOutcome outcome = check(options);
+    for (const report::CheckReport& report : outcome.reports) {
+        for (const check::Answer& row : report.rows) {
+            if (row.failed()) print_failure(options, report.device, row);
+        }
+    }
+    if (options.rows) fmt::print("\n{}", report::table_legend());
+    fmt::print("{}", step_summary(outcome.reports));
+    for (const report::CheckReport& report : outcome.reports) print_coverage(report);
+    for (const report::CheckReport& report : outcome.reports) print_undefined(report);
+    for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
+    print_range_hint(options, outcome.counts);
+    const int status = outcome.counts.exit_status();
+    fmt::print("{}\n", colored(to_text(outcome.counts), status == 0 ? Ink::good : Ink::bad));
+    return status == 0 && !outcome.complete ? 2 : status;
+}
+
+// What is checked, in which variants.
+void add_selection_options(CLI::App& command, CheckOptions& options) {
+    command.add_option("equation", options.equations,
+                       "IDs, functions or globs (all when none is given); or a GLSL file of your own, and "
+                       "its functions");
+    command.add_option("--range", options.ranges,
+                       "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
+    add_include_option(command, options.includes);
+    command.add_option("--device", options.device,
+                       "name or index of the device, or all: every Vulkan device; gl: every OpenGL and "
+                       "OpenGL ES device, or one's "
+                       "name; interpreter: no driver, every operation correctly rounded");
+    command
+        .add_option("--variant", options.variant,
+                    "how the shaders are compiled (gloam list variants), all, or metamorphic: changed "
+                    "without a change of meaning")
+        ->capture_default_str();
+    command.add_option("--compiler", options.compilers,
+                       "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
+                       "'spirv-opt {each}', a program with {in} or {glsl} and {out}; several joined by "
+                       "' | '");
+    command.add_option("--seeds", options.seeds, "seeds of metamorphic steps, from --seed on")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->capture_default_str();
+}
+
+// How much of it, and how.
+void add_run_options(CLI::App& command, CheckOptions& options) {
+    command.add_option("--inputs", options.inputs, "inputs for each equation")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+        ->capture_default_str();
+    command.add_option("--seed", options.seed, "seed of the inputs")->capture_default_str();
+    command.add_option("--shard", options.shard,
+                       "INDEX/COUNT: run only this part of the checks, counted from 0 "
+                       "(default: GTEST_SHARD_INDEX of GTEST_TOTAL_SHARDS)");
+    command.add_flag("--coverage", options.coverage,
+                     "report which lines and branches of the GLSL the inputs reach");
+    command.add_flag("--validation", options.validation,
+                     "Vulkan validation layers on; any message fails the check");
+    command
+        .add_option(
+            "--timeout", options.timeout,
+            "seconds that one check may take; one that takes longer is stopped and reported as a hang")
+        ->check(CLI::Range(0.001, 1e6))
+        ->capture_default_str();
+    command
+        .add_option("--budget", options.budget,
+                    "seconds for all checks: none begins after them, and --resume runs those that are left")
+        ->check(CLI::Range(0.001, 1e9));
+    CLI::Option* jobs = command.add_option("--jobs", options.jobs, "worker processes for each device")
+                            ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+                            ->default_str("one a core, fewer for a short check");
+    command
+        .add_flag("--in-process", options.in_process,
+                  "no worker processes, for a debugger: a driver that crashes then ends the whole run")
+        ->excludes(jobs);
+    command.add_flag_callback(
+        std::string(bisect_option), [] {},
+        "for git bisect run: status 125 instead of 2, so that a build that cannot be judged is "
+        "skipped");
+}
+
+// Options for written files and for the printed output.
+void add_file_options(CLI::App& command, CheckOptions& options) {
+    CLI::Option* json = command.add_option(
+        "--json", options.json,
+        "write the results to this file; until the run has ended, FILE.journal holds the results so far");
+    command.add_flag("--resume", options.resume, "run only the checks that FILE.journal lacks")->needs(json);
+    command.add_option("--junit", options.junit, "write the results as JUnit XML");
+    command.add_option("--html", options.html,
+                       "write the results as a page: sortable, filterable, in one file");
+    command.add_flag_callback(
+        "--quiet", [&options] { options.rows = options.progress = false; },
+        "print only the failures and the count");
+    command.add_option("--failures", options.failures,
+                       "folder that receives each failure ready to report: the smallest input found, the "
+                       "shader, a program in C, an AmberScript");
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, EquationsNamed* equations, int& status) {
+    auto options = std::make_shared<CheckOptions>(CheckOptions{.named = equations});
+    CLI::App* command =
+        app.add_subcommand("check", "run equations on a Vulkan or OpenGL device and judge every result");
+    add_selection_options(*command, *options);
+    add_run_options(*command, *options);
+    add_file_options(*command, *options);
+    add_driver_option(*command);
+    command->callback([options, &status] {
+        if (!options->compilers.empty() && options->device.empty()) options->device = check::interpreter_name;
+        status = run_check(*options);
+    });
+}
+
+}  // namespace gloam::cli

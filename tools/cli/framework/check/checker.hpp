@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "check/lab.hpp"
+#include "check/own_function.hpp"
+#include "check/question.hpp"
+#include "cli/commands.hpp"
+#include "cli/framework/check/hand_over.hpp"
+#include "cli/framework/check/task.hpp"
+#include "report/check_report.hpp"
+
+// The check of a user's shader file: no reference, no C++.
+namespace gloam::cli {
+
+// Whether a name ends like that of a shader file: .glsl, .frag, .FRAG, .fs ...
+[[nodiscard]] bool has_shader_ending(const std::string& word);
+// Whether a word of the command line is a shader file, not an equation: it ends like one, or there is a file
+// of this name.
+[[nodiscard]] bool is_shader_file(const std::string& word);
+
+// The ranges that --range names. Throws std::invalid_argument for an invalid one.
+[[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
+
+struct OwnFile {
+    std::string version;                // of its #version line; empty: there is none
+    std::vector<std::string> by_macro;  // see shader::Excerpts
+    check::OwnFunctions functions;
+};
+
+// The functions of a file (`includes`: its further include roots) with these names (see
+// check::own_functions()); without names all. Throws std::invalid_argument for a function that the file does
+// not define, an invalid range, or a range without a parameter of its name; std::runtime_error for a missing
+// file; shader::CompileError for what the preprocessor rejects.
+[[nodiscard]] OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
+                               const std::vector<std::string>& ranges,
+                               const std::vector<std::string>& includes);
+
+// A lab for the functions of a file.
+[[nodiscard]] check::Lab lab_of_file(const std::filesystem::path& file,
+                                     const std::vector<std::string>& includes, const std::string& device);
+
+// Why nothing is left of a file of which these functions were left out.
+[[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
+
+// What `gloam check FILE [FUNCTION...]` checks.
+struct OwnSelection {
+    std::vector<std::string> names;
+    // For people, a line each: a function that was left out; a #version that is not the one that is compiled.
+    std::vector<std::string> notes;
+    bool complete = true;  // no function was left out that was named or that does not compile
+};
+
+// `words`: the file, then the names of functions. Throws like own_file(), and std::runtime_error if nothing
+// can be checked; then it has printed the notes, if there are several.
+[[nodiscard]] OwnSelection own_selection(const std::vector<std::string>& words,
+                                         const std::vector<std::string>& ranges,
+                                         const std::vector<std::string>& includes);
+
+// The device for checks, and its options.
+struct CheckerOptions {
+    EquationsNamed* equations = nullptr;
+    std::string device;  // name or index; empty: the default
+    bool validation = false;
+    std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
+};
+
+// A device in the form of reports.
+[[nodiscard]] report::DeviceSummary summary_of(const backend::DeviceInfo& info);
+
+// Runs checks in this process.
+class Checker {
+  public:
+    // Opens the device. Throws like gpu::Device.
+    explicit Checker(CheckerOptions options);
+
+    [[nodiscard]] report::DeviceSummary device() const;
+
+    // Runs a check. It does not throw for errors of the check; the row reports them. After
+    // Reason::device_lost and Reason::hang the device cannot be used any more.
+    [[nodiscard]] check::Answer run(const CheckTask& task);
+
+    // Prepares a failure for a report. It does not throw for errors; HandOver::error reports them.
+    [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
+
+  private:
+    const check::Lab& lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
+                          const std::filesystem::path& file);
+    const check::Lab& lab(const CheckTask& task);
+    [[nodiscard]] check::Question question_of(const CheckTask& task);
+
+    CheckerOptions options_;
+    std::vector<check::Question> equations_;
+    std::string variant_;                       // that lab_ compiles
+    std::vector<std::filesystem::path> roots_;  // in which it looks for includes
+    std::filesystem::path file_;                // of a user
+    std::unique_ptr<check::Lab> lab_;
+};
+
+// The answer of a check that did not run.
+[[nodiscard]] check::Answer answer_without_result(const CheckTask& task,
+                                                  const std::vector<check::Question>& equations,
+                                                  check::Reason reason, const std::string& error);
+
+// The command line of a worker: this program, which reads checks from standard input, one a line, and runs
+// them.
+[[nodiscard]] std::vector<std::string> worker_command(const CheckerOptions& options);
+
+// The command line of a process that greets with devices: of one Vulkan driver (the path of its manifest), or
+// of all; or of an executor of OpenGL.
+[[nodiscard]] std::vector<std::string> listing_command(const std::filesystem::path& driver);
+[[nodiscard]] std::vector<std::string> gl_listing_command(const std::string& executor);
+
+// The number of devices, counted by another process, because drivers can crash in doing so. Throws
+// std::runtime_error.
+[[nodiscard]] std::size_t count_devices();
+
+// Adds the hidden subcommand that runs a worker.
+void add_check_worker(CLI::App& app, EquationsNamed* equations);
+
+}  // namespace gloam::cli

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/check/hand_over.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "backend/gl/device.hpp"
+#include "backend/sampled.hpp"
+#include "base/text.hpp"
+#include "check/answer.hpp"
+#include "check/lab.hpp"
+#include "check/reproduction.hpp"
+#include "module/spirv.hpp"
+#include "numeric/numbers.hpp"
+#include "report/failures.hpp"
+
+namespace gloam::cli {
+namespace {
+
+using nlohmann::json;
+
+std::string output_comment(const check::Reproduction& all, std::size_t i) {
+    if (!all.failure) return "not judged";
+    const check::Word word = all.failure->got[i];
+    const std::string got = shader::is_float(all.outputs[i]) ? check::text_of(all.outputs[i], word)
+                                                             : fmt::format("0x{:08x}", word);
+    return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
+}
+
+// A sampled image with its texels as the device has them.
+std::vector<check::Word> encoded(const std::vector<check::Word>& image) {
+    std::vector<check::Word> result(image.begin(), image.begin() + backend::sampled_header_words);
+    const std::vector<check::Word> texels = backend::stored_texels(image);
+    result.insert(result.end(), texels.begin(), texels.end());
+    return result;
+}
+
+report::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
+                               const CheckTask& task, const backend::DeviceInfo& device,
+                               const std::string& how) {
+    report::KernelReplay replay{
+        .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
+    replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, question.function,
+                                   question.file, task.variant),
+                       fmt::format("Found on: {} ({})", device.name, device.driver),
+                       fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
+                       "Run it with: " + how};
+    if (device.name != check::interpreter_name) replay.device = device.name;
+    if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
+    for (const check::Reproduction::ImageBuffer& image : all.images)
+        replay.images.push_back({.name = image.name,
+                                 .words = image.bound ? encoded(image.words) : image.words,
+                                 .sampled = image.bound});
+    for (std::size_t i = 0; i < all.outputs.size(); ++i) {
+        replay.outputs.push_back({.is_float = all.outputs[i] == shader::Scalar::float_,
+                                  .found = all.failure ? all.failure->got[i] : 0,
+                                  .comment = output_comment(all, i)});
+    }
+    replay.outcomes = all.outcomes;
+    return replay;
+}
+
+// What a script has to require, and the shader; without its inputs.
+report::ShaderReplay shader_replay_of(const gl::Version& version, const check::Reproduction& all) {
+    const bool es = version.api == gl::Api::es;
+    return {.glsl = all.opengl_replay,
+            .compute = gl::has_compute(version),
+            .version = fmt::format("GL{} >= {}.{}", es ? " ES" : "", version.major, version.minor),
+            .glsl_version = fmt::format("GLSL{} >= {}.{}0", es ? " ES" : "", version.major, version.minor),
+            .kernel = {}};
+}
+
+// The module that failed, then the one before the steps, if it is another.
+std::vector<report::ReplayedModule> modules_of(const check::Reproduction& all) {
+    std::vector<report::ReplayedModule> modules{
+        {all.before.empty() ? "the module" : "after the steps", all.spirv}};
+    if (!all.before.empty() && all.before != all.spirv) modules.push_back({"before the steps", all.before});
+    return modules;
+}
+
+check::Reproduction reproduction_of(const check::Lab& lab, const check::Question& question,
+                                    const HandOverRequest& request, const check::RunOptions& options) {
+    if (!request.ran) return check::reproduce(lab, question, options);
+    if (request.worst) return check::reproduce(lab, question, options, *request.worst);
+    return check::reproduce_fault(lab, question, options);
+}
+
+}  // namespace
+
+HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {
+    HandOverRequest request{.task = task, .ran = row.ran(), .worst = std::nullopt};
+    if (row.outside() > 0) request.worst = row.worst;
+    return request;
+}
+
+HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
+                        const HandOverRequest& request, const check::RunOptions& options) {
+    const check::Reproduction all = reproduction_of(lab, question, request, options);
+    const backend::DeviceInfo& device = lab.info();
+    // The scripts have storage buffers and no images; the program has images for single samplers as well.
+    const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
+    const bool has_others = std::ranges::any_of(all.images, [](const auto& image) {  // layers
+        return image.bound && image.words.empty();
+    });
+    HandOver hand_over;
+    if (const auto opengl = gl::device_name_from(lab.info().name)) {
+        const report::ShaderReplay replay = shader_replay_of(opengl->version, all);
+        const std::string how =
+            fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
+                        replay.version.starts_with("GL ES") ? "_gles3" : "");
+        hand_over.glsl = all.opengl;
+        if (!has_images)
+            hand_over.shader_test =
+                report::to_shader_test({replay.glsl, replay.compute, replay.version, replay.glsl_version,
+                                        replay_of(all, question, request.task, device, how)});
+    } else {
+        hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
+        // They run compute shaders and ask for no features.
+        if (all.team.kind != backend::Team::Kind::quad && !shader::has_float16(all.spirv)) {
+            const auto replay = [&](const std::string& how) {
+                return replay_of(all, question, request.task, device, how);
+            };
+            if (!has_images) hand_over.amber = report::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
+            if (!has_others)
+                hand_over.c_program = report::to_c_program(
+                    replay("cc repro.c -o repro -lvulkan -lm && ./repro"), modules_of(all));
+        }
+        hand_over.steps = all.steps;
+        hand_over.before = all.before;
+    }
+    hand_over.rules = all.rules;
+    hand_over.smallest = all.failure;
+    return hand_over;
+}
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+std::string heading_of(const CheckJournalSetup& setup) {
+    return ordered_json{{"check_journal", 1},
+                        {"versions", setup.versions},
+                        {"inputs", setup.inputs},
+                        {"seed", setup.seed},
+                        {"validation", setup.validation}}
+        .dump();
+}
+
+struct Kept {
+    std::string device;
+    check::Answer row;
+};
+
+Kept kept_from(const std::string& line) {
+    const ordered_json object = report::parse_json(line);
+    const report::JsonReader kept(object, "");
+    return {.device = kept.member("device").text(),
+            .row = report::answer_from_json(kept.member("row").text())};
+}
+
+}  // namespace
+
+CheckJournal::CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume)
+    : file_(std::move(path), heading_of(setup), resume) {
+    std::size_t number = 1;
+    for (const std::string& line : file_.lines()) {
+        ++number;
+        try {
+            Kept kept = kept_from(line);
+            Key key{kept.device, kept.row.equation, kept.row.variant};
+            if (kept.row.ran()) known_[std::move(key)] = std::move(kept.row);
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(
+                fmt::format("{}, line {}: {}", file_.path().string(), number, error.what()));
+        }
+    }
+}
+
+std::optional<check::Answer> CheckJournal::known(const report::DeviceSummary& device,
+                                                 const CheckTask& task) const {
+    const auto found = known_.find({report::name_of(device), task.equation, task.variant});
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool CheckJournal::add(const report::DeviceSummary& device, const check::Answer& row) const {
+    const std::string name = report::name_of(device);
+    if (known_.contains({name, row.equation, row.variant})) return true;
+    file_.add(json{{"device", name}, {"row", report::to_json(row)}}.dump(-1, ' ', false,
+                                                                         json::error_handler_t::replace));
+    return false;
+}
+
+namespace {
+
+std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
+    const auto bytes = std::as_bytes(std::span(words));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+FailureFolders::FailureFolders(std::filesystem::path folder) {
+    if (!folder.empty()) folder_.emplace(std::move(folder));
+}
+
+std::filesystem::path FailureFolders::write(const report::DeviceSummary& device, const check::Answer& row,
+                                            const HandOver& hand_over, const report::RunAgain& again) {
+    const std::string name = report::slug(row.equation) + "-" + report::slug(row.variant);
+    report::OutputFolder out(folder_->path() / report::slug(report::name_of(device)) / name);
+    const std::string note =
+        hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
+    report::RunAgain how = again;
+    how.amber = !hand_over.amber.empty();
+    how.program = !hand_over.c_program.empty();
+    how.steps = hand_over.steps;
+    how.rules = hand_over.rules;
+    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, how));
+    if (hand_over.error.empty() && !hand_over.shader_test.empty()) {
+        out.write("shader.glsl", hand_over.glsl);
+        out.write("repro.shader_test", hand_over.shader_test);
+    } else if (hand_over.error.empty()) {
+        out.write("shader.comp", hand_over.glsl);
+        out.write("shader.spvasm", hand_over.assembly);
+        out.write("shader.spv", bytes_of(hand_over.spirv));
+        if (!hand_over.amber.empty()) out.write("repro.amber", hand_over.amber);
+        if (!hand_over.c_program.empty()) out.write("repro.c", hand_over.c_program);
+        if (!hand_over.before.empty()) out.write("before.spv", bytes_of(hand_over.before));
+    }
+    out.keep();
+    folder_->keep();
+    return out.path();
+}
+
+}  // namespace gloam::cli

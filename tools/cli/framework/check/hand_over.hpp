@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "check/run.hpp"
+#include "cli/framework/check/task.hpp"
+#include "report/check_report.hpp"
+#include "report/failures.hpp"
+#include "report/output.hpp"
+
+namespace gloam::cli {
+
+// A request to a worker about a failed check.
+struct HandOverRequest {
+    CheckTask task;
+    bool ran = false;  // false: nothing is run, because running it has already cost a worker
+    std::optional<check::Sample> worst;  // a failing input; none: an input accessed a pixel outside an image
+};
+
+// A failure, prepared for a report.
+struct HandOver {
+    std::string glsl;  // self-contained compute shader
+    std::string assembly;
+    std::vector<std::uint32_t> spirv;
+    std::string amber;
+    std::string
+        shader_test;  // of an OpenGL device, instead of `amber`: `glsl` is then the text that it was given
+    std::string c_program = {};           // report::to_c_program()
+    std::vector<std::string> steps = {};  // check::Reproduction
+    std::vector<std::string> rules = {};
+    std::vector<std::uint32_t> before = {};
+    std::optional<check::Sample> smallest;  // the simplest input found to fail
+    std::string error;                      // why the other members are empty; empty: no error
+};
+
+// Their one line of JSON: report::line_of(), report::from_line().
+template <class Io>
+void members(Io& io, HandOverRequest& request) {
+    report::each(io, "hand_over", request.task, "ran", request.ran, "worst", request.worst);
+}
+
+template <class Io>
+void members(Io& io, HandOver& all) {
+    report::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
+                 "shader_test", all.shader_test, "c_program", all.c_program, "steps", all.steps, "rules",
+                 all.rules, "before", all.before, "smallest", all.smallest, "error", all.error);
+}
+
+// Whether a line is a HandOverRequest; else it is a CheckTask.
+[[nodiscard]] inline bool is_hand_over_request(std::string_view line) {
+    return line.starts_with("{\"hand_over\"");
+}
+
+// The request for a failing row.
+[[nodiscard]] HandOverRequest request_for(const CheckTask& task, const check::Answer& row);
+
+// Prepares it, with the lab's variant. Throws what compiling and running throw.
+[[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
+                                      const HandOverRequest& request, const check::RunOptions& options);
+
+// The conditions under which results of several runs may be combined.
+struct CheckJournalSetup {
+    std::string versions;  // of gloam and of the compilers
+    std::size_t inputs = 0;
+    std::uint64_t seed = 0;
+    bool validation = false;
+};
+
+// The rows of a check, written to a file as they come, so that --resume can continue a run that was killed.
+class CheckJournal {
+  public:
+    // See report::LineJournal. Also throws std::runtime_error for a line that is not a result, with its
+    // number.
+    CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume);
+
+    // The row of a task on a device from an earlier run. nullopt if that run got no result: a hang or a crash
+    // can have other causes than the driver, so the task is tried again.
+    [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& device,
+                                                     const CheckTask& task) const;
+
+    // Adds a row. Returns true if it was known already; then it is not added. Throws std::runtime_error if it
+    // cannot be written.
+    bool add(const report::DeviceSummary& device, const check::Answer& row) const;
+
+  private:
+    using Key = std::tuple<std::string, std::string, std::string>;  // device, equation, variant
+
+    report::LineJournal file_;
+    std::map<Key, check::Answer> known_;
+};
+
+// A folder with a subfolder for each failure: DEVICE/EQUATION-VARIANT/{report.txt, shader.comp,
+// shader.spvasm, shader.spv, repro.amber}. The constructor finds out whether it can be written to, before the
+// work. Without a failure nothing remains.
+class FailureFolders {
+  public:
+    // An empty path: no folder. Throws std::runtime_error with the path that cannot be written.
+    explicit FailureFolders(std::filesystem::path folder);
+
+    [[nodiscard]] bool wanted() const { return folder_.has_value(); }
+
+    // Writes a failure and returns its folder. report.txt states which parts are missing and why (see
+    // HandOver::error).
+    std::filesystem::path write(const report::DeviceSummary& device, const check::Answer& row,
+                                const HandOver& hand_over, const report::RunAgain& again);
+
+  private:
+    std::optional<report::OutputFolder> folder_;
+};
+
+}  // namespace gloam::cli

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/check/selection.hpp"
+
+#include <fmt/format.h>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "backend/gl/device.hpp"
+#include "cli/environment.hpp"
+#include "cli/framework/check/checker.hpp"
+#include "cli/framework/check/worker_session.hpp"
+#include "cli/framework/variants.hpp"
+#include "module/steps.hpp"
+
+namespace gloam::cli {
+namespace {
+
+std::vector<std::string> divided(const std::string& chain) {
+    std::vector<std::string> steps;
+    std::size_t begin = 0;
+    for (std::size_t bar = 0; bar != std::string::npos; begin = bar + shader::step_separator.size()) {
+        bar = chain.find(shader::step_separator, begin);
+        steps.push_back(chain.substr(begin, bar - begin));
+    }
+    return steps;
+}
+
+// Each name with each of the steps that the text stands for.
+std::vector<std::string> followed(const std::vector<std::string>& names, const std::string& text,
+                                  const CheckOptions& options) {
+    std::vector<std::string> longer;
+    for (const std::string& step : shader::steps_from(text, options.seed, options.seeds))
+        for (const std::string& name : names)
+            longer.push_back(name + std::string(shader::step_separator) + step);
+    return longer;
+}
+
+std::vector<std::string> bases_of(const CheckOptions& options) {
+    std::vector<std::string> names;
+    if (options.variant == "metamorphic") return followed({"shipped"}, options.variant, options);
+    for (const shader::Variant& variant : select_variants(options.variant)) names.push_back(variant.name);
+    return names;
+}
+
+}  // namespace
+
+bool is_opengl(const std::string& device) {
+    return device == every_opengl || gl::is_device_name(device);
+}
+
+// A file of the library by its name there is its equations, unless there is a file of this name.
+bool is_of_file(const CheckOptions& options) {
+    if (options.equations.empty()) return false;
+    const std::string& first = options.equations.front();
+    std::error_code none;
+    if (std::filesystem::exists(first, none) || !std::filesystem::exists(glsl_directory() / first, none))
+        return is_shader_file(first);
+    return false;
+}
+
+namespace {
+
+// The variants that the options ask for, with the steps of each --compiler. OpenGL devices have one variant:
+// the others are ways to make a SPIR-V module. Throws std::invalid_argument.
+std::vector<shader::Variant> variants_of(const CheckOptions& options) {
+    std::vector<std::string> names;
+    const std::vector<std::string> bases = bases_of(options);
+    for (const std::string& compiler : options.compilers) {
+        std::vector<std::string> chains = bases;
+        for (const std::string& step : divided(compiler)) chains = followed(chains, step, options);
+        names.insert(names.end(), chains.begin(), chains.end());
+    }
+    std::vector<shader::Variant> variants;
+    for (const std::string& name : options.compilers.empty() ? bases : names)
+        variants.push_back(shader::variant(name));
+    if (!is_opengl(options.device)) return variants;
+    const std::optional<gl::DeviceName> named = gl::device_name_from(options.device);
+    const bool compute = !named || gl::has_compute(named->version);
+    std::erase_if(variants, [&](const shader::Variant& variant) { return !variant.runs_on_opengl(compute); });
+    if (variants.empty())
+        throw std::invalid_argument(fmt::format("{}: expected the variant shipped{}, not {}", options.device,
+                                                compute ? " or metamorphic" : "", options.variant));
+    return variants;
+}
+
+// The IDs of the selected equations, or the functions of a file.
+std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
+    if (is_of_file(options)) {
+        OwnSelection own = own_selection(options.equations, options.ranges, options.includes);
+        outcome.notes = std::move(own.notes);
+        outcome.complete = own.complete;
+        return own.names;
+    }
+    std::vector<std::string> names;
+    for (const check::Question& equation : options.named(options.equations)) names.push_back(equation.name);
+    return names;
+}
+
+}  // namespace
+
+std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
+    const Shard shard = shard_from(options.shard);
+    const std::vector<std::string> names = names_of(options, outcome);
+    const std::string file =
+        is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
+    std::vector<CheckTask> tasks;
+    std::size_t position = 0;
+    for (const shader::Variant& variant : variants_of(options)) {
+        for (const std::string& name : names) {
+            if (!shard.holds(position++)) continue;
+            tasks.push_back({.equation = name,
+                             .variant = variant.name,
+                             .inputs = options.inputs,
+                             .seed = options.seed,
+                             .coverage = options.coverage,
+                             .file = file,
+                             .ranges = options.ranges,
+                             .includes = options.includes});
+        }
+    }
+    return tasks;
+}
+
+std::string step_summary(const std::vector<report::CheckReport>& reports) {
+    struct Count {
+        std::size_t modules = 0;
+        std::size_t changed = 0;
+        std::size_t failed = 0;
+        std::size_t not_judged = 0;
+    };
+    std::map<std::string, Count> counts;
+    for (const report::CheckReport& report : reports) {
+        for (const check::Answer& row : report.rows) {
+            if (row.steps().empty()) continue;
+            Count& count = counts[row.variant];
+            const bool changed = row.reason != check::Reason::unchanged;
+            ++count.modules;
+            if (changed) ++count.changed;
+            if (row.failed()) ++count.failed;
+            if (changed && !row.failed() && !row.passed()) ++count.not_judged;
+        }
+    }
+    std::string text;
+    for (const auto& [variant, count] : counts)
+        text += fmt::format("{:>7} {:>8} {:>7} {:>11}  {}\n", count.modules, count.changed, count.failed,
+                            count.not_judged, variant);
+    return text.empty() ? text : "modules  changed  failed  not judged  variant\n" + text;
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/framework/check.hpp"
+#include "cli/framework/check/task.hpp"
+
+namespace gloam::cli {
+
+// The name of all OpenGL devices together.
+inline constexpr const char* every_opengl = "gl";
+[[nodiscard]] bool is_opengl(const std::string& device);
+
+// Whether the first word is a file of the user's: functions, or a module.
+[[nodiscard]] bool is_of_file(const CheckOptions& options);
+
+// The selected equations or functions in every selected variant; only this shard's share. `outcome` receives
+// what was left out of a file. Throws like own_selection(), and std::invalid_argument
+// for variants that the device does not have.
+[[nodiscard]] std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome);
+
+// What came of the steps, a line for each variant that has some: modules changed, failed, not judged. Empty
+// if no variant has steps.
+[[nodiscard]] std::string step_summary(const std::vector<report::CheckReport>& reports);
+
+}  // namespace gloam::cli

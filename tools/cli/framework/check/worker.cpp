@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/check/checker.hpp"
+
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "backend/gl/device.hpp"
+#include "cli/framework/check/worker_session.hpp"
+#include "cli/framework/open_device.hpp"
+
+namespace gloam::cli {
+namespace {
+
+constexpr const char* this_program = "/proc/self/exe";
+constexpr const char* subcommand = "check-worker";
+constexpr std::chrono::seconds time_to_count{120};
+
+// Sends lines to the parent. Standard output itself is redirected to standard error, because a driver may
+// print.
+class Replies {
+  public:
+    Replies() : file_(fdopen(dup(STDOUT_FILENO), "w")) {
+        if (file_ == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+            throw std::system_error(errno, std::generic_category(), "no standard output");
+        }
+    }
+    ~Replies() { std::fclose(file_); }
+    Replies(const Replies&) = delete;
+    Replies& operator=(const Replies&) = delete;
+
+    void send(const std::string& line) {
+        std::fputs((line + "\n").c_str(), file_);
+        std::fflush(file_);
+    }
+
+  private:
+    std::FILE* file_;
+};
+
+// Greets with a list of devices and ends.
+template <class List>
+void list_and_tell(const List& list) {
+    Replies replies;
+    Greeting greeting;
+    try {
+        for (const backend::DeviceInfo& device : list()) greeting.devices.push_back(summary_of(device));
+    } catch (const std::exception& error) {
+        greeting.error = error.what();
+    }
+    replies.send(report::line_of(greeting));
+}
+
+void run_worker(const CheckerOptions& options) {
+    Replies replies;
+    std::optional<Checker> checker;
+    Greeting greeting;
+    try {
+        checker.emplace(options);
+        greeting.devices = {checker->device()};
+    } catch (const std::exception& error) {
+        greeting.error = error.what();
+    }
+    replies.send(report::line_of(greeting));
+    if (!checker) return;
+    for (std::string line; std::getline(std::cin, line);) {
+        replies.send(is_hand_over_request(line)
+                         ? report::line_of(checker->hand_over(report::from_line<HandOverRequest>(line)))
+                         : report::to_json(checker->run(report::from_line<CheckTask>(line))));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> worker_command(const CheckerOptions& options) {
+    std::vector<std::string> command{this_program, subcommand, "--timeout",
+                                     std::to_string(options.timeout.count())};
+    if (!options.device.empty()) command.push_back("--device=" + options.device);
+    if (options.validation) command.emplace_back("--validation");
+    return command;
+}
+
+std::vector<std::string> listing_command(const std::filesystem::path& driver) {
+    std::vector<std::string> command{this_program, subcommand, "--list"};
+    if (!driver.empty()) command.push_back("--driver-alone=" + driver.string());
+    return command;
+}
+
+std::vector<std::string> gl_listing_command(const std::string& executor) {
+    return {this_program, subcommand, "--opengl=" + executor};
+}
+
+std::size_t count_devices() {
+    WorkerSession session(listing_command({}), time_to_count,
+                          [](const std::string& line) { return report::from_line<Greeting>(line).error; });
+    try {
+        return report::from_line<Greeting>(session.greeting()).devices.size();
+    } catch (const NoWorker& none) {
+        if (none.reason == check::Reason::error) throw;
+        throw std::runtime_error(std::string("cannot list the devices: ") + none.what());
+    }
+}
+
+void add_check_worker(CLI::App& app, EquationsNamed* equations) {
+    auto options = std::make_shared<CheckerOptions>(CheckerOptions{.equations = equations});
+    auto timeout = std::make_shared<long>(options->timeout.count());
+    CLI::App* command = app.add_subcommand(subcommand, "runs checks for `gloam check`");
+    command->group("");  // not listed
+    command->add_option("--device", options->device);
+    command->add_option("--timeout", *timeout, "milliseconds")->check(CLI::PositiveNumber);
+    command->add_flag("--validation", options->validation);
+    auto list = std::make_shared<bool>(false);
+    command->add_flag("--list", *list, "only list the devices");
+    auto driver = std::make_shared<std::string>();
+    command->add_option("--driver-alone", *driver, "manifest of the only driver to load");
+    auto executor = std::make_shared<std::string>();
+    command->add_option("--opengl", *executor, "only list the OpenGL devices of this executor");
+    command->callback([options, timeout, list, driver, executor] {
+        if (!executor->empty()) return list_and_tell([&] { return gl::list_devices(*executor); });
+        if (!driver->empty()) {
+            ::setenv("VK_DRIVER_FILES", driver->c_str(), 1);
+            ::setenv("VK_ICD_FILENAMES", driver->c_str(), 1);
+            ::unsetenv("VK_ADD_DRIVER_FILES");
+        }
+        if (*list) return list_and_tell(gpu::list_devices);
+        options->timeout = std::chrono::milliseconds(*timeout);
+        run_worker(*options);
+    });
+}
+
+}  // namespace gloam::cli

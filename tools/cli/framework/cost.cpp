@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/cost.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "check/kernel_code.hpp"
+#include "cli/commands.hpp"
+#include "cli/environment.hpp"
+#include "cli/framework/check/checker.hpp"
+#include "module/include.hpp"
+#include "module/spirv.hpp"
+
+namespace gloam::cli {
+namespace {
+
+struct CostCommand {
+    std::string file;
+    std::vector<std::string> functions;
+    std::string preset;
+    std::vector<std::string> set;  // NAME=VALUE, of the preset
+    std::vector<std::string> includes;
+    std::vector<std::string> defines;
+    cost::CostOptions options;
+    std::optional<double> below;
+    bool json = false;
+};
+
+struct CostRow {
+    std::string name;
+    cost::Cost cost;
+    // Of a pass of a frame.
+    double pixels = 1.0;  // of the view, that an invocation makes
+    double bytes = 0.0;   // of a pixel of the view
+
+    [[nodiscard]] double valu_per_pixel() const { return static_cast<double>(cost.valu) / pixels; }
+};
+
+// The text with definitions behind its #version line, and its own numbers of lines.
+std::string with_definitions(std::string text, const std::vector<std::string>& defines) {
+    if (defines.empty()) return text;
+    const std::size_t version = text.find("#version");
+    const std::size_t end = version == std::string::npos ? std::string::npos : text.find('\n', version);
+    const std::size_t at = end == std::string::npos ? 0 : end + 1;
+    std::string lines;
+    for (std::string one : defines) {
+        const std::size_t equals = one.find('=');
+        if (equals != std::string::npos) one[equals] = ' ';
+        lines += "#define " + one + "\n";
+    }
+    return text.insert(
+        at, fmt::format("{}#line {}\n", lines,
+                        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1));
+}
+
+std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::filesystem::path& file) {
+    const std::string text = with_definitions(shader::read_text(file), command.defines);
+    const shader::Spirv module = shader::compile({std::filesystem::absolute(file).string(), text},
+                                                 {.include_roots = include_roots_of(file, command.includes)});
+    return {{file.filename().string(), cost_of(module, command.options)}};
+}
+
+// The kernel that `gloam check` makes, but for what it declares of NaN.
+shader::Spirv kernel_of(const check::Lab& lab, const std::string& file, const check::OwnFunction& own) {
+    check::KernelSource source = lab.source(file, own.function.name, own.signature());
+    source.preserve_nan = false;
+    return lab.compile_kernel({"kernel of " + own.name, kernel_code(source)}, source.images);
+}
+
+std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
+    if (!command.defines.empty())
+        throw std::invalid_argument("--define is for whole compute shaders (.comp)");
+    OwnFile own = own_file(file.string(), command.functions, {}, command.includes);
+    std::vector<check::LeftOut>& left_out = own.functions.left_out;
+    std::erase_if(own.functions.found, [&](const check::OwnFunction& one) {
+        const bool of_quad = one.team.kind == backend::Team::Kind::quad;
+        if (of_quad) left_out.push_back({one.name, "it needs the derivatives of a fragment shader"});
+        return of_quad;
+    });
+    if (own.functions.found.empty())
+        throw std::runtime_error(
+            fmt::format("{}: nothing was counted: {}", file.string(), why_nothing(left_out)));
+    for (const check::LeftOut& one : left_out)
+        fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
+    const check::Lab lab = lab_of_file(file, command.includes, std::string(check::interpreter_name));
+    std::vector<CostRow> rows;
+    for (const check::OwnFunction& one : own.functions.found)
+        rows.push_back({one.name, cost_of(kernel_of(lab, file.filename().string(), one), command.options)});
+    return rows;
+}
+
+std::vector<CostRow> cost_of_file(const CostCommand& command, const std::filesystem::path& file) {
+    const bool whole = file.extension() == ".comp" && command.functions.empty();
+    return whole ? cost_of_shader(command, file) : cost_of_functions(command, file);
+}
+
+std::vector<CostRow> cost_of_frame(const CostCommand& command, const PresetFrame& frame) {
+    std::vector<CostRow> rows;
+    for (const FramePass& pass : frame.passes) {
+        cost::CostOptions of_pass = command.options;
+        of_pass.constants = pass.constants;
+        rows.push_back({.name = pass.name,
+                        .cost = cost_of(pass.module, of_pass),
+                        .pixels = pass.pixels,
+                        .bytes = pass.bytes});
+    }
+    return rows;
+}
+
+std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>& rows, double memory) {
+    const bool frame = !command.preset.empty();
+    std::size_t width = 4;
+    for (const CostRow& row : rows) width = std::max(width, row.name.size());
+    std::string text =
+        fmt::format("{:{}}", command.options.family, std::max(width, command.options.family.size()));
+    width = text.size();
+    for (const cost::CostField& field : cost::cost_fields())
+        text += fmt::format(" {:>{}}", field.name, field.name.size());
+    text += frame ? "  pixels  valu/px  bytes/px\n" : "\n";
+    double valu = 0.0;
+    double bytes = 0.0;
+    for (const CostRow& row : rows) {
+        text += fmt::format("{:{}}", base::one_line(row.name), width);
+        for (const cost::CostField& field : cost::cost_fields())
+            text += fmt::format(" {:>{}}", row.cost.*field.value, field.name.size());
+        if (frame)
+            text += fmt::format(" {:>7.3g} {:>8.1f} {:>9.1f}", row.pixels, row.valu_per_pixel(), row.bytes);
+        text += '\n';
+        valu += row.valu_per_pixel();
+        bytes += row.bytes;
+    }
+    if (frame)
+        text += fmt::format("a frame of {}: {:.0f} vector instructions, {:.1f} bytes a pixel; {:.1f} MB\n",
+                            command.preset, valu, bytes, 1e-6 * memory);
+    return text;
+}
+
+nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vector<CostRow>& rows,
+                                     double memory) {
+    nlohmann::ordered_json json{{"gloam", base::version()}, {"family", command.options.family}};
+    const bool frame = !command.preset.empty();
+    if (frame) json["preset"] = command.preset;
+    if (frame) json["memory_bytes"] = memory;
+    auto& shaders = json[frame ? "passes" : "shaders"] = nlohmann::ordered_json::array();
+    for (const CostRow& row : rows) {
+        nlohmann::ordered_json one{{"name", row.name}};
+        for (const cost::CostField& field : cost::cost_fields())
+            one[std::string(field.name)] = row.cost.*field.value;
+        if (frame) {
+            one["pixels"] = row.pixels;
+            one["valu_per_pixel"] = row.valu_per_pixel();
+            one["bytes_per_pixel"] = row.bytes;
+        }
+        shaders.push_back(std::move(one));
+    }
+    return json;
+}
+
+// What costs more than --below: a frame, or each shader. Says so.
+bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
+    if (!command.below) return false;
+    std::vector<std::pair<std::string, double>> valus;
+    for (const CostRow& row : rows)
+        if (command.preset.empty() || valus.empty())
+            valus.emplace_back(command.preset.empty() ? row.name : command.preset, row.valu_per_pixel());
+        else
+            valus.back().second += row.valu_per_pixel();
+    bool more = false;
+    for (const auto& [name, valu] : valus) {
+        if (valu <= *command.below) continue;
+        more = true;
+        fmt::print(stderr, "{}\n",
+                   base::one_line(fmt::format("{}: {:g} vector instructions, allowed are {:g}", name, valu,
+                                              *command.below)));
+    }
+    return more;
+}
+
+int run_cost(const CostCommand& command, FrameOf* frame_of) {
+    if (command.file.empty() == command.preset.empty())
+        throw std::invalid_argument("expected a file, or --preset NAME");
+    if (!command.set.empty() && command.preset.empty())
+        throw std::invalid_argument("--set: expected --preset NAME");
+    PresetFrame frame;
+    if (command.file.empty()) frame = frame_of(command.preset, command.set);
+    const std::vector<CostRow> rows = command.file.empty()
+                                          ? cost_of_frame(command, frame)
+                                          : cost_of_file(command, path_of_shader(command.file));
+    if (command.json)
+        fmt::print("{}\n", json_of_costs(command, rows, frame.memory)
+                               .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    else
+        fmt::print("{}", text_of_costs(command, rows, frame.memory));
+    return costs_more(command, rows) ? 1 : 0;
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, FrameOf* frame, int& status) {
+    auto command = std::make_shared<CostCommand>();
+    CLI::App* cost =
+        app.add_subcommand("cost", "count what a GPU pays for a shader, by a GPU's compiler, without a GPU");
+    cost->add_option("file", command->file, "a GLSL file, or a whole compute shader (.comp)");
+    cost->add_option("function", command->functions, "functions that it defines (all when none is given)");
+    cost->add_option("--preset", command->preset,
+                     "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)");
+    cost->add_option("--set", command->set, "with --preset: SETTING=VALUE; may be repeated")
+        ->allow_extra_args(false);
+    add_include_option(*cost, command->includes);
+    cost->add_option("--define", command->defines, "NAME or NAME=VALUE, of a compute shader; may be repeated")
+        ->allow_extra_args(false);
+    cost->add_option("--family", command->options.family,
+                     fmt::format("the chip: {}", fmt::join(cost::families(), ", ")))
+        ->capture_default_str();
+    cost->add_option(
+        "--below", command->below,
+        "most vector instructions, of an invocation or of a frame's pixel; above it the status is 1");
+    cost->add_flag("--validation", command->options.validation,
+                   "Vulkan validation layers on; any message is an error");
+    cost->add_flag("--json", command->json, "as JSON");
+    cost->callback([command, frame, &status] { status = run_cost(*command, frame); });
+}
+
+}  // namespace gloam::cli

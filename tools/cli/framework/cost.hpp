@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cost/cost.hpp"
+
+namespace gloam::cli {
+
+// A pass of a frame, as `gloam cost` counts it.
+struct FramePass {
+    std::string name;
+    shader::Spirv module;
+    std::vector<backend::Constant> constants;
+    double pixels = 1.0;  // of the view, that an invocation makes
+    double bytes = 0.0;   // that it reads and writes, a pixel of the view
+};
+
+struct PresetFrame {
+    std::vector<FramePass> passes;
+    double memory = 0.0;  // bytes of its images and buffers beside those of the engine
+};
+
+}  // namespace gloam::cli

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "check/explain.hpp"
+#include "cli/environment.hpp"
+#include "cli/framework/check/checker.hpp"
+#include "interpreter/program.hpp"
+#include "module/compile.hpp"
+
+namespace gloam::cli {
+namespace {
+
+using check::Word;
+using shader::Scalar;
+
+struct ExplainOptions {
+    std::vector<std::string> words;  // what to run, then values
+    std::string variant = "strict";
+    std::vector<std::string> includes;  // further include roots
+};
+
+template <class T>
+T parsed(const std::string& text, int base) {
+    T value{};
+    const char* const first = text.data() + (base == 16 ? 2 : 0);
+    const char* const last = text.data() + text.size();
+    std::from_chars_result end{};
+    if constexpr (std::is_floating_point_v<T>) {
+        end = std::from_chars(first, last, value);
+    } else {
+        end = std::from_chars(first, last, value, base);
+    }
+    if (end.ec != std::errc() || end.ptr != last)
+        throw std::invalid_argument(fmt::format("\"{}\" is no value of this parameter", text));
+    return value;
+}
+
+// Appends the words of a number, true or false, or bits in hexadecimal.
+void append_value(Scalar scalar, const std::string& text, std::vector<Word>& words) {
+    constexpr int hexadecimal = 16;
+    constexpr int decimal = 10;
+    const bool is_bits = text.starts_with("0x");
+    if (shader::is_float(scalar) && !is_bits)
+        return words.push_back(check::float_word(scalar, parsed<double>(text, decimal)));
+    if (scalar == Scalar::bool_ && (text == "true" || text == "false"))
+        return words.push_back(text == "true" ? 1U : 0U);
+    words.push_back(scalar == Scalar::int_ && !is_bits ? static_cast<Word>(parsed<int>(text, decimal))
+                                                       : parsed<Word>(text, is_bits ? hexadecimal : decimal));
+}
+
+// The words of an input. A function of a quad or a work group takes the values of all its invocations, one
+// after another for each parameter, or those of one invocation, which all have then.
+std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<std::string>& given) {
+    struct Part {
+        std::vector<Scalar> scalars;
+        std::size_t invocations;
+    };
+    std::vector<Part> parts;
+    std::size_t all = 0;
+    std::size_t of_one = 0;
+    std::size_t pixels = 0;  // of images, which come last
+    for (const shader::Parameter& p : own.function.parameters) {
+        if (p.direction == shader::Direction::out) continue;
+        const bool alone = own.team.count() == 1 || !check::is_of_each(p);
+        parts.push_back(
+            {check::scalars_of(alone ? p.type : shader::element_of(p.type)), alone ? 1 : own.team.count()});
+        of_one += parts.back().scalars.size();
+        all += parts.back().scalars.size() * parts.back().invocations;
+        if (!p.image.empty()) pixels += parts.back().scalars.size();
+    }
+    if (pixels > 0 && given.size() + pixels == all) {
+        std::vector<std::string> counted = given;
+        for (std::size_t k = 1; k <= pixels; ++k) counted.push_back(std::to_string(k));
+        return input_from(own, counted);
+    }
+    if (given.size() != all && given.size() != of_one)
+        throw std::invalid_argument(fmt::format(
+            "{} takes {} values{}{}, got {}", own.name, all,
+            pixels == 0 ? "" : fmt::format(" (or {}, where pixels are 1, 2, 3 ...)", all - pixels),
+            all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), given.size()));
+    std::vector<Word> input;
+    std::size_t next = 0;
+    for (const Part& part : parts) {
+        const std::size_t first = next;
+        for (std::size_t k = 0; k < part.invocations; ++k) {
+            if (given.size() == of_one) next = first;
+            for (const Scalar scalar : part.scalars) append_value(scalar, given[next++], input);
+        }
+    }
+    return input;
+}
+
+// A function of a file, and the values behind it on the command line.
+struct Target {
+    std::string file;
+    std::string function;
+    std::vector<std::string> values;
+};
+
+// FILE FUNCTION VALUE..., or EQUATION VALUE..., which is all that names the function.
+Target target_of(const std::vector<std::string>& words, EquationsNamed* equations) {
+    std::error_code none;
+    if (is_shader_file(words.front()) || std::filesystem::exists(words.front(), none)) {
+        if (words.size() < 2)
+            throw std::invalid_argument(words.front() + ": expected a function of this file behind it");
+        return {path_of_shader(words[0]), words[1], {words.begin() + 2, words.end()}};
+    }
+    const std::vector<check::Question> found = equations({words.front()});
+    const check::Question& first = found.front();
+    if (words.front().find_first_of("*?") != std::string::npos && found.size() > 1)
+        throw std::invalid_argument(fmt::format("{} names {} functions: expected one, for example {}",
+                                                words.front(), found.size(), first.function));
+    return {path_of_shader(first.file), first.function, {words.begin() + 1, words.end()}};
+}
+
+void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
+    const Target target = target_of(options.words, equations);
+    const check::OwnFunctions functions =
+        own_file(target.file, {target.function}, {}, options.includes).functions;
+    if (functions.found.empty())
+        throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
+                                                functions.left_out.front().why));
+    const check::OwnFunction& own = functions.found.front();
+    const std::vector<Word> input = input_from(own, target.values);
+    try {
+        numeric::Random random(1);
+        const auto scenarios = check::random_scenarios(own.images);
+        const check::ImageSet images =
+            scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
+        const check::Explanation all =
+            check::explain({.variant = shader::variant(options.variant)},
+                           {.file = std::filesystem::path(target.file).filename().string(),
+                            .function = own.function,
+                            .images = own.images,
+                            .text = own.excerpt,
+                            .team = own.team},
+                           input, images);
+        fmt::print("{}", to_text(all, all.steps.size()));
+    } catch (const interpreter::Error& error) {
+        throw std::runtime_error(fmt::format("{}: {}: {}", target.file, target.function, error.what()));
+    }
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, EquationsNamed* equations) {
+    auto options = std::make_shared<ExplainOptions>();
+    CLI::App* command = app.add_subcommand(
+        "explain", "run a shader function on one input and show the error of each operation, line by line");
+    command
+        ->add_option(
+            "what", options->words,
+            "a GLSL file and a function that it defines, or an equation (gloam list equations); then a value "
+            "for each scalar of its parameters and of the uniforms that it uses, in order: a number, true or "
+            "false, or bits as 0x...; of a quad or work group those of all its invocations, or of one, which "
+            "all have then")
+        ->required();
+    command->add_option("--variant", options->variant, "how the shader is compiled (gloam list variants)")
+        ->capture_default_str();
+    add_include_option(*command, options->includes);
+    command->callback([options, equations] { run_explain(*options, equations); });
+}
+
+}  // namespace gloam::cli

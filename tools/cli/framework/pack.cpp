@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/pack.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "cli/environment.hpp"
+#include "cli/framework/check/checker.hpp"
+#include "module/include.hpp"
+#include "module/texts.hpp"
+#include "report/output.hpp"
+
+namespace gloam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is packed: whole files, or functions of some.
+struct Packed {
+    std::vector<fs::path> files;
+    std::vector<std::string> functions;
+};
+
+// A file by its path, or by its name inside the library; else an equation, of which only the function is
+// packed.
+void find_one(const std::string& name, const std::vector<fs::path>& roots, EquationsNamed* equations,
+              Packed& packed) {
+    std::error_code none;
+    if (fs::exists(name, none))
+        return packed.files.emplace_back(name), void();  // reading it says if it is a text
+    const bool is_file = is_shader_file(name) || name.find('/') != std::string::npos;
+    if (is_file && name.find_first_of("*?") == std::string::npos)
+        return packed.files.push_back(shader::resolve_include(name, {}, roots));
+    for (const check::Question& equation : equations({name})) {
+        const fs::path file = shader::resolve_include(equation.file, {}, roots);
+        if (std::ranges::find(packed.files, file) == packed.files.end()) packed.files.push_back(file);
+        packed.functions.push_back(equation.function);
+    }
+}
+
+Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots, EquationsNamed* equations) {
+    Packed packed{.files = {}, .functions = options.functions};
+    bool whole = false;
+    for (const std::string& name : options.files) {
+        const std::size_t before = packed.functions.size();
+        find_one(name, roots, equations, packed);
+        whole = whole || packed.functions.size() == before;
+    }
+    if (whole && packed.functions.size() > options.functions.size())
+        throw std::invalid_argument("files and equations together: expected one or the other");
+    return packed;
+}
+
+// The stage from the suffix of a file's name.
+std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
+    for (const fs::path& file : files)
+        if (const auto stage = shader::stage_of_file(file)) return stage;
+    return std::nullopt;
+}
+
+// Throws like shader::pack(), in one line for what Vulkan alone refuses: uniforms outside blocks.
+std::string packed_text(const std::vector<fs::path>& files, const shader::PackRequest& request,
+                        const std::vector<fs::path>& roots) {
+    try {
+        return shader::pack(files, request, roots);
+    } catch (const shader::CompileError& error) {
+        const std::string what = error.what();
+        if (what.find("non-opaque uniforms") == std::string::npos) throw;
+        throw std::invalid_argument(what.substr(0, what.find('\n')) + "; for OpenGL take --version 430");
+    }
+}
+
+// A GLSL text in the language of --target; the name of its first file names it.
+std::string in_language(const std::string& text, const fs::path& file, std::optional<shader::Target> target,
+                        std::optional<shader::Stage> stage) {
+    if (!target) return text;
+    return shader::translated({.name = file.string(), .text = text}, *target,
+                              stage.value_or(shader::Stage::compute));
+}
+
+std::optional<shader::Target> target_of(const PackOptions& options) {
+    if (options.target.empty()) return std::nullopt;
+    const auto target = shader::target_from(options.target);
+    if (!target)
+        throw std::invalid_argument("unknown target \"" + options.target + "\": expected hlsl or msl");
+    if (options.version != "450")
+        throw std::invalid_argument("--target " + options.target +
+                                    " translates GLSL 450; it takes no --version");
+    return target;
+}
+
+}  // namespace
+
+void pack_files(const PackOptions& options, EquationsNamed* equations) {
+    if (options.files.empty())
+        throw std::invalid_argument("nothing to pack: give files, or --effect for all passes of the effect");
+    const auto language = shader::language_from(options.version);
+    if (!language) {
+        throw std::invalid_argument("unknown GLSL version \"" + options.version +
+                                    "\": expected 450, 430, 330, 300es, 310es or 320es");
+    }
+    const std::optional<shader::Target> target = target_of(options);
+    std::vector<fs::path> roots{glsl_directory()};
+    roots.insert(roots.begin(), options.includes.begin(), options.includes.end());
+    const auto [files, functions] = find_all(options, roots, equations);
+    // As in check and audit, "#include <sub/x.glsl>" may name a file beside the one that is given.
+    for (const fs::path& file : files) roots.insert(roots.begin(), fs::absolute(file).parent_path());
+    const report::OutputFile out(options.out);
+    const shader::PackRequest request{
+        .language = *language, .functions = functions, .stage = stage_of(files)};
+    const std::string text =
+        with_version(in_language(packed_text(files, request, roots), files.front(), target, request.stage),
+                     target ? "" : api_of(*language));
+    if (options.out.empty()) {
+        fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? base::for_terminal(text) : text);
+    } else {
+        out.write(text);
+    }
+}
+
+std::string line_table(const std::vector<std::string>& files) {
+    const fs::path glsl = glsl_directory();
+    std::string text = "| file | lines of code |\n| --- | --- |\n";
+    std::vector<std::string> all;
+    for (const std::string& name : files) {
+        std::error_code none;
+        const fs::path file =
+            fs::is_regular_file(name, none) ? fs::path(name) : shader::resolve_include(name, {}, {glsl});
+        all.push_back(shader::pack({file}, {.functions = {}}, {glsl}));
+        text += fmt::format("| `{}` | {} |\n", name, shader::code_lines(all.back()));
+    }
+    return text + fmt::format("| together | {} |\n", shader::code_lines(all));
+}
+
+std::string with_version(std::string text, const std::string& api) {
+    const std::size_t place = text.starts_with("#version") ? text.find('\n') + 1 : 0;
+    return text.insert(place, fmt::format("// Packed by gloam {}{}.\n", base::version(), api));
+}
+
+std::string api_of(shader::Language language) {
+    using enum shader::Language;
+    static const std::map<shader::Language, const char*> names{
+        {vulkan450, "Vulkan"},    {gl430, "OpenGL 4.3"},
+        {gl330, "OpenGL 3.3"},    {es300, "OpenGL ES 3.0 and WebGL2"},
+        {es310, "OpenGL ES 3.1"}, {es320, "OpenGL ES 3.2"}};
+    return std::string(" for ") + names.at(language);
+}
+
+void add_pack_options(CLI::App& command, PackOptions& options) {
+    command.add_option(
+        "file", options.files,
+        "includes or whole shaders, as paths or as gloam/..., or equations (gloam list equations)");
+    command
+        .add_option("--function", options.functions,
+                    "only this function and what it uses (default: main, else every function of the files); "
+                    "may be repeated")
+        ->allow_extra_args(false);
+    add_include_option(command, options.includes);
+    command
+        .add_option("--version", options.version, "450 (Vulkan), 430 (OpenGL), 330, 300es, 310es or 320es")
+        ->capture_default_str();
+    command.add_option("--target", options.target,
+                       "hlsl or msl: translated to HLSL of shader model 6.0 or to Metal's language");
+    command.add_option("--out", options.out,
+                       "file to write (standard output when not given); with --effect the folder");
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "module/compile.hpp"
+
+namespace gloam::cli {
+
+// The options of `gloam pack` for files and functions.
+struct PackOptions {
+    std::vector<std::string> files;
+    std::vector<std::string> functions;
+    std::vector<std::string> includes;  // further include roots
+    std::string version = "450";
+    std::string target;  // empty: GLSL
+    std::filesystem::path out;
+};
+void add_pack_options(CLI::App& command, PackOptions& options);
+
+// Writes the files, or the equations, as one text.
+void pack_files(const PackOptions& options, EquationsNamed* equations);
+
+// A Markdown table: for each file its lines of code as packed, without blank ones and comments, and behind
+// them those of all together, each function once. Throws like shader::pack().
+[[nodiscard]] std::string line_table(const std::vector<std::string>& files);
+
+// The packed text with gloam's version and an api_of() at its head: behind #version, which must be the first
+// line.
+[[nodiscard]] std::string with_version(std::string text, const std::string& api);
+[[nodiscard]] std::string api_of(shader::Language language);
+
+}  // namespace gloam::cli

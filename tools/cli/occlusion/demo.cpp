@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/framework/check.hpp"
+#include "cli/framework/open_device.hpp"
+#include "cli/occlusion/names.hpp"
+#include "cli/occlusion/render.hpp"
+#include "cli/occlusion/render_pictures.hpp"
+#include "cli/occlusion/renderer.hpp"
+#include "cli/progress.hpp"
+#include "report/check_page.hpp"
+#include "report/page.hpp"
+
+namespace gloam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Debian's glmark2-data.
+constexpr const char* bunny = "/usr/share/glmark2/models/bunny.obj";
+constexpr std::size_t few_inputs = 4096;
+constexpr std::size_t most_named = 3;  // failures
+
+struct DemoOptions {
+    std::string device;
+    fs::path out = "gloam-demo";
+    bool quiet = false;
+};
+
+// A scene of the demo, rendered.
+struct Shown {
+    std::string name;
+    std::string what;
+    Rendered run;
+};
+
+// Prints and flushes a line, because the next step takes time.
+void say(const DemoOptions& demo, const std::string& line) {
+    if (demo.quiet) return;
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+}
+
+RenderOptions options_for(const DemoOptions& demo, const std::string& source) {
+    RenderOptions options{.source = source, .frames = 8, .size = "480x270", .device = demo.device};
+    options.trace_truth = true;
+    options.truth_rays = 128;
+    options.quiet = demo.quiet;
+    return options;
+}
+
+std::vector<Shown> demo_scenes() {
+    std::error_code none;
+    return {{"room", "a furnished room, seen by a camera that moves", {}},
+            {fs::is_regular_file(bunny, none) ? "bunny" : "knot", "a mesh on a plane, in the sun", {}},
+            {"moving", "a rolling ball and a turning box, followed with their history", {}}};
+}
+
+void render_scene(Shown& scene, const DemoOptions& demo, RenderBench& bench) {
+    const RenderOptions options = options_for(demo, scene.name == "bunny" ? bunny : scene.name);
+    const RenderInput input = open_input(options);
+    bench.forget_light();
+    scene.run = render(options, input, bench, {});
+}
+
+report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out) {
+    report::Page page("gloam demo");
+    page.paragraph(
+        "Ambient occlusion, rendered on " + scenes.front().run.report.device.name +
+        ". Choose above each picture: the light with ambient occlusion, without it, and more. The error "
+        "is the root mean square error against occlusion traced with rays.");
+    for (const Shown& scene : scenes) {
+        page.heading(scene.name + ": " + scene.what);
+        add_pictures(page, out, scene.name + "_", scene.run);
+    }
+    return page;
+}
+
+void add_check(report::Page& page, const CheckOutcome& outcome) {
+    page.heading("The check");
+    page.paragraph(
+        fmt::format("Every equation of the library ran on this device with {} inputs, and each result "
+                    "was compared with the equation in double precision: {}.",
+                    few_inputs, to_text(outcome.counts)));
+    page.table(report::check_table(outcome.reports));
+}
+
+std::string pictures_line(const std::vector<Shown>& scenes) {
+    const RenderReport& first = scenes.front().run.report;
+    return fmt::format(
+        "pictures  {} scenes of {} x {} pixels: a frame of the {} takes {:.3g} ms, its occlusion is {:.3f} "
+        "off the truth",
+        scenes.size(), first.frames.back().extent.width, first.frames.back().extent.height, first.source,
+        frame_ms(first), frame_error(first).value_or(0.0));
+}
+
+std::string check_line(const CheckOutcome& outcome) {
+    const report::OutcomeCounts& counts = outcome.counts;
+    if (counts.failed == 0) {
+        const std::string all = counts.not_judged == 0
+                                    ? "all are as exact as they document"
+                                    : fmt::format(
+                                          "{} could not be judged, all others are as exact as they "
+                                          "document",
+                                          counts.not_judged);
+        return fmt::format("check     {} equations, {} inputs each: {}", counts.checks, few_inputs,
+                           colored(all, Ink::good));
+    }
+    std::string names;
+    std::size_t named = 0;
+    for (const report::CheckReport& report : outcome.reports) {
+        for (const check::Answer& row : report.rows) {
+            if (!row.failed() || ++named > most_named) continue;
+            names += (names.empty() ? "" : ", ") + row.function;
+        }
+    }
+    if (named > most_named) names += ", ...";
+    return fmt::format("check     {} equations, {} inputs each: {}", counts.checks, few_inputs,
+                       colored(fmt::format("{} failed ({})", counts.failed, names), Ink::bad));
+}
+
+// The pictures come first, beginning with the sheet, because the check takes longer than all of them.
+int run_demo(const DemoOptions& demo) {
+    report::OutputFolder out(demo.out);
+    const fs::path folder = fs::absolute(demo.out);
+    RenderBench bench({.device = demo.device});
+    say(demo, "device    " + bench.device.info().name);
+    std::vector<Shown> scenes = demo_scenes();
+    for (Shown& scene : scenes) {
+        render_scene(scene, demo, bench);
+        if (&scene != &scenes.front()) continue;
+        out.write("sheet.png", sheet_of({scene.run}));
+        out.keep();
+        say(demo, "sheet     " + (folder / "sheet.png").string() + " (one picture)");
+    }
+    report::Page page = page_of(scenes, out);
+    out.write("index.html", page.html());
+    out.keep();
+    say(demo, pictures_line(scenes));
+    const CheckOutcome outcome = check({.named = equations_named,
+                                        .device = demo.device,
+                                        .inputs = few_inputs,
+                                        .rows = false,
+                                        .progress = !demo.quiet});
+    add_check(page, outcome);
+    out.write("index.html", page.html());
+    out.keep();
+    say(demo, check_line(outcome));
+    say(demo, "look at   " + (folder / "index.html").string() + " (pictures, and the check's table)");
+    say(demo, "next      gloam check --help, gloam render --help");
+    return std::max(validation_status(bench.device), outcome.counts.exit_status());
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, int& status) {
+    auto options = std::make_shared<DemoOptions>();
+    CLI::App* command =
+        app.add_subcommand("demo", "render three scenes, check the default device, make a page of both");
+    command->add_option("--device", options->device, "name or index of the device (gloam devices)");
+    command->add_option("--out", options->out, "folder for the page and its pictures")->capture_default_str();
+    command->add_flag("--quiet", options->quiet, "print nothing but errors");
+    add_driver_option(*command);
+    command->callback([options, &status] { status = run_demo(*options); });
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+
+#include "cli/environment.hpp"
+#include "cli/framework/cost.hpp"
+#include "cli/occlusion/names.hpp"
+#include "cli/occlusion/pack/effect.hpp"
+#include "cli/occlusion/settings.hpp"
+#include "effect/plan.hpp"
+#include "module/reflection.hpp"
+#include "module/spirv.hpp"
+
+namespace gloam::cli {
+namespace {
+
+double bytes_of_level(const effect::PlannedImage& image, std::uint32_t level) {
+    constexpr std::array of_texel{4, 16, 8, 8, 2, 1, 4, 8, 4, 4, 2, 4, 8, 16, 4};  // in the order of Format
+    return std::ldexp(1.0 * image.extent.width * image.extent.height, -2 * static_cast<int>(level)) *
+           of_texel.at(static_cast<std::size_t>(image.format));
+}
+
+// Bytes of what the pass reads and writes, each image and buffer once.
+double bytes_of(const effect::Plan& plan, const effect::PlannedPass& pass,
+                const scene::PassLibrary& library) {
+    const shader::Spirv used =
+        shader::with_passes(shader::compile({pass.source.file, text_of(pass, library)}, {}),
+                            {"--freeze-spec-const", "--fold-spec-const-op-composite", "--ccp",
+                             "--eliminate-dead-branches", "-O"});
+    double bytes = 0.0;
+    for (const shader::Binding& binding : shader::reflect(used).bindings) {
+        const std::string& name = pass.resources.at(binding.number);
+        const effect::ImageName bound = effect::image_name_of(name);
+        const double times = (binding.reads ? 1.0 : 0.0) + (binding.writes ? 1.0 : 0.0);
+        for (const effect::PlannedImage& image : plan.images)
+            if (bound.image == image.name) bytes += times * bytes_of_level(image, bound.level.value_or(0));
+        for (const effect::PlannedBuffer& buffer : plan.buffers)
+            if (buffer.name == name) bytes += times * static_cast<double>(buffer.contents.size());
+    }
+    return bytes;
+}
+
+double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv& module, double view) {
+    const auto [x, y, z] = shader::reflect(module).local_size;
+    const double invocations = 1.0 * x * y * z;
+    return view / (invocations * pass.groups[0] * pass.groups[1] * pass.groups[2]);
+}
+
+// Bytes of the images and buffers that a frame needs beside those of the engine.
+double memory_of(const effect::Plan& plan) {
+    double bytes = 0.0;
+    for (const effect::PlannedImage& image : plan.images)
+        for (std::uint32_t level = 0; level < image.levels; ++level)
+            if (image.origin != effect::PlannedImage::Origin::engine) bytes += bytes_of_level(image, level);
+    for (const effect::PlannedBuffer& buffer : plan.buffers)
+        bytes += static_cast<double>(buffer.contents.size());
+    return bytes;
+}
+
+}  // namespace
+
+PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& set) {
+    effect::Settings settings = preset_settings(preset);
+    for (const std::string& assignment : set) apply(settings, assignment);
+    effect::PlanOptions options{.first = true};
+    if (settings.passes == effect::Passes::frame) options.encoding = {.depth_buffer = true, .unorm = true};
+    const double view = 1.0 * options.view.width * options.view.height;
+    const scene::PassLibrary library(glsl_directory(), cache_directory());
+    const effect::Plan plan = effect::plan_of(settings, options, library);
+    PresetFrame frame{.passes = {}, .memory = memory_of(plan)};
+    for (const effect::PlannedPass& pass : plan.passes) {
+        const shader::Spirv module = effect::module_of(pass.source, library);
+        frame.passes.push_back({.name = pass.name,
+                                .module = module,
+                                .constants = pass.source.constants,
+                                .pixels = pixels_of_invocation(pass, module, view),
+                                .bytes = bytes_of(plan, pass, library) / view});
+    }
+    return frame;
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "base/version.hpp"
+#include "catalogue/catalogue.hpp"
+#include "catalogue/printed.hpp"
+#include "check/lab.hpp"
+#include "cli/environment.hpp"
+#include "cli/occlusion/names.hpp"
+#include "cli/occlusion/settings.hpp"
+#include "effect/methods.hpp"
+#include "effect/settings.hpp"
+#include "module/compile.hpp"
+#include "report/output.hpp"
+#include "report/page.hpp"
+
+namespace gloam::cli {
+namespace {
+
+struct ListOptions {
+    std::string kind;
+    std::vector<std::string> names;  // empty: all
+    bool json = false;
+    bool markdown = false;
+    std::filesystem::path html;
+};
+
+std::vector<Named> equation_names() {
+    std::vector<Named> names;
+    for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
+        const catalogue::Description& d = entry.description;
+        names.push_back({d.id, d.function + ": " + d.title});
+    }
+    return names;
+}
+
+std::vector<Named> variant_names() {
+    std::vector<Named> names;
+    for (const shader::Variant& variant : shader::variants())
+        names.push_back({variant.name, variant.description});
+    return names;
+}
+
+using Kinds = std::vector<std::pair<std::string, std::function<std::vector<Named>()>>>;
+
+Kinds all_kinds() {
+    return {{"equations", equation_names}, {"methods", method_names}, {"numbers", number_names},
+            {"presets", preset_names},     {"scenes", scene_names},   {"settings", setting_names},
+            {"variants", variant_names},   {"views", view_names}};
+}
+
+nlohmann::ordered_json named_json(const Named& named) {
+    return {{"name", named.name}, {"description", named.description}};
+}
+
+// The functions of the library's files; each file is compiled once.
+class Declarations {
+  public:
+    // "float gloam_saturate(float x)": the function as its file declares it, with the names of its
+    // parameters; a kernel of several functions is in no file, and has types alone.
+    std::string of(const catalogue::Entry& entry) {
+        const catalogue::Description& d = entry.description;
+        const check::Signature& signature = entry.question.signature;
+        for (const shader::Function& function : functions_of(d.file)) {
+            const bool is_it = function.name == d.function && function.result == signature.result &&
+                               std::ranges::equal(function.parameters, signature.parameters, {},
+                                                  &shader::Parameter::type, &shader::Parameter::type);
+            if (is_it) return shader::to_glsl(function);
+        }
+        return check::to_glsl(signature, d.function);
+    }
+
+  private:
+    const std::vector<shader::Function>& functions_of(const std::string& file) {
+        const auto [known, is_new] = files_.try_emplace(file);
+        if (is_new)
+            known->second = cache_.functions(check::probe_of(file), {.include_roots = {glsl_directory()}});
+        return known->second;
+    }
+
+    shader::SpirvCache cache_ = check::shader_cache({.cache_directory = cache_directory()});
+    std::map<std::string, std::vector<shader::Function>> files_;
+};
+
+nlohmann::ordered_json equation_json(const catalogue::Entry& entry, Declarations& declarations) {
+    const catalogue::Description& d = entry.description;
+    return {{"name", d.id},      {"description", d.title}, {"function", declarations.of(entry)},
+            {"file", d.file},    {"formula", d.formula},   {"error", check::to_text(entry.question.budget)},
+            {"source", d.source}};
+}
+
+// As `--preset FILE.json` reads it: "settings" has all that runs, "origins" where each is from.
+nlohmann::ordered_json preset_json(const Named& named) {
+    const effect::Preset preset = effect::preset_named(named.name);
+    nlohmann::ordered_json json{{"name", preset.name},
+                                {"description", preset.description},
+                                {"published", preset.published},
+                                {"error", preset.error},
+                                {"time", preset.time}};
+    json["settings"] = json_of(preset.settings);
+    for (const effect::Setting& setting : effect::setting_table())
+        if (reads(preset.settings, setting))
+            json["origins"][setting.name] = effect::origin_of(preset, setting.name);
+    return json;
+}
+
+nlohmann::ordered_json method_json(const Named& named) {
+    const effect::MethodInfo& method = effect::method_named(named.name);
+    nlohmann::ordered_json json = named_json(named);
+    json["measure"] = to_string(method.measure);
+    json["falloff"] = method.falloff;
+    json["samples"] = with_method(effect::Settings{}, method.name).samples;
+    json["file"] = file_of(method);
+    return json;
+}
+
+nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
+    auto json = nlohmann::ordered_json::array();
+    Declarations declarations;
+    for (const catalogue::Entry& entry : entries_named(names))
+        json.push_back(equation_json(entry, declarations));
+    return json;
+}
+
+// All that is known of one name. Throws std::invalid_argument for a name that the kind does not have.
+nlohmann::ordered_json one_of(const std::string& kind, const std::vector<Named>& all,
+                              const std::string& name) {
+    if (kind == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
+    const auto named = std::ranges::find(all, name, &Named::name);
+    if (named == all.end())
+        throw std::invalid_argument(
+            fmt::format("{} \"{}\": expected a name of `gloam list {}`", kind, name, kind));
+    return kind == "settings"  ? json_of(effect::setting_named(name))
+           : kind == "presets" ? preset_json(*named)
+           : kind == "methods" ? method_json(*named)
+                               : named_json(*named);
+}
+
+// These names of a kind, or all, with all their properties.
+nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& all,
+                                 const std::vector<std::string>& names) {
+    if (kind == "equations") return equations_json(names);
+    auto json = nlohmann::ordered_json::array();
+    for (const Named& named : all)
+        if (names.empty()) json.push_back(one_of(kind, all, named.name));
+    for (const std::string& name : names) json.push_back(one_of(kind, all, name));
+    return json;
+}
+
+// A property a line; of a preset each setting as `--set` takes it, and the method as `--method` does, with
+// the symbol that its source has for it.
+void print_one(const nlohmann::ordered_json& one) {
+    for (const auto& [key, value] : one.items()) {
+        if (!value.is_object()) fmt::print("{}: {}\n", key, text_of(value));
+        if (key != "settings") continue;
+        for (const auto& [setting, set] : value.items()) {
+            const std::string origin = text_of(one.at("origins").at(setting));
+            const std::string assignment = setting + "=" + text_of(set);
+            if (origin.empty()) fmt::print("  {}\n", assignment);
+            if (!origin.empty()) fmt::print("  {:<30} {}\n", assignment, origin);
+        }
+    }
+}
+
+void print_each(const nlohmann::ordered_json& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i > 0) fmt::print("\n");
+        print_one(all[i]);
+    }
+}
+
+// A page of all equations that can be searched and sorted.
+std::string equations_page() {
+    report::Page page("Equations of gloam");
+    page.paragraph(
+        "Occlusion is 1 where blocked, visibility 1 where open. View space is right-handed and looks down "
+        "-z; depth d = -z is eye-linear. The error is what the function may differ from the exact "
+        "mathematics.");
+    report::PageTable table{.columns = {{.title = "ID"},
+                                        {.title = "title"},
+                                        {.title = "function"},
+                                        {.title = "file", .filter = true},
+                                        {.title = "error"},
+                                        {.title = "source"},
+                                        {.title = "formula"}},
+                            .rows = {}};
+    for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
+        const catalogue::Description& d = entry.description;
+        table.rows.push_back({{d.id},
+                              {d.title},
+                              {d.function},
+                              {d.file},
+                              {check::to_text(entry.question.budget)},
+                              {d.source},
+                              {d.formula}});
+    }
+    page.table(table);
+    return page.html();
+}
+
+// One name a line, and its meaning.
+void print_names(const std::vector<Named>& names, const std::string& kind) {
+    std::size_t width = 18;
+    for (const Named& named : names) width = std::max(width, named.name.size());
+    for (const Named& named : names)
+        fmt::print("{}{:<{}} {}\n", kind.empty() ? "  " : "", named.name, width, named.description);
+}
+
+// One kind, or all of it that the names say; as text, or into the JSON. Of one name its properties are those
+// of the whole document.
+void list_kind(const std::string& kind, const std::vector<Named>& all, const ListOptions& options,
+               nlohmann::ordered_json& json) {
+    const bool named = !options.names.empty();
+    if (!options.json && !named) return print_names(all, options.kind);
+    nlohmann::ordered_json found = kind_json(kind, all, options.names);
+    if (!options.json) return print_each(found);
+    if (named && found.size() == 1)
+        json.update(found.front());
+    else
+        json[kind] = std::move(found);
+}
+
+// What is no kind may be a name of equations: `gloam list CS-3.1`.
+ListOptions with_kind(ListOptions options) {
+    const Kinds kinds = all_kinds();
+    if (options.kind.empty() || std::ranges::count(kinds, options.kind, &Kinds::value_type::first) > 0)
+        return options;
+    std::vector<std::string> known;
+    for (const auto& [kind, names] : kinds) known.push_back(kind);
+    options.names.insert(options.names.begin(), options.kind);
+    options.kind = "equations";
+    try {
+        (void)catalogue::find(catalogue::all_entries(glsl_directory()), {options.names.front()});
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument(fmt::format("unknown kind \"{}\": expected {}, or a name of an equation",
+                                                options.names.front(), fmt::join(known, ", ")));
+    }
+    return options;
+}
+
+void run_list(const ListOptions& given) {
+    const ListOptions options = with_kind(given);
+    if (options.markdown) {
+        if (options.kind != "numbers")
+            throw std::invalid_argument("--markdown goes with `gloam list numbers`");
+        return fmt::print("{}", catalogue::printed_page(catalogue::all_entries(glsl_directory())));
+    }
+    if (!options.html.empty()) {
+        if (options.kind != "equations")
+            throw std::invalid_argument("--html goes with `gloam list equations`");
+        return report::OutputFile(options.html).write(equations_page());
+    }
+    nlohmann::ordered_json json{{"gloam", base::version()}};
+    for (const auto& [kind, names] : all_kinds()) {
+        if (!options.kind.empty() && options.kind != kind) continue;
+        if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
+        list_kind(kind, names(), options, json);
+    }
+    if (options.json) fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void add_list(CLI::App& app) {
+    auto options = std::make_shared<ListOptions>();
+    CLI::App* command = app.add_subcommand("list", "the names that the other commands take");
+    command->add_option(
+        "kind", options->kind,
+        "equations, methods, numbers (of equations in the papers), presets, scenes, "
+        "settings, variants or views: a name a line and its meaning, of settings with default "
+        "and range, of presets with error and time, gloam's own first; all when not given");
+    command->add_option(
+        "name", options->names,
+        "all that is known of these: of a preset every setting that runs and its source's symbol, of "
+        "a method what it measures; an equation by ID, number in a paper, function, file or glob");
+    command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
+    command->add_flag("--markdown", options->markdown,
+                      "numbers only: a page of them, a table for each paper");
+    command->add_option("--html", options->html,
+                        "equations only: write a page of them all that is searched and sorted");
+    command->callback([options] { run_list(*options); });
+}
+
+}  // namespace gloam::cli

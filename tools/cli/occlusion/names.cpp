@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "cli/occlusion/names.hpp"
+
+#include <fmt/format.h>
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "catalogue/catalogue.hpp"
+#include "catalogue/printed.hpp"
+#include "cli/environment.hpp"
+#include "cli/occlusion/settings.hpp"
+#include "effect/methods.hpp"
+#include "effect/settings.hpp"
+#include "scene/scene.hpp"
+
+namespace gloam::cli {
+namespace {
+
+template <class Items>
+std::vector<Named> named(const Items& items) {
+    std::vector<Named> names;
+    for (const auto& item : items) names.push_back({item.name, item.description});
+    return names;
+}
+
+}  // namespace
+
+std::vector<Named> method_names() {
+    return named(effect::methods());
+}
+
+std::vector<Named> preset_names() {
+    std::vector<Named> names;
+    for (const effect::Preset& preset : effect::presets())
+        names.push_back({preset.name, fmt::format("error {:.3f}, {:.2f} times the time of fast: {}",
+                                                  preset.error, preset.time, preset.description)});
+    return names;
+}
+
+std::vector<Named> setting_names() {
+    std::vector<Named> names;
+    for (const effect::Setting& setting : effect::setting_table()) {
+        const effect::Preset preset = default_preset_of(setting);
+        const std::string value = effect::text_of(setting.get(preset.settings));
+        const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
+        names.push_back({setting.name, fmt::format("{} ({}: {}{}; {})", setting.meaning, preset.name, value,
+                                                   unit, expected_of(setting))});
+    }
+    return names;
+}
+
+std::vector<Named> scene_names() {
+    return named(scene::built_in_scenes());
+}
+
+std::vector<Named> view_names() {
+    std::vector<Named> names;
+    for (const scene::ViewInfo& view : scene::all_views())
+        names.push_back({view.name, fmt::format("{} ({} half; {})", view.description, view.half, view.kind)});
+    return names;
+}
+
+catalogue::Entries entries_named(const std::vector<std::string>& names) {
+    catalogue::Found found = catalogue::find(catalogue::all_entries(glsl_directory()), names);
+    for (const std::string& note : found.notes) fmt::print(stderr, "{}\n", note);
+    return std::move(found.entries);
+}
+
+std::vector<check::Question> equations_named(const std::vector<std::string>& names) {
+    std::vector<check::Question> questions;
+    for (catalogue::Entry& entry : entries_named(names)) questions.push_back(std::move(entry.question));
+    return questions;
+}
+
+std::vector<Named> number_names() {
+    const catalogue::Entries all = catalogue::all_entries(glsl_directory());
+    std::vector<Named> names;
+    for (const catalogue::PrintedEquation& printed : catalogue::printed_equations()) {
+        std::vector<std::string> functions;
+        for (const catalogue::Entry& entry : all)
+            if (std::ranges::find(printed.ids, entry.description.id) != printed.ids.end())
+                functions.push_back(entry.description.function);
+        const std::string note = printed.note.empty() ? "" : "; " + printed.note;
+        names.push_back(
+            {printed.number, fmt::format("{}: {}{}", printed.title, fmt::join(functions, ", "), note)});
+    }
+    return names;
+}
+
+}  // namespace gloam::cli

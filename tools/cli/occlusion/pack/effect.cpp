@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "cli/occlusion/pack/effect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "base/version.hpp"
+#include "cli/environment.hpp"
+#include "cli/framework/pack.hpp"
+#include "cli/occlusion/settings.hpp"
+#include "effect/methods.hpp"
+#include "module/include.hpp"
+#include "report/output.hpp"
+
+namespace gloam::cli {
+namespace {
+
+effect::Settings settings_of(const EffectPackOptions& options) {
+    const effect::Settings settings =
+        settings_for({.preset = options.preset, .radius = 1.0F, .set = options.set}, {});
+    if (settings.passes == effect::Passes::frame) return settings;
+    throw std::invalid_argument(fmt::format(
+        "preset {}: expected fast, balanced, quality or reference; of others pack the function: gloam pack "
+        "{}",
+        options.preset, file_of(effect::method_named(settings.method))));
+}
+
+shader::Language language_of(const std::string& version) {
+    const auto language = shader::language_from(version);
+    if (version == "310es" || version == "320es")
+        throw std::invalid_argument(
+            "--effect --version " + version +
+            ": its compute shaders cannot write images of 16 bits; it takes the fragment shaders of 300es");
+    if (!language)
+        throw std::invalid_argument("--effect --version " + version + ": expected 450, 430, 330 or 300es");
+    return *language;
+}
+
+effect::PlanOptions plan_options(const EffectPackOptions& options) {
+    const bool none = options.normals == "none";
+    return {.orthographic = options.orthographic,
+            .normals = !none,
+            .encoding = scene::encoding_named("buffer", none ? "view" : options.normals)};
+}
+
+// The header of the library with the format of what is shown, and the preset.
+std::string header_of(const std::string& preset, const effect::Settings& settings) {
+    std::string header = shader::read_text(glsl_directory() / "passes/frame/gloam_frame.h");
+    if (settings.output != effect::OutputFormat::r8) {
+        constexpr std::string_view shown = " * shown        R8  ";
+        const std::string format = settings.output == effect::OutputFormat::r16f ? "R16F" : "R32F";
+        header.replace(header.find(shown) + shown.size() - 4, 4, format);
+    }
+    std::string name = preset;
+    std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return fmt::format(
+        "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{{:d}, {:#}f, {:#}f}}; /* of gloam {} */\n",
+        header, name, settings.resolution == effect::Resolution::half, settings.history_range,
+        settings.history_sharpness, base::version());
+}
+
+}  // namespace
+
+std::string text_of(const effect::PlannedPass& pass, const scene::PassLibrary& library,
+                    shader::Language language) {
+    const effect::PassSource& source = pass.source;
+    std::map<std::uint32_t, std::uint32_t> constants;
+    for (const gpu::SpecializationConstant& one : source.constants) constants[one.id] = one.bits;
+    return library.text(source.file, source.defines, source.replaced, constants, language);
+}
+
+void pack_effect(const EffectPackOptions& options) {
+    if (options.out.empty()) throw std::invalid_argument("--effect: give --out, the folder to write");
+    const effect::Settings settings = settings_of(options);
+    const shader::Language language = language_of(options.version);
+    const bool compute = shader::usual_stage(language) == shader::Stage::compute;
+    if (settings.bent_normals && !compute)
+        throw std::invalid_argument(
+            "--effect --bent-normals: compute shaders have them; expected --version 450 or 430");
+    const scene::PassLibrary library(glsl_directory());
+    report::OutputFolder folder(options.out);
+    for (effect::PlannedPass& pass : plan_of(settings, plan_options(options), library).passes) {
+        const std::string file = pass.name + (compute ? ".comp" : ".frag");
+        pass.source.file = "frame/" + file;
+        if (language != shader::Language::vulkan450)
+            pass.source.defines.emplace_back("GLOAM_PARAMETER_BLOCK");
+        folder.write(file, with_version(text_of(pass, library, language), api_of(language)));
+    }
+    folder.write("gloam_frame.h", header_of(options.preset, settings));
+    folder.keep();
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "cli/occlusion/render_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "pictures/sheet.hpp"
+#include "scene/read_gbuffer.hpp"
+
+namespace gloam::cli {
+namespace {
+
+// Of the surface points, in the camera of the frame before; 0 at the background.
+std::vector<float> previous_depths(const scene::GBuffer& view) {
+    if (view.previous_position.empty()) return view.previous_depth;
+    std::vector<float> depths;
+    for (const glm::vec3& position : view.previous_position) depths.push_back(0.0F - position.z);
+    return depths;
+}
+
+}  // namespace
+
+std::vector<float> components_of(const std::vector<glm::vec3>& vectors) {
+    std::vector<float> texels;
+    texels.reserve(3 * vectors.size());
+    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z});
+    return texels;
+}
+
+void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view) {
+    const std::string prefix = scene::frame_prefix(number);
+    const auto write = [&](const char* name, const std::vector<float>& texels, int channels) {
+        if (texels.empty()) return;
+        folder.write(prefix + name, base::to_pfm(texels, view.extent.width, view.extent.height, channels));
+    };
+    write("_depth.pfm", view.stored ? view.stored->depth : view.depth, 1);
+    write("_normal.pfm", components_of(view.stored ? view.stored->normal : view.normal), 3);
+    write("_color.pfm", components_of(view.color), 3);
+    write("_motion.pfm", components_of(view.motion), 3);
+    if (!view.motion.empty()) write("_previous_depth.pfm", previous_depths(view), 1);
+    for (std::size_t i = 0; i < view.layers.size(); ++i)
+        write(fmt::format("_layer{}.pfm", i + 1).c_str(), view.layers[i], 1);
+    folder.write(prefix + ".json", scene::frame_json(view, number));
+}
+
+void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
+    const auto [width, height] = frame.extent;
+    folder.write(stem + "_ao.pfm", base::to_pfm(frame.filtered, width, height, 1));
+    folder.write(stem + "_ao.png", pictures::to_visibility_png(frame.filtered, width, height));
+}
+
+namespace {
+
+constexpr std::size_t methods_in_a_row = 4;
+
+std::string png_of(const Pictures& pictures, const base::RgbBytes& rgb) {
+    return base::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height);
+}
+
+std::vector<pictures::SheetPicture> pictures_of_one(const Rendered& run) {
+    const Pictures& last = run.last;
+    std::vector<pictures::SheetPicture> sheet{
+        {last.plain, "Light without ambient occlusion"},
+        {last.shaded, "With ambient occlusion"},
+        {last.visibility, "Occlusion alone: " + caption_of(run.report)}};
+    if (!last.error.empty()) {
+        sheet.push_back({last.error, fmt::format("Error against the truth: black 0, pale yellow {} and more",
+                                                 brightest_error)});
+    }
+    return sheet;
+}
+
+}  // namespace
+
+Pictures pictures_of(const effect::Composite& composite, std::string name, const scene::PictureLight& light,
+                     const std::vector<float>& occlusion, const effect::Truth& truth, bool multi_bounce) {
+    const std::vector<glm::vec3> black;
+    const std::vector<glm::vec3>& albedo = multi_bounce ? light.albedo : black;
+    const auto lit = [&](const std::vector<float>& values) {
+        const std::vector<float> samples = values.empty() ? values : light.spread(values);
+        return base::srgb_of(
+            components_of(light.mean(composite.lit(light.sampled(), light.light, samples, albedo))));
+    };
+    Pictures pictures{.name = std::move(name),
+                      .extent = light.extent,
+                      .plain = lit({}),
+                      .shaded = lit(occlusion),
+                      .visibility = pictures::visibility_rgb(occlusion),
+                      .truth = {},
+                      .truth_lit = {},
+                      .error = {}};
+    if (truth.empty()) return pictures;
+    pictures.truth = pictures::visibility_rgb(truth);
+    pictures.truth_lit = lit({truth.begin(), truth.end()});
+    std::vector<float> errors;
+    for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(occlusion[i] - truth[i]));
+    pictures.error = base::heat_rgb(errors, brightest_error);
+    return pictures;
+}
+
+void write_pictures(report::OutputFolder& folder, const Pictures& pictures) {
+    folder.write(pictures.name + "_plain.png", png_of(pictures, pictures.plain));
+    folder.write(pictures.name + "_shaded.png", png_of(pictures, pictures.shaded));
+    if (pictures.error.empty()) return;
+    folder.write(pictures.name + "_true.png", png_of(pictures, pictures.truth_lit));
+    folder.write(pictures.name + "_error.png", png_of(pictures, pictures.error));
+}
+
+double frame_ms(const RenderReport& report) {
+    double sum = 0.0;
+    for (const effect::PassTime& time : report.frames.back().times) sum += time.ms;
+    return sum;
+}
+
+std::optional<double> frame_error(const RenderReport& report) {
+    const auto& errors = report.frames.back().errors;
+    if (!errors) return std::nullopt;
+    return errors->filtered.rmse;
+}
+
+std::string caption_of(const RenderReport& report) {
+    std::string text = report.name;
+    if (const double ms = frame_ms(report); std::isfinite(ms)) text += fmt::format(", {:.3g} ms", ms);
+    if (const auto error = frame_error(report)) text += fmt::format(", error {:.3f}", *error);
+    return text;
+}
+
+std::string sheet_of(const std::vector<Rendered>& runs) {
+    std::vector<pictures::SheetPicture> sheet;
+    if (runs.size() == 1) {
+        sheet = pictures_of_one(runs.front());
+    } else {
+        if (!runs.empty() && !runs.front().last.truth.empty())
+            sheet.push_back({runs.front().last.truth, "truth: " + runs.front().report.truth});
+        for (const Rendered& run : runs) sheet.push_back({run.last.visibility, caption_of(run.report)});
+    }
+    const gpu::Extent extent = runs.empty() ? gpu::Extent{} : runs.front().last.extent;
+    const std::size_t columns = runs.size() == 1 ? 2 : methods_in_a_row;
+    return pictures::to_sheet_png(sheet, extent.width, extent.height, columns);
+}
+
+void add_pictures(report::Page& page, report::OutputFolder& folder, const std::string& prefix,
+                  const Rendered& run) {
+    const Pictures& last = run.last;
+    std::vector<report::PagePicture> all;
+    const auto add = [&](const char* name, const base::RgbBytes& rgb, const std::string& caption) {
+        folder.write(prefix + name, png_of(last, rgb));
+        all.push_back({prefix + name, caption});
+    };
+    add("shaded.png", last.shaded, "with ambient occlusion");
+    add("plain.png", last.plain, "without");
+    add("visibility.png", last.visibility, "the occlusion alone");
+    if (!last.error.empty())
+        add("error.png", last.error, fmt::format("its error (pale yellow: {} and more)", brightest_error));
+    page.choose(all, caption_of(run.report));
+}
+
+}  // namespace gloam::cli

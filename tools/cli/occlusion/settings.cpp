@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "cli/occlusion/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "effect/methods.hpp"
+
+namespace gloam::cli {
+
+using nlohmann::ordered_json;
+
+ordered_json json_of(const effect::SettingValue& value) {
+    if (const auto* on = std::get_if<bool>(&value)) return *on;
+    if (const auto* name = std::get_if<std::string>(&value)) return *name;
+    const double number = std::get<double>(value);
+    return std::isfinite(number) ? ordered_json::parse(effect::text_of(value)) : ordered_json("inf");
+}
+
+std::string text_of(const ordered_json& value) {
+    if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+    if (value.is_string()) return value.get<std::string>();
+    return value.dump();
+}
+
+ordered_json json_of(const effect::Setting& setting) {
+    const effect::Preset preset = default_preset_of(setting);
+    const effect::SettingValue value = setting.get(preset.settings);
+    ordered_json json{{"name", setting.name},
+                      {"description", setting.meaning},
+                      {"unit", setting.unit},
+                      {"expected", effect::expected_of(setting)}};
+    if (!setting.choices.empty()) json["choices"] = setting.choices;
+    if (std::holds_alternative<double>(value)) {
+        json["least"] = setting.range.least;
+        json["most"] =
+            std::isfinite(setting.range.most) ? ordered_json(setting.range.most) : ordered_json(nullptr);
+    }
+    json["default"] = json_of(value);
+    json["default_of"] = preset.name;
+    return json;
+}
+
+effect::Preset default_preset_of(const effect::Setting& setting) {
+    effect::Preset preset = effect::preset_named(effect::default_preset);
+    return reads(preset.settings, setting) ? preset : effect::preset_named("tssao-paper");
+}
+
+ordered_json json_of(const effect::Settings& settings) {
+    ordered_json json = ordered_json::object();
+    for (const effect::Setting& setting : effect::setting_table())
+        if (reads(settings, setting)) json[setting.name] = json_of(setting.get(settings));
+    return json;
+}
+
+namespace {
+
+// The settings of a preset's file, {"name", "description", "settings": {NAME: value, ...}}, lengths for a
+// radius of 1. Settings that the file does not name are those of `tssao-paper`. Throws std::runtime_error
+// that names the file for text of another form, std::invalid_argument for an unknown setting, a value out of
+// range, or a radius other than 1.
+effect::Settings preset_from(const std::string& file, std::string_view text) {
+    try {
+        base::require_bounded_json(text);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("preset {}: {}", file, error.what()));
+    }
+    const ordered_json document = ordered_json::parse(text, nullptr, false);
+    if (!document.is_object() || !document.contains("settings") || !document["settings"].is_object())
+        throw std::runtime_error(fmt::format("preset {}: expected JSON with an object \"settings\"", file));
+    effect::Settings settings;
+    try {
+        for (const auto& [name, value] : document["settings"].items())
+            effect::set(settings, name, text_of(value));
+        validate(settings);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("preset {}: {}", file, error.what()));
+    }
+    if (settings.radius != 1.0F)
+        throw std::invalid_argument(
+            fmt::format("preset {}: radius {}, expected 1: --radius scales it", file, settings.radius));
+    return settings;
+}
+
+}  // namespace
+
+effect::Settings preset_settings(const std::string& name_or_file) {
+    if (!name_or_file.ends_with(".json")) return effect::preset_named(name_or_file).settings;
+    return preset_from(name_or_file, base::read_file(name_or_file));
+}
+
+void apply(effect::Settings& settings, const std::string& assignment) {
+    const std::size_t sign = assignment.find('=');
+    if (sign == std::string::npos) {
+        throw std::invalid_argument(
+            fmt::format("--set {}: expected NAME=VALUE (gloam list settings)", assignment));
+    }
+    const std::string name = assignment.substr(0, sign);
+    if (name == "method" || name == "radius")
+        throw std::invalid_argument(fmt::format("--set {}: expected --{} instead", assignment, name));
+    effect::set(settings, name, assignment.substr(sign + 1));
+}
+
+effect::Settings settings_for(const RenderOptions& options, const std::optional<double>& view_radius) {
+    effect::Settings settings = preset_settings(options.preset);
+    if (!options.method.empty() && options.method != settings.method)
+        settings = with_method(settings, options.method);
+    if (!options.radius && !view_radius) {
+        throw std::invalid_argument("no radius: the G-buffer has no ao_radius, so give --radius");
+    }
+    settings = with_radius(settings, options.radius.value_or(static_cast<float>(view_radius.value_or(1.0))));
+    if (options.samples) settings.samples = *options.samples;
+    if (options.no_filter) settings.filter = effect::Filter::none;
+    if (options.bias) settings.bias = *options.bias;
+    if (options.guard) settings.guard = *options.guard;
+    if (settings.passes == effect::Passes::frame)
+        settings.bent_normals = options.bent_normals && options.bent_interleave == 1;
+    for (const std::string& assignment : options.set) apply(settings, assignment);
+    validate(settings);
+    return settings;
+}
+
+}  // namespace gloam::cli
