@@ -5,14 +5,14 @@
 //   > FILE                    a file; the lines behind it are its text, four blanks before each
 //   $ WORDS => A && B         gloam with these words: status 0, no standard error, and A and B in its output
 //   $1 WORDS => A && B        another status, and anything on standard error
-//   ! WORDS : ROW || ROW      each row behind the words cannot run: status 2, no folder "out", and one line on
-//                             standard error, with the text in brackets, or behind =>
+//   ! WORDS : ROW || ROW      each row behind the words cannot run: status 2, no folder "out", and one line
+//                             on standard error, with the text in brackets, or behind =>
 //   < FILE                    what follows is about this file
 //   = A && B, - A && B        it holds the texts, or none of them; ~ REGEX: it matches; ^ TEXT: it begins so
 //
-// A line that begins with four blanks goes on with the one before. {a,b} stands for a, then for b. 'a b' is one
-// word. @glsl, @examples and @fixtures are folders of the repository, @here is the story's own, @version
-// gloam's version. \n is a new line, \e the escape character. # begins a comment.
+// A line that begins with four blanks goes on with the one before. {a,b} stands for a, then for b. 'a b' is
+// one word. @glsl, @examples and @fixtures are folders of the repository, @here is the story's own,
+// @version gloam's version. \n is a new line, \e the escape character. # begins a comment.
 #include "base/version.hpp"
 #include "tools/gloam.hpp"
 
