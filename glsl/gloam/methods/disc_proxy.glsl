@@ -2,7 +2,7 @@
 #ifndef GLOAM_METHODS_DISC_PROXY_GLSL
 #define GLOAM_METHODS_DISC_PROXY_GLSL
 
-#include "gloam/gather/disc.glsl"
+#include "gloam/gather/disc_piece.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
