@@ -60,7 +60,7 @@ TEST_F(Check, AShaderThatDoesNotCompileFailsAndNamesFileAndLine) {
     installation.replace("gloam/sampling/halton.glsl", "uint bits = ", "uint bits = no_such_variable + ");
     const CommandResult result = installation.gloam("check {}", function);
     EXPECT_EQ(result.status, 1);
-    EXPECT_THAT(result.out, testing::ContainsRegex("radical_inverse\\.glsl:[0-9]+: .*no_such_variable"));
+    EXPECT_THAT(result.out, testing::ContainsRegex("halton\\.glsl:[0-9]+: .*no_such_variable"));
 }
 
 class CheckResume : public InFolder {
