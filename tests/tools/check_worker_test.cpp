@@ -120,7 +120,7 @@ TEST(CheckWorker, AnInterruptEndsTheWorkersToo) {
 TEST(CheckWorker, AnInterruptLeavesNoFolder) {
     const TemporaryDirectory place;
     const auto waits_until = [&](bool empty) {
-        for (int i = 0; i < 1000 && fs::is_empty(place.path()) != empty; ++i)
+        for (int i = 0; i < 6000 && fs::is_empty(place.path()) != empty; ++i)
             std::this_thread::sleep_for(10ms);
         return fs::is_empty(place.path()) == empty;
     };
