@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads lines of an operation, the bits of a format and two operands, "exp2 16 0x1p+0 0x0p+0", and prints the
-// bits of the least and the largest number that the rules permit, as floats, for bounds_test.py.
+// For bounds_test.py. Reads lines of an operation, the bits of a format and two operands, "exp2 16 0x1p+0
+// 0x0p+0". Prints the bits of the least and of the largest number that the rules permit, as floats.
 #include <bit>
 #include <cstdint>
 #include <cstdlib>

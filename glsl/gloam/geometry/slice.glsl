@@ -89,7 +89,7 @@ vec3 gloam_into_slice(vec3 offset, vec3 axis, vec3 normal) {
 // with two vectors, and no offset is moved. Both products are affine in the depth of what a pixel sees.
 struct GloamTangentAxes {
     vec3 along;    // its product with an offset: the place along the tangent plane, to the side of the direction
-    vec3 height;   // likewise: the height over the tangent plane in the slice
+    vec3 height;   // its product with an offset: the height over the tangent plane, in the slice
     vec2 normal;   // (cos n, sin n), n the angle of the normal in the slice from the view vector
     float weight;  // length of the normal's projection into the slice, [0, 1]
 };

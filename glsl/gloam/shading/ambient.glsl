@@ -49,7 +49,7 @@ float gloam_remap(float ao, float a, float b, float c) {
 
 // depth darkening (CS-R): `lambda min(G * D - D, 0)` [Luft, Colditz and Deussen 2006].
 // The unsharp mask of the depth buffer, to be added to the colour. It darkens what lies behind a nearer object, next to
-// its outline; it is no occlusion, but was what came before.
+// its outline. It is not an occlusion: it was in use before there was one.
 // depth: D, eye-linear, any unit (parts of the scene's depth are usual). blurred_depth: G * D, a wide Gaussian of the
 // same image. strength: lambda, colour per unit of depth, >= 0.
 // Returns a number <= 0, not below -FLT_MAX; 0 for background on either side, and for a strength not positive or NaN.

@@ -51,7 +51,7 @@ vec3 bend_at(ivec2 place) {
 }
 
 #endif
-vec4 kept;  // the texel of a pixel for the next frame, in sequences
+vec4 kept = vec4(0.0);  // the texel of a pixel for the next frame, in sequences
 
 // Occlusion of a pixel with its history, if there is one, in [0, 1]. sums: of the occlusion and the weight of the pixel
 // itself, and of all that the filter reads. moved: the share of these that met what moved.
@@ -73,17 +73,18 @@ float accumulated(ivec2 pixel, float depth, vec4 sums, float moved) {
                                   parameters.range - parameters.narrowing * moved);
         float dither = fract(float(pixel.x) * 0.7548777 + (float(pixel.y) * 0.5698403 + parameters.dither)) - 0.5;
         kept = vec4(means.x + dither * frames_unit, means.y, frames + frames_unit, 0.0);
-#ifdef GLOAM_TILES
-        bool settled = groups.y == 0u;  // there are no taps
-        if (settled) kept = vec4(texel, 0.0);
-        if (settled) means.x = texel.x;
-#endif
 #ifdef GLOAM_BENT_NORMALS
         vec3 bent_before = 2.0 * textureLod(bent_before_image, was.xy, 0.0).xyz - 1.0;
         bent = mix(bent_before, bent, weight);  // how far the camera has turned does not matter
-#ifdef GLOAM_TILES
-        if (settled) bent = bent_before;
 #endif
+#ifdef GLOAM_TILES
+        if (groups.y == 0u) {  // settled: there are no taps
+            kept = vec4(texel, 0.0);
+            means.x = texel.x;
+#ifdef GLOAM_BENT_NORMALS
+            bent = bent_before;
+#endif
+        }
 #endif
     }
 #ifdef GLOAM_MULTI_BOUNCE

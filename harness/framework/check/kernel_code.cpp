@@ -140,7 +140,7 @@ spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [44
 )";
 
 constexpr std::string_view vulkan_run = R"(
-layout(push_constant) uniform GloamKernelRun {
+layout(push_constant) uniform GloamGeneratedRun {
     uint gloam_kernel_count;
     uint gloam_kernel_row_length;
     uint gloam_kernel_canary;
@@ -150,9 +150,9 @@ layout(push_constant) uniform GloamKernelRun {
 // Buffers without a set are in set 0 of Vulkan; OpenGL has no sets. {0}: how the outputs are used, {1}: the
 // position of the invocation's input.
 constexpr std::string_view storage = R"(
-layout(std430, binding = 0) readonly buffer GloamKernelInputs {{ uint gloam_kernel_inputs[]; }};
-layout(std430, binding = 1) {0}buffer GloamKernelOutputs {{ uint gloam_kernel_outputs[]; }};
-layout(std430, binding = 2) buffer GloamKernelFaults {{ uint gloam_kernel_faults[]; }};
+layout(std430, binding = 0) readonly buffer GloamGeneratedInputs {{ uint gloam_kernel_inputs[]; }};
+layout(std430, binding = 1) {0}buffer GloamGeneratedOutputs {{ uint gloam_kernel_outputs[]; }};
+layout(std430, binding = 2) buffer GloamGeneratedFaults {{ uint gloam_kernel_faults[]; }};
 uint gloam_kernel_input() {{ return {1}.y * gloam_kernel_row_length + {1}.x; }}
 void gloam_kernel_fault(uint image, ivec2 pixel) {{
     if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {{
@@ -188,7 +188,7 @@ std::string image_interface(const ImagePrototype& image, std::size_t index) {
         return fmt::format("layout(binding = {}) uniform highp {} {};\n", KernelBinding::first_image + index,
                            image.sampler, image.variable);
     return fmt::format(
-        "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
+        "layout(std430, binding = {}) {}buffer GloamGeneratedImage{} {{ uint gloam_kernel_image{}[]; "
         "}};\n",
         KernelBinding::first_image + index, image.stores ? "" : "readonly ", index, index);
 }

@@ -271,7 +271,7 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<
     if (const std::string other = shader::spirv::other_number(module); !other.empty())
         throw backend::Unsupported(text.name + ": " + shader::spirv::not_judged(other));
     for (const shader::Resource& resource : shader::used_resources(module)) {
-        constexpr std::string_view ours = "GloamKernel";  // a step may keep one of the two names
+        constexpr std::string_view ours = "GloamGenerated";  // a step may keep one of the two names
         if (resource.block.starts_with(ours) || resource.name.starts_with(ours)) continue;
         const auto bound = [&](const ImagePrototype& image) { return is_of(resource.name, image); };
         if (std::ranges::any_of(images, bound)) continue;

@@ -84,8 +84,7 @@ std::string obstacle(const shader::Type& type) {
 // Why no kernel can call a function; empty if one can.
 std::string why_not(const shader::Function& function, const shader::Excerpt& excerpt,
                     const backend::Team& team) {
-    for (const char* ours : {"gloam_kernel_", "GloamKernelRun", "GloamKernelInputs", "GloamKernelOutputs",
-                             "GloamKernelFaults", "GloamKernelImage"})
+    for (const char* ours : {"gloam_kernel_", "GloamGenerated"})
         if (excerpt.text.find(ours) != std::string::npos)
             return fmt::format("it uses a name with {}, as only the generated kernel may", ours);
     if (!function.other_number.empty()) return shader::spirv::not_judged(function.other_number);

@@ -18,17 +18,8 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[upper] : 0.5 * (values[upper - 1] + values[upper]);
 }
 
-// Bytes of each channel.
-std::uint64_t channel_bytes(gpu::Format format) {
-    const bool is_short = format == gpu::Format::rgba16ui || format == gpu::Format::r16f;
-    const bool is_byte = format == gpu::Format::r8 || format == gpu::Format::rgba8;
-    return is_byte ? 1U : (is_short ? 2U : 4U);
-}
-
 std::uint64_t bytes_of(const gpu::Image& image) {
-    const std::uint64_t texel =
-        static_cast<std::uint64_t>(gpu::channels(image.format())) * channel_bytes(image.format());
-    return std::uint64_t{image.extent().width} * image.extent().height * texel;
+    return std::uint64_t{image.extent().width} * image.extent().height * gpu::texel_bytes(image.format());
 }
 
 void record(gpu::Commands& commands, const Step& pass) {

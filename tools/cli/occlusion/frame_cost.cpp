@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <cmath>
 
 #include "cli/environment.hpp"
@@ -15,9 +14,8 @@ namespace gloam::cli {
 namespace {
 
 double bytes_of_level(const effect::PlannedImage& image, std::uint32_t level) {
-    constexpr std::array of_texel{4, 16, 8, 8, 2, 1, 4, 8, 4, 4, 2, 4, 8, 16, 4};  // in the order of Format
     return std::ldexp(1.0 * image.extent.width * image.extent.height, -2 * static_cast<int>(level)) *
-           of_texel.at(static_cast<std::size_t>(image.format));
+           static_cast<double>(gpu::texel_bytes(image.format));
 }
 
 // Bytes of what the pass reads and writes, each image and buffer once.

@@ -82,6 +82,10 @@ int channels(Format format) {
     return traits(format).channels;
 }
 
+std::uint64_t texel_bytes(Format format) {
+    return traits(format).texel_bytes;
+}
+
 namespace {
 
 std::string describe(Extent extent, Format format) {

@@ -69,6 +69,9 @@ enum class Format {
 // Floats for each texel in uploads and downloads.
 [[nodiscard]] int channels(Format format);
 
+// Bytes of a texel in the image.
+[[nodiscard]] std::uint64_t texel_bytes(Format format);
+
 struct Extent {
     std::uint32_t width = 0;
     std::uint32_t height = 0;

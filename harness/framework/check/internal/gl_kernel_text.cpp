@@ -19,7 +19,7 @@ using shader::Scalar;
 std::string compute_head() {
     return fmt::format(
         "layout(local_size_x = {}) in;\n"
-        "layout(std140, binding = {}) uniform GloamKernelRun {{\n"
+        "layout(std140, binding = {}) uniform GloamGeneratedRun {{\n"
         "    uint gloam_kernel_count;\n    uint gloam_kernel_row_length;\n    uint "
         "gloam_kernel_canary;\n}};\n",
         kernel_group_size, gl::kernel_run_binding);

@@ -19,7 +19,7 @@ namespace gloam::check::internal {
 [[nodiscard]] std::string word_of_scalar(shader::Scalar scalar, const std::string& value);
 
 // The whole shader: the interface, the function's file, the definitions of its prototypes, then `rest`, which
-// has main(). Every name that is not from the file begins with gloam_kernel_ or GloamKernel. Macros of the
+// has main(). Every name that is not from the file begins with gloam_kernel_ or GloamGenerated. Macros of the
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
 

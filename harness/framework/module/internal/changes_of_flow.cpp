@@ -340,7 +340,7 @@ Opaque opaque_false(Editable& module, Chance& chance) {
     const bool known = chance.below(4) == 0;
     const Op* run = known ? nullptr : module.find_global([&](const Op& op) {
         if (op.opcode != SpvOpVariable || op.operands()[0] != SpvStorageClassPushConstant) return false;
-        return module.name_of(module.global(op.type())->operands()[1]) == "GloamKernelRun";
+        return module.name_of(module.global(op.type())->operands()[1]) == "GloamGeneratedRun";
     });
     if (run == nullptr) return {{}, module.global_of(SpvOpConstantFalse, module.bool_type(), {})};
     const Id uint = module.uint_type();
