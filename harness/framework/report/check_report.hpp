@@ -77,7 +77,7 @@ struct OutcomeCounts {
 [[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict);
 [[nodiscard]] std::string table_legend();
 
-// {"gloam": "0.2.0", "device": {...}, "versions": "gloam 0.2.0, glslang ...", "inputs": 65536, "seed": 1,
+// {"gloam": "0.3.0", "device": {...}, "versions": "gloam 0.3.0, glslang ...", "inputs": 65536, "seed": 1,
 // "results":
 // [{"equation", "function", "file", "variant", "verdict", "outcome", "not_judged_because", "inputs",
 // "judged", "outside", "recorded", "by_rules", "forbidden", "bounded", "unbounded", "differs", "max_ulp",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Installs the build, moves the package elsewhere, builds the consumer against it, and runs the consumer twice. Its
 # shader must pass as it is. Broken, it must fail with a verdict and not with any other error. Before that the framework
-# alone is installed, without the shaders; and what 0.2 promises of C++ compiles against the package. Where doctest is
+# alone is installed, without the shaders; and what gloam promises of C++ compiles against the package. Where doctest is
 # installed, the shader passes and fails with it as well.
 set(prefix "${WORK}/moved here")
 set(consumer "${WORK}/own_function")
@@ -50,7 +50,7 @@ run("install" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/installe
 file(RENAME "${WORK}/installed" "${prefix}")
 file(COPY "${CONSUMER}" DESTINATION "${WORK}")
 file(GLOB_RECURSE version_file "${prefix}/*/gloam-config-version.cmake")
-foreach(asked 0.1 0.2 0.3 1.0)
+foreach(asked 0.2 0.3 0.4 1.0)
   string(REPLACE "." ";" parts ${asked})
   list(GET parts 0 PACKAGE_FIND_VERSION_MAJOR)
   list(GET parts 1 PACKAGE_FIND_VERSION_MINOR)
