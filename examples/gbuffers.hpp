@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -46,7 +47,11 @@ inline Picture read_pfm(const std::filesystem::path& file, int channels) {
     Picture picture{0, 0, channels, {}};
     head >> kind >> picture.width >> picture.height >> scale;
     const int stored = kind == "PF" ? 3 : 1;
-    picture.values.resize(std::size_t(picture.width) * picture.height * channels);
+    const std::size_t pixels = std::size_t(picture.width) * picture.height;
+    if (!head || picture.width < 1 || picture.height < 1 ||
+        bytes.size() != std::size_t(head.tellg()) + 1 + 4 * stored * pixels)
+        throw std::runtime_error(file.string() + ": expected a whole portable float map");
+    picture.values.resize(pixels * channels);
     const char* texel = bytes.data() + head.tellg() + 1;
     for (int y = picture.height; y-- > 0;)
         for (int x = 0; x < picture.width; ++x, texel += 4 * stored)
@@ -70,11 +75,21 @@ inline std::string frame_name(int number) {
     return "f" + std::string(4 - digits.size(), '0') + digits;
 }
 
-// arguments: GBUFFERS OUT RADIUS linear|buffer. Says each frame of the sequence how it is seen, and writes
-// the occlusion, in 1/255, that draw(frame, depth, normal) returns.
+// arguments: GBUFFERS OUT RADIUS linear|buffer: the folder of the files, that of the results, the radius of
+// influence in world units, and whether the files hold eye-linear depth or that of a depth buffer. Says each
+// frame of the sequence how it is seen, and writes the occlusion, in 1/255, that draw(frame, depth, normal)
+// returns.
 template <class Draw>
 void each_frame(char** arguments, const Draw& draw) {
     const std::string gbuffers = std::string(arguments[0]) + "/", out = std::string(arguments[1]) + "/";
+    const float radius = std::strtof(arguments[2], nullptr);
+    const std::string kind = arguments[3];
+    if (!(radius > 0.0F))
+        throw std::runtime_error("RADIUS " + std::string(arguments[2]) + ": expected world units");
+    if (kind != "linear" && kind != "buffer") throw std::runtime_error(kind + ": expected linear or buffer");
+    if (!std::filesystem::exists(gbuffers + "f0000.json"))
+        throw std::runtime_error(gbuffers +
+                                 "f0000.json: no such file; gloam render --write-gbuffer writes it");
     gloam_frame frame{};
     for (int number = 0; std::filesystem::exists(gbuffers + frame_name(number) + ".json"); ++number) {
         const std::string name = frame_name(number), json = read_file(gbuffers + name + ".json");
@@ -82,10 +97,7 @@ void each_frame(char** arguments, const Draw& draw) {
         const Picture normal = read_pfm(gbuffers + name + "_normal.pfm", 4);
         const std::vector<float> motion = numbers_of(json, "previous_from_current");
         // Another preset, radius or size begins a sequence, and so does NULL; gloam_cut() asks for it.
-        const gloam_settings settings{PRESET,
-                                      {depth.width, depth.height},
-                                      std::stof(arguments[2]),
-                                      arguments[3] == std::string("buffer")};
+        const gloam_settings settings{PRESET, {depth.width, depth.height}, radius, kind == "buffer"};
         gloam_camera camera{};
         std::ranges::copy(numbers_of(json, "proj_vk"), camera.projection);
         std::ranges::copy(numbers_of(json, "view"), camera.view);
