@@ -6,28 +6,17 @@
 #include "support/entries.hpp"
 #include "support/files.hpp"
 #include "support/lab.hpp"
+#include "support/library_files.hpp"
 
 namespace gloam::catalogue::catalogue_test {
 
-namespace fs = std::filesystem;
-
-std::vector<fs::path> library_files() {
-    std::vector<fs::path> files;
-    for (const auto& file : fs::recursive_directory_iterator(fs::path(GLOAM_GLSL_DIR) / "gloam")) {
-        if (file.path().extension() == ".glsl") files.push_back(file.path());
-    }
-    std::ranges::sort(files);
-    return files;
-}
-
-// Functions that a file defines itself, not through its includes: their names stand in its own text before a
-// brace.
-std::set<std::string> functions_of(const fs::path& file) {
-    const std::string name = fs::relative(file, GLOAM_GLSL_DIR).string();
-    const std::string own = shader::read_text(file);
+// Functions that a file of the library defines itself, not through its includes: their names stand in its own
+// text before a brace.
+std::set<std::string> functions_of(const std::string& file) {
+    const std::string own = shader::read_text(std::filesystem::path(GLOAM_GLSL_DIR) / file);
     std::set<std::string> names;
     for (const shader::Function& f :
-         shader::functions({.name = name, .text = "#version 450\n#include \"" + name + "\"\n"},
+         shader::functions({.name = file, .text = "#version 450\n#include \"" + file + "\"\n"},
                            {.include_roots = {GLOAM_GLSL_DIR}})) {
         if (f.defined && own.find(" " + f.name + "(") != std::string::npos) names.insert(f.name);
     }
@@ -36,19 +25,13 @@ std::set<std::string> functions_of(const fs::path& file) {
 
 // Methods, and what their loops share, are judged whole: each has a descriptor, by which
 // tests/glsl/method_gathers_test.cpp and the tests of the effect try it.
-bool is_method(const fs::path& file) {
-    const std::string name = fs::relative(file, GLOAM_GLSL_DIR).string();
-    return name.starts_with("gloam/methods/") || name.starts_with("gloam/gather/");
-}
-
 TEST(Catalogue, EveryPublicFunctionOfTheLibraryHasAnEntry) {
     std::set<std::string> known;
     for (const Entry& entry : all_entries(GLOAM_GLSL_DIR)) known.insert(entry.description.function);
-    for (const fs::path& file : library_files()) {
-        if (is_method(file)) continue;
-        for (const std::string& function : functions_of(file)) {
+    for (const std::string& file : test::library_files()) {
+        if (file.starts_with("gloam/methods/") || file.starts_with("gloam/gather/")) continue;
+        for (const std::string& function : functions_of(file))
             EXPECT_TRUE(known.contains(function)) << function << " of " << file << " is not in the catalogue";
-        }
     }
 }
 
@@ -57,7 +40,7 @@ TEST(Catalogue, EveryDescriptionHasAnEntryThatNamesItsFunction) {
     for (const Entry& entry : all_entries(GLOAM_GLSL_DIR)) {
         const Description& d = entry.description;
         EXPECT_FALSE(d.title.empty() || d.formula.empty() || d.source.empty()) << d.id;
-        EXPECT_TRUE(functions_of(fs::path(GLOAM_GLSL_DIR) / d.file).contains(d.function)) << d.id;
+        EXPECT_TRUE(functions_of(d.file).contains(d.function)) << d.id;
         EXPECT_EQ(described.erase(d.id), 1U) << d.id;
     }
     for (const auto& [id, description] : described)
@@ -90,16 +73,6 @@ TEST(Catalogue, EveryResultIsHeldInsideItsCodomain) {
         const bool bounded = !(std::isinf(codomain.low) && codomain.low < 0.0 && std::isinf(codomain.high));
         EXPECT_EQ(bounded, !any_number.contains(id)) << id << ": needs a codomain, or a reason for none";
     }
-}
-
-TEST(Catalogue, GlobsSelectByIdAndFunctionInAnyCase) {
-    const Entries entries = all_entries(GLOAM_GLSL_DIR);
-    EXPECT_EQ(select(entries, {}).size(), entries.size());
-    EXPECT_EQ(select(entries, {"tssao-5"}).size(), 1U);
-    EXPECT_EQ(select(entries, {"gloam_blend"}).size(), 1U);
-    EXPECT_GT(select(entries, {"TSSAO-*"}).size(), 10U);
-    EXPECT_EQ(select(entries, {"tssao-5", "TSSAO-5"}).size(), 1U);
-    expect_error<std::invalid_argument>([&] { (void)select(entries, {"TSSAO-5", "NO-SUCH"}); }, {"NO-SUCH"});
 }
 
 // The functions that a name finds, in their order.
@@ -147,20 +120,15 @@ TEST(Catalogue, FilesAndFunctionsAndIdsAreNamesAlike) {
                              "glsl/gloam/filter/weights.glsl", "gloam/filter/wei*"})
         EXPECT_THAT(found_by(file), testing::Contains("gloam_shrink")) << file;
     EXPECT_EQ(found_by("gloam_shrin?"), std::vector<std::string>{"gloam_shrink"});
+    EXPECT_GT(found_by("tssao-*").size(), 10U);
+    EXPECT_EQ(select(test::entries(), {}).size(), test::entries().size());
+    EXPECT_EQ(select(test::entries(), {"tssao-5", "TSSAO-5"}).size(), 1U);
 }
 
 TEST(Catalogue, ThePageOfNumbersHasARowForEach) {
     const std::string page = printed_page(test::entries());
     for (const PrintedEquation& printed : printed_equations())
         EXPECT_THAT(page, testing::HasSubstr("| " + printed.number + " | " + printed.title));
-}
-
-TEST(Catalogue, Globs) {
-    EXPECT_TRUE(matches_glob("HALTON-2D", "halton*"));
-    EXPECT_TRUE(matches_glob("HALTON-2D", "*-?d"));
-    EXPECT_TRUE(matches_glob("", "*"));
-    EXPECT_FALSE(matches_glob("HALTON", "halton-*"));
-    EXPECT_FALSE(matches_glob("HALTON", "halto"));
 }
 
 // A shader library of one file, in a folder of its own.

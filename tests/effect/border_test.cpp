@@ -60,7 +60,6 @@ TEST_F(Guard, PixelsFurtherThanTheRadiusFromTheEdgeStayAsTheyAre) {
         changed += with.occlusion[i] != without.occlusion[i] ? 1 : 0;
         EXPECT_NEAR(with.occlusion[i], without.occlusion[i], 2.01 / 128.0) << i;
     }
-    std::printf("%zu of %zu pixels changed\n", changed, inner);
     EXPECT_GT(inner, 500U);
     EXPECT_LT(static_cast<double>(changed), 0.02 * static_cast<double>(inner));
 }
@@ -79,7 +78,6 @@ TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
     };
     const double without = error(0.0F);
     const double with = error(0.1F);
-    std::printf("rmse within 4 pixels of the edge: %.5f without, %.5f with a guard band\n", without, with);
     EXPECT_LT(with, 0.75 * without);
 }
 
@@ -103,10 +101,6 @@ TEST_F(Guard, WhatMovesInFromTheBandHasAHistory) {
     const auto plain = without_history(0.0F, true);
     const auto sampled = without_history(0.1F, true);
     const auto left_out = without_history(0.1F, false);
-    std::printf(
-        "pixels at the right edge without history: %zu without a band, %zu with one, %zu with one not "
-        "sampled\n",
-        plain, sampled, left_out);
     EXPECT_GT(plain, 50U);
     EXPECT_LT(sampled, plain / 10);
     EXPECT_GT(left_out, plain * 9 / 10);

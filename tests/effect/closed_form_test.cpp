@@ -68,12 +68,12 @@ TEST_P(ClosedForm, ConvergesToItsOwnValue) {
     for (const auto& [projection, name] : {std::pair(scene::Projection::perspective, "perspective"),
                                            {scene::Projection::orthographic, "orthographic"}}) {
         for (const scene::ClosedFormView& view : scene::closed_form_views(projection)) {
-            const double own = view.name.starts_with("plane") ? method_named(GetParam()).on_a_plane
-                                                              : known_.values.at(column_of(name, view.name));
+            const std::string& at = view.scene.name;
+            const double own = at.starts_with("plane") ? method_named(GetParam()).on_a_plane
+                                                       : known_.values.at(column_of(name, at));
             const Estimate measured = study.measure(view, settings, 8);
-            EXPECT_NEAR(measured.value, own, bound_of(known_error, measured.error))
-                << name << ' ' << view.name;
-            RecordProperty(view.name, fmt::format("{:.4f} of {:.4f}", measured.value, own));
+            EXPECT_NEAR(measured.value, own, bound_of(known_error, measured.error)) << name << ' ' << at;
+            RecordProperty(at, fmt::format("{:.4f} of {:.4f}", measured.value, own));
         }
     }
 }

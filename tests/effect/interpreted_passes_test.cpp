@@ -216,8 +216,7 @@ TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
     Composite composite(device_, passes_);
     composite.watch(watcher("composite"));
     const std::vector<glm::vec3> light(view.depth.size(), glm::vec3(0.5F, 0.25F, 2.0F));
-    (void)composite.lit(view.extent, {.ambient = light, .direct = light},
-                        std::vector<float>(view.depth.size(), 0.25F));
+    (void)composite.lit(view.extent, light, light, std::vector<float>(view.depth.size(), 0.25F));
     for (const char* name : {"bent_normals", "bent_gather", "direct_light", "bounced_light", "composite"})
         EXPECT_GT(seen_[name].words, 0U) << name;
 }

@@ -92,8 +92,6 @@ TEST_F(Jitter, ChangesLittle) {
             for (const Case jitters : {Case::left_out, Case::reprojected}) {
                 const Frame plain = last(speed, Case::none, preset);
                 const double rmse = errors_of(last(speed, jitters, preset).filtered, plain.filtered).rmse;
-                std::printf("%s, %g a frame, %s: RMSE %.4f\n", preset, speed,
-                            jitters == Case::left_out ? "left out" : "reprojected", rmse);
                 EXPECT_LT(rmse, 0.012) << preset << ' ' << speed;
             }
 }

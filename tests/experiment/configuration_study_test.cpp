@@ -164,13 +164,6 @@ double value_of(const ConfigurationVisit& visit, const std::string& quantity, co
                                "' AND against = '" + against + "'");
 }
 
-// A quantity of all pixels against the limit, in one frame.
-double value_in(const ConfigurationVisit& visit, int frame, const std::string& quantity) {
-    return value_of(visit, "SELECT " + quantity +
-                               " FROM class_frames WHERE pixels = 'all' AND against = 'limit' AND frame <= " +
-                               std::to_string(frame) + " ORDER BY frame DESC LIMIT 1");
-}
-
 Settings settings_for(const char* preset, const scene::Scene& scene) {
     return with_radius(effect::preset_named(preset).settings, static_cast<float>(scene.ao_radius));
 }
@@ -196,37 +189,7 @@ class TemporalQuality : public effect::OnDevice<testing::Test> {
         frames.limit = settings_for("tssao-paper", scene);
         return {device_, passes_, scene, frames};
     }
-
-    // So many frames of the first view.
-    [[nodiscard]] ConfigurationVisit still(const char* name, gpu::Extent extent, int frames) const {
-        BenchmarkViews views = views_of(name, {.extent = extent,
-                                               .frames = frames,
-                                               .scored = frames,
-                                               .rays = 32,
-                                               .still = true,
-                                               .shown = {frames}});
-        ConfigurationStudy study(device_, passes_);
-        return study.visit(views, settings_for("tssao-paper", views.scene()), true, 0);
-    }
 };
-
-TEST_F(TemporalQuality, AStillViewConvergesFasterThanMonteCarlo) {
-    for (const char* name : {"moving", "columns"}) {
-        const ConfigurationVisit visit = still(name, small, 32);
-        const double slope = value_of(visit,
-                                      "SELECT exponent(samples, rmse_raw * rmse_raw) FROM class_frames"
-                                      " WHERE pixels = 'all' AND against = 'limit' AND all_count");
-        EXPECT_LT(slope, -1.0) << name;
-        EXPECT_LT(value_in(visit, 32, "rmse_raw"), 0.01) << name;
-        EXPECT_LT(value_in(visit, 32, "rmse"), 0.01) << name;
-    }
-}
-
-TEST_F(TemporalQuality, AThousandFramesDoNotDrift) {
-    const ConfigurationVisit visit = still("moving", {48, 27}, 1000);
-    EXPECT_LT(value_in(visit, 1000, "rmse_raw"), 1.1 * value_in(visit, 32, "rmse_raw"));
-    EXPECT_LT(std::abs(value_in(visit, 1000, "bias_raw")), 1e-3);
-}
 
 TEST_F(TemporalQuality, MovingObjectsLeaveNoTrailAndWhatHasSettledStays) {
     BenchmarkViews views =

@@ -217,19 +217,6 @@ TEST(Normals, TurnToTheEyeInPerspectiveAndAgainstTheViewInOrthographic) {
         1e-9);
 }
 
-TEST(Samples, CountsAreMonotonous) {
-    int fewer = 0;
-    for (int r = 0; r <= 64; ++r) {
-        EXPECT_GE(gloam_count_by_radius(r, 64.0, 2, 12), fewer);
-        fewer = gloam_count_by_radius(r, 64.0, 2, 12);
-    }
-    int more = 65;
-    for (double d = 0; d <= 120; d += 0.75) {
-        EXPECT_LE(gloam_count_by_distance(d, 100.0, 64, 2), more);
-        more = gloam_count_by_distance(d, 100.0, 64, 2);
-    }
-}
-
 TEST(Samples, ChainOfAnyImageSizeStaysInsideItWithoutDrift) {
     for (const ivec2 size : {ivec2(1, 1), ivec2(7, 5), ivec2(8, 1), ivec2(1920, 1081)})
         for (const int level : {0, 1, 2, 5})
@@ -295,16 +282,6 @@ TEST(DualResolution, LooksAtThreeByThree) {
         EXPECT_FALSE(gloam_dual_resolution_disagrees({2, 2}, {5, 5}, 0.05, [=](ivec2) { return all; }));
 }
 
-TEST(Resolutions, LevelsThatAgreeLessOccludeLess) {
-    for (const double x : {0.1, 0.25, 0.5, 0.9}) {
-        EXPECT_NEAR(gloam_mssao_combine(x, x), 1 - (1 - x) * (1 - x), 1e-12);  // one level
-        for (const double mean : {0.0, x / 3, x}) {
-            EXPECT_GE(gloam_mssao_combine(x, mean), x - 1e-15);
-            EXPECT_GE(gloam_mssao_combine(x, x), gloam_mssao_combine(x, mean));
-        }
-    }
-}
-
 // Over all places the rule of the sectors' centres covers what the sample is wide.
 TEST(Slices, SectorsCoverWhatASampleIsWide) {
     double centres = 0.0;
@@ -313,17 +290,6 @@ TEST(Slices, SectorsCoverWhatASampleIsWide) {
         centres += gloam_bitmask_occlusion(gloam_bitmask_sectors({lower, lower + 0.02})) / 4096;
     }
     EXPECT_NEAR(centres, 0.02, 1e-4);
-}
-
-// The solid angle of a ball over that of the half space, by counting directions.
-TEST(Proxies, SolidAngleOfABall) {
-    for (const double sine : {0.1, 0.5, 0.9, 0.999999}) {
-        constexpr int steps = 1000000;
-        int hits = 0;
-        for (int i = 0; i < steps; ++i)
-            hits += 1 - std::pow((i + 0.5) / steps, 2) < sine * sine ? 1 : 0;  // by the cosine to the axis
-        EXPECT_NEAR(gloam_sphere_fraction(sine, 1.0), static_cast<double>(hits) / steps, 3e-5) << sine;
-    }
 }
 
 TEST(Frames, BlendIsTheMeanOfAllSamplesUntilItIsFullAndThenExponential) {

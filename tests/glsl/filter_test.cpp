@@ -41,14 +41,6 @@ struct Pixels {
     }
 };
 
-TEST(Filter, ScaleOfTheGaussianStandsForItsWidth) {
-    EXPECT_EQ(gloam_gaussian_scale(0.5), 2.0 * gloam_gaussian_scale(1.0));
-    for (const double none : {0.0, -1.0, -infinity, 1e-40})
-        EXPECT_EQ(gloam_gaussian_scale(none), gloam_gaussian_scale(0x1p-126));
-    EXPECT_EQ(gloam_gaussian_scaled(0.0, gloam_gaussian_scale(0.0)), 1.0);
-    EXPECT_EQ(gloam_gaussian_scaled(0x1p-126, gloam_gaussian_scale(0.0)), 0.0);
-}
-
 TEST(Filter, NothingConvergedLeavesThePixel) {
     const Pixels pixels{.size = {9, 1}, .value = [](ivec2 p) { return dvec2(noise(p), 0); }};
     for (int x = 0; x < 9; ++x) EXPECT_EQ(pixels.at({x, 0}), noise({x, 0}));

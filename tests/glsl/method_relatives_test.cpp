@@ -169,6 +169,34 @@ TEST_F(Relatives, TapsInOnePixelCountOnce) {
     EXPECT_GT(at(every, 1.4, 32).x, 1.5 * one);
 }
 
+// As in gloam/gather/pixels.glsl.
+struct Distinct {
+    glm::ivec2 center;
+    glm::uvec2 seen;
+};
+
+// Of the 8 x 8 pixels around the shaded one each is new once, whatever others were seen before; the others
+// always.
+TEST_F(Relatives, EachOfThePixelsAroundIsNewOnce) {
+    const check::Function<bool(Distinct&, glm::ivec2)> add(gathers.lab(), "gloam/gather/pixels.glsl",
+                                                           "gloam_distinct_add");
+    const glm::ivec2 center(20, 30);
+    std::vector<glm::ivec2> around;
+    for (int y = -6; y < 6; ++y)
+        for (int x = -6; x < 6; ++x) around.emplace_back(x, y);
+    for (const glm::ivec2 first : around) {
+        const auto [fresh, known] = add(Distinct{center, glm::uvec2(0)}, center + first);
+        EXPECT_TRUE(fresh);
+        std::vector<std::tuple<Distinct, glm::ivec2>> inputs;
+        for (const glm::ivec2 second : around) inputs.emplace_back(known, center + second);
+        const auto results = add(inputs);
+        const bool remembered = glm::clamp(first, -4, 3) == first;
+        for (std::size_t i = 0; i < around.size(); ++i)
+            EXPECT_EQ(std::get<0>(results[i]), !(remembered && around[i] == first))
+                << first.x << ' ' << first.y << ", then " << around[i].x << ' ' << around[i].y;
+    }
+}
+
 // Whatever stands in front of the ball of volumetric obscurance, on one side or all around, is another
 // object: the floor below reads as if it went on under it (CS-3.5: no halo).
 TEST_F(Relatives, WhatStandsInFrontOfTheBallHasNoHalo) {

@@ -104,69 +104,83 @@ TEST_F(PreparedMethods, ALineCarriesByItsGaussian) {
     }
 }
 
-// Between small pixels of the plane their results are interpolated. Small pixels of another surface are left
-// out.
-TEST_F(PreparedMethods, SmallPixelsOfTheSurfaceAreInterpolated) {
+// dual_resolution on a plane in perspective and orthographic: between small pixels of the plane their results
+// are interpolated.
+class SmallPixels : public PreparedMethods, public testing::WithParamInterface<bool> {
+  protected:
+    static float value(vec2 small) { return 0.4F + 0.006F * small.x + 0.008F * small.y; }
+    static float level(ivec2) { return 0.0F; }
+
+    [[nodiscard]] vec4 ramp(ivec2 p) const { return {value(vec2(p)), bare.normal}; }
+    // Those of another surface are turned away.
+    template <class Which>
+    [[nodiscard]] double without(const Which& which) const {
+        return result(
+            pixel, [&](ivec2 p) { return vec4(value(vec2(p)), which(p) ? -bare.normal : bare.normal); },
+            level);
+    }
+    template <class Prepared>
+    [[nodiscard]] double result(ivec2 at, const Prepared& prepared, const test::Depths& further) const {
+        return occlusion(dual, bare, at, samples, settings, half, prepared, further);
+    }
+
     const Samples samples{.radius = 0.5F, .bias = 1e-3F, .angle = 0.0F, .first = 0, .count = 32};
     const Method settings{.steps = 4, .disagreement = 0.1F};
-    const vec3 normal = glm::normalize(vec3(0.3F, -0.2F, 1.0F));
-    const auto value = [](vec2 small) { return 0.4F + 0.006F * small.x + 0.008F * small.y; };
-    for (const bool orthographic : {false, true}) {
-        const Bare bare{{orthographic ? vec2(0.5F, -0.7F) : vec2(1.5F, -2.5F), ivec2(22, 35), orthographic},
-                        normal};
-        const ivec2 half(11, 18);
-        const auto result = [&](ivec2 pixel, const auto& prepared, const test::Depths& further) {
-            return occlusion(dual, bare, pixel, samples, settings, half, prepared, further);
-        };
-        const auto level = [](ivec2) { return 0.0F; };
-        const auto ramp = [&](ivec2 p) { return vec4(value(vec2(p)), normal); };
-        check::ImageSet images = test::view_of(bare.camera.size, [&](ivec2 p) { return -bare.point(p).z; });
-        images.emplace("gloam_fetch_prepared", check::make_image<vec4>(half, ramp));
-        Samples uneven = samples;
-        uneven.count = 36;
-        EXPECT_EQ(
-            dual.with_images(images, {bare.point({7, 15}), bare.normal, bare.camera, uneven, settings}).y,
-            32.0F)
-            << "both halves of whole slices";
-        for (const ivec2 pixel : {ivec2(7, 15), ivec2(8, 15), ivec2(7, 16), ivec2(8, 16), ivec2(21, 33)}) {
-            const vec2 small = glm::min(0.5F * vec2(pixel), vec2(half - 1));
-            EXPECT_NEAR(result(pixel, ramp, level), double{value(small)}, 1e-4) << pixel.x << ' ' << pixel.y;
-        }
-        // Of the four around (7, 15) one, then the two to the right, then all do not lie on its surface.
-        const ivec2 other(4, 7);
-        const double three = double{value({3, 7}) + value({3, 8}) + value({4, 8})} / 3.0;
-        const double left = double{value({3, 7.5F})};
-        const auto turned = [&](const auto& which) {
-            return [&, which](ivec2 p) { return vec4(value(vec2(p)), which(p) ? -normal : normal); };
-        };
-        const auto one = [&](ivec2 p) { return p == other; };
-        EXPECT_NEAR(result({7, 15}, turned(one), level), three, 1e-4);
-        EXPECT_NEAR(result({7, 15}, turned([](ivec2 p) { return p.x == 4; }), level), left, 1e-4);
-        EXPECT_EQ(result({7, 15}, turned([](ivec2) { return true; }), level), 0.0);  // hbao of the plane
-        for (const float depth : {0.5F, infinity})
-            EXPECT_NEAR(result({7, 15}, ramp, [&](ivec2 p) { return p == 2 * other ? depth : 0.0F; }), three,
-                        2e-4);
-        // One at a height of a fiftieth of the radius counts a quarter, one whose normal is turned by w the
-        // eighth power of (1 + cos w) / 2.
-        const vec3 aside = glm::normalize(glm::cross(normal, vec3(0, 1, 0)));
-        for (const float turn : {0.0F, 0.6F}) {
-            const vec3 other_normal = std::cos(turn) * normal + std::sin(turn) * aside;
-            const double share = turn == 0.0F ? 0.25 : std::pow(0.5 * (1.0 + std::cos(double{turn})), 8.0);
-            const auto one_apart = [&](ivec2 p) {
-                return vec4(p == other ? 0.5F : 0.45F, p == other ? other_normal : normal);
-            };
-            const vec3 source = bare.point(2 * other);
-            const float along = orthographic ? normal.z : glm::dot(normal, source / source.z);
-            const float rise = turn == 0.0F ? 0.02F * samples.radius / along : 0.0F;
-            EXPECT_NEAR(result({7, 15}, one_apart, [&](ivec2 p) { return p == 2 * other ? -rise : 0.0F; }),
-                        (3.0 * 0.45 + share * 0.5) / (3.0 + share), 1e-4)
-                << turn;
-        }
-        // Of neighbours that disagree nothing is interpolated.
-        const auto odd_one = [&](ivec2 p) { return p == ivec2(2, 6) ? vec4(0.6F, normal) : ramp(p); };
-        EXPECT_EQ(result({7, 15}, odd_one, level), 0.0);
+    const Bare bare{{GetParam() ? vec2(0.5F, -0.7F) : vec2(1.5F, -2.5F), ivec2(22, 35), GetParam()},
+                    glm::normalize(vec3(0.3F, -0.2F, 1.0F))};
+    const ivec2 half{11, 18};
+    const ivec2 pixel{7, 15};
+    const ivec2 other{4, 7};  // one of the four around it
+    const double three = double{value({3, 7}) + value({3, 8}) + value({4, 8})} / 3.0;
+    const std::function<vec4(ivec2)> ramped = [this](ivec2 p) { return ramp(p); };
+};
+
+TEST_P(SmallPixels, OfTheSurfaceAreInterpolated) {
+    check::ImageSet images = test::view_of(bare.camera.size, [&](ivec2 p) { return -bare.point(p).z; });
+    images.emplace("gloam_fetch_prepared", check::make_image<vec4>(half, ramped));
+    Samples uneven = samples;
+    uneven.count = 36;
+    EXPECT_EQ(dual.with_images(images, {bare.point(pixel), bare.normal, bare.camera, uneven, settings}).y,
+              32.0F)
+        << "both halves of whole slices";
+    for (const ivec2 at : {pixel, ivec2(8, 15), ivec2(7, 16), ivec2(8, 16), ivec2(21, 33)}) {
+        const vec2 small = glm::min(0.5F * vec2(at), vec2(half - 1));
+        EXPECT_NEAR(result(at, ramped, level), double{value(small)}, 1e-4) << at.x << ' ' << at.y;
     }
 }
+
+// One of the four around a pixel, then the two to the right, then all do not lie on its surface.
+TEST_P(SmallPixels, OfAnotherSurfaceAreLeftOut) {
+    EXPECT_NEAR(without([&](ivec2 p) { return p == other; }), three, 1e-4);
+    EXPECT_NEAR(without([](ivec2 p) { return p.x == 4; }), double{value({3, 7.5F})}, 1e-4);
+    EXPECT_EQ(without([](ivec2) { return true; }), 0.0);  // hbao of the plane
+    for (const float depth : {0.5F, infinity})
+        EXPECT_NEAR(result(pixel, ramped, [&](ivec2 p) { return p == 2 * other ? depth : 0.0F; }), three,
+                    2e-4);
+}
+
+// One at a height of a fiftieth of the radius counts a quarter, one whose normal is turned by w the eighth
+// power of (1 + cos w) / 2. Of neighbours that disagree nothing is interpolated.
+TEST_P(SmallPixels, CountByTheirHeightAndNormal) {
+    const vec3 aside = glm::normalize(glm::cross(bare.normal, vec3(0, 1, 0)));
+    for (const float turn : {0.0F, 0.6F}) {
+        const vec3 other_normal = std::cos(turn) * bare.normal + std::sin(turn) * aside;
+        const double share = turn == 0.0F ? 0.25 : std::pow(0.5 * (1.0 + std::cos(double{turn})), 8.0);
+        const auto one_apart = [&](ivec2 p) {
+            return vec4(p == other ? 0.5F : 0.45F, p == other ? other_normal : bare.normal);
+        };
+        const vec3 source = bare.point(2 * other);
+        const float along = GetParam() ? bare.normal.z : glm::dot(bare.normal, source / source.z);
+        const float rise = turn == 0.0F ? 0.02F * samples.radius / along : 0.0F;
+        EXPECT_NEAR(result(pixel, one_apart, [&](ivec2 p) { return p == 2 * other ? -rise : 0.0F; }),
+                    (3.0 * 0.45 + share * 0.5) / (3.0 + share), 1e-4)
+            << turn;
+    }
+    const auto odd_one = [&](ivec2 p) { return p == ivec2(2, 6) ? vec4(0.6F, bare.normal) : ramp(p); };
+    EXPECT_EQ(result(pixel, odd_one, level), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, SmallPixels, testing::Bool());
 
 // Which level of an image of several resolutions a texel belongs to; 0 for values that are no means.
 // size: of level 0, a multiple of the largest block.
@@ -232,34 +246,6 @@ TEST_F(PreparedMethods, TheRoughnessOfABlockCountsAlongTheViewVector) {
     EXPECT_GT(result({0, 0, 1}, 0.0F), rough + 0.05);
     for (const vec3 normal : {vec3(0.75F, 0, 1), vec3(-0.4F, 0.6F, 1)})
         EXPECT_NEAR(result(normal, 0.3F), rough, 0.01);
-}
-
-// As in gloam/gather/pixels.glsl.
-struct Distinct {
-    ivec2 center;
-    glm::uvec2 seen;
-};
-
-// Of the 8 x 8 pixels around the shaded one each is new once, whatever others were seen before; the others
-// always.
-TEST_F(PreparedMethods, EachOfThePixelsAroundIsNewOnce) {
-    const check::Function<bool(Distinct&, ivec2)> add(gathers.lab(), "gloam/gather/pixels.glsl",
-                                                      "gloam_distinct_add");
-    const ivec2 center(20, 30);
-    std::vector<ivec2> around;
-    for (int y = -6; y < 6; ++y)
-        for (int x = -6; x < 6; ++x) around.emplace_back(x, y);
-    for (const ivec2 first : around) {
-        const auto [fresh, known] = add(Distinct{center, glm::uvec2(0)}, center + first);
-        EXPECT_TRUE(fresh);
-        std::vector<std::tuple<Distinct, ivec2>> inputs;
-        for (const ivec2 second : around) inputs.emplace_back(known, center + second);
-        const auto results = add(inputs);
-        const bool remembered = glm::clamp(first, -4, 3) == first;
-        for (std::size_t i = 0; i < around.size(); ++i)
-            EXPECT_EQ(std::get<0>(results[i]), !(remembered && around[i] == first))
-                << first.x << ' ' << first.y << ", then " << around[i].x << ' ' << around[i].y;
-    }
 }
 
 // What MSSAO's finest resolution makes of the coarser ones, in closed form.

@@ -32,7 +32,7 @@ WINGS = {
         "scene": {"base", "backend", "source", "module", "numeric"},
         "effect": {"base", "backend", "scene", "source", "module", "numeric"},
         "experiment": {"base", "backend", "effect", "scene", "reference", "report", "source", "module", "numeric"},
-        "pictures": {"base"},
+        "pictures": {"base", "backend", "scene"},
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],

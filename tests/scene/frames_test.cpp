@@ -110,7 +110,7 @@ TEST(GuardBand, IsWholePixelsOfEachSide) {
 // the projection.
 TEST(GuardBand, TheFrameIsThatOfThePlainView) {
     for (const Scene& scene :
-         {make_scene("moving"), make_scene("columns"), make_scene("far"), make_view("plan", {})}) {
+         {make_scene("moving"), make_scene("columns"), make_scene("far"), make_scene("plan")}) {
         const GBuffer plain = shot(scene, 2);
         const GBuffer view = shot(scene, 2, 0.1);
         EXPECT_EQ(cropped(plain).depth, plain.depth);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The ray tracer against meshes whose occlusion is known, at the points where it is.
-#include "scene/internal/tracer.hpp"
+#include "scene/tracer.hpp"
 
 #include <fmt/format.h>
 

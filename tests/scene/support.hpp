@@ -42,7 +42,8 @@ inline void write_frame(const TemporaryDirectory& folder, int frame, const GBuff
 // A floor before a wall, all of it visible, 33 x 33 pixels.
 inline GBuffer floor_and_wall(Projection projection = Projection::perspective) {
     const std::vector<ClosedFormView> views = closed_form_views(projection);
-    const auto view = std::ranges::find_if(views, [](const auto& v) { return v.name.starts_with("wall"); });
+    const auto view =
+        std::ranges::find_if(views, [](const auto& v) { return v.scene.name.starts_with("wall"); });
     GBuffer buffer = draw(*view, 33);
     buffer.border = {};
     return buffer;

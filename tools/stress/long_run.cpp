@@ -7,8 +7,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "numeric/numbers.hpp"
-
 namespace gloam::stress {
 namespace {
 
@@ -155,61 +153,12 @@ void append_rows(const Accumulation& a, const Seen& seen, Rows& rows) {
     rows.push_back({long_run_name, a.text(), "index off, samples", seen.index, 0.0});
 }
 
-// Radical inverse of the digits of index modulo 2^24.
-double radical_inverse(std::uint32_t index, unsigned base) {
-    double value = 0.0;
-    double digit = 1.0;
-    for (std::uint32_t rest = index & 0xFFFFFFU; rest > 0; rest /= base) {
-        digit /= base;
-        value += (rest % base) * digit;
-    }
-    return value;
-}
-
-// The points of a sequence whose index passes a power of two and begins again.
-Row points_past(const check::Lab& lab, std::uint32_t boundary, const char* text) {
-    const check::Function<glm::vec3(unsigned)> halton(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
-    constexpr std::uint32_t around = 20'000;
-    std::vector<std::tuple<unsigned>> inputs;
-    for (std::uint32_t i = 0; i < 2 * around; ++i) inputs.emplace_back(boundary - around + i);
-    const std::vector<glm::vec3> points = halton(inputs);
-    double worst = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const unsigned base = std::array{2U, 3U, 5U}.at(static_cast<std::size_t>(axis));
-            const double exact = radical_inverse(std::get<0>(inputs[i]), base);
-            worst = std::max(worst, numeric::ulp_error(points[i][axis], exact));
-        }
-    }
-    return {long_run_name, fmt::format("Halton points around {}", text), "error, ULP", worst, 2.0};
-}
-
-// Every pair of these, against 64-bit arithmetic.
-Row next_index(const check::Lab& lab) {
-    const check::Function<unsigned(unsigned, unsigned, unsigned)> next(lab, "gloam/temporal/history.glsl",
-                                                                       "gloam_next_index");
-    constexpr std::array values{0U, 1U, 6U, 7U, 65'535U, 16'777'215U, 16'777'216U, 0x7FFFFFFFU, 0xFFFFFFFFU};
-    double worst = 0.0;
-    for (const unsigned size : {1U, 7U, 2048U, 65'536U, 16'777'213U, 16'777'216U}) {
-        for (const unsigned j : values) {
-            for (const unsigned k : values) {
-                const auto exact = static_cast<double>((std::uint64_t{j} + k) % size);
-                worst = std::max(worst, std::abs(next(j, k, size) - exact));
-            }
-        }
-    }
-    return {long_run_name, "index and count up to 2^32 - 1", "next index off", worst, 0.0};
-}
-
 }  // namespace
 
 Rows long_run(const Context& context) {
     Rows rows;
     const std::vector<Seen> seen = accumulate(context);
     for (std::size_t i = 0; i < seen.size(); ++i) append_rows(accumulations()[i], seen[i], rows);
-    rows.push_back(points_past(context.lab, 1U << 24U, "2^24"));
-    rows.push_back(points_past(context.lab, 0U, "2^32"));
-    rows.push_back(next_index(context.lab));
     return rows;
 }
 

@@ -51,7 +51,6 @@ void advance(const Accumulate& kernel, std::vector<HistoryLane>& lanes, unsigned
 //   farthest from the exact mean, and its average over time (bias); at most E (w_max + k) / k, where E is the
 //   error of one frame: that of gloam_blend;
 //   weight and index; exact.
-// Besides: the sequence of points where its index passes 2^24 and 2^32.
 [[nodiscard]] Rows long_run(const Context& context);
 
 }  // namespace gloam::stress

@@ -265,54 +265,6 @@ Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {
     return count;
 }
 
-Count normals(const check::Lab& lab) {
-    const check::Function<glm::vec3(glm::ivec2, GatherCamera)> normal(
-        lab, "gloam/geometry/camera_normal.glsl", "gloam_camera_normal");
-    std::vector<decltype(normal)::Inputs> inputs;
-    for_each_pixel([&](glm::ivec2 at) { inputs.emplace_back(at, camera); });
-    for (const int far : {-1, 1000, -2'147'483'647 - 1, 2'147'483'647})
-        inputs.emplace_back(glm::ivec2(far, far), camera);
-    const auto unit_or_zero = [](glm::vec3 n) {
-        return n == glm::vec3(0) || std::abs(glm::length(n) - 1.0F) < 1e-6F;
-    };
-    Count count;
-    for_each_image([&](float, const check::Image& image) {
-        call(normal, inputs, {{"gloam_fetch_depth", image}}, unit_or_zero, count);
-    });
-    return count;
-}
-
-// Bad values among occlusion, convergence and positions, and as settings.
-Count filters(const check::Lab& lab) {
-    const check::Function<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter(
-        lab, "gloam/filter/convergence_filter.glsl", "gloam_convergence_filter");
-    const auto in_unit = [](float occlusion) { return occlusion >= 0.0F && occlusion <= 1.0F; };
-    Count count;
-    for_each_image([&](float bad, const check::Image& image) {
-        std::vector<decltype(filter)::Inputs> inputs;
-        for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
-            for_each_pixel([&](glm::ivec2 at) {
-                for (const int half_width : {2, 0, -5, 2'000'000'000})
-                    inputs.emplace_back(at, axis, size, half_width, 0.2F, 0.5F);
-                inputs.emplace_back(at, axis, size, 2, bad, 0.5F);
-                inputs.emplace_back(at, axis, size, 2, 0.2F, bad);
-            });
-        }
-        const check::Image position = check::make_image<glm::vec3>(
-            size, [&](glm::ivec2 at) { return position_at(at, image.at<float>(at)); });
-        for (const glm::vec2 mask : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(0)}) {
-            const check::Image value = check::make_image<glm::vec2>(size, [&](glm::ivec2 at) {
-                const float here = image.at<float>(at);
-                return glm::vec2(mask.x == 1.0F ? here : 0.5F, mask.y == 1.0F ? here : 0.05F);
-            });
-            call(filter, inputs,
-                 {{"gloam_fetch_occlusion_convergence", value}, {"gloam_fetch_position", position}}, in_unit,
-                 count);
-        }
-    });
-    return count;
-}
-
 void append_rows(const std::string& function, const Count& count, Rows& rows) {
     const std::string varied = fmt::format("{}, every argument", function);
     rows.push_back(
@@ -332,19 +284,9 @@ Rows poisoned_gathers(const Context& context) {
     return rows;
 }
 
-Rows poisoned_filters(const Context& context) {
-    const check::Lab& lab = context.lab;
-    context.progress(fmt::format("{}: fetches of filters", poison_name));
-    Rows rows;
-    append_rows("gloam_camera_normal", normals(lab), rows);
-    append_rows("gloam_convergence_filter", filters(lab), rows);
-    lab.require_silent_validation();
-    return rows;
-}
-
 Rows poison(const Context& context) {
     Rows rows = poisoned_passes(context);
-    for (const auto& part : {poisoned_gathers, poisoned_filters, poisoned_history}) {
+    for (const auto& part : {poisoned_gathers, poisoned_history}) {
         append(rows, part(context));
     }
     return rows;

@@ -78,9 +78,6 @@ constexpr const char* poison_name = "poison";
 // Fetches of methods: none may be outside, whatever the images hold.
 [[nodiscard]] Rows poisoned_gathers(const Context& context);
 
-// Fetches of the filter and of normals from depth: none may be outside, either.
-[[nodiscard]] Rows poisoned_filters(const Context& context);
-
 // History texels and contributions.
 [[nodiscard]] Rows poisoned_history(const Context& context);
 

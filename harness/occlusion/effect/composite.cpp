@@ -33,20 +33,20 @@ void Composite::watch(PassWatcher watcher) {
     watcher_ = std::move(watcher);
 }
 
-std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLight& light,
-                                      std::span<const float> occlusion,
+std::vector<glm::vec3> Composite::lit(gpu::Extent extent, std::span<const glm::vec3> ambient,
+                                      std::span<const glm::vec3> direct, std::span<const float> occlusion,
                                       const std::vector<glm::vec3>& albedo) const {
     const std::size_t pixels = std::size_t{extent.width} * extent.height;
-    require(light.ambient.size(), pixels, "pixels with ambient light");
-    require(light.direct.size(), pixels, "pixels with direct light");
+    require(ambient.size(), pixels, "pixels with ambient light");
+    require(direct.size(), pixels, "pixels with direct light");
     if (!occlusion.empty()) require(occlusion.size(), pixels, "occlusions");
     if (!albedo.empty()) require(albedo.size(), pixels, "albedos");
-    gpu::Image ambient(*device_, extent, rgba32f);
-    gpu::Image direct(*device_, extent, rgba32f);
+    gpu::Image around(*device_, extent, rgba32f);
+    gpu::Image lamp(*device_, extent, rgba32f);
     gpu::Image shown(*device_, extent, r32f);
     const gpu::Image image(*device_, extent, rgba32f);
-    ambient.upload(texels_of(light.ambient));
-    direct.upload(texels_of(light.direct));
+    around.upload(texels_of(ambient));
+    lamp.upload(texels_of(direct));
     std::vector<float> values(occlusion.begin(), occlusion.end());
     values.resize(pixels, 0.0F);
     shown.upload(values);
@@ -55,7 +55,7 @@ std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLigh
     const Parameters parameters{vector_of_size(extent), flag(!albedo.empty())};
     const Step step{"composite",
                     &pipeline_,
-                    {ambient, direct, shown, image, color},
+                    {around, lamp, shown, image, color},
                     bytes_of(parameters),
                     groups_for(extent)};
     (void)run(*device_, std::span(&step, 1), 1, watcher_);

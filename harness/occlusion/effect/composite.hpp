@@ -9,7 +9,6 @@
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "effect/plan.hpp"
-#include "scene/lighting.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
@@ -20,11 +19,12 @@ class Composite {
     // The device must outlive this object. Throws std::runtime_error when the shader does not compile.
     Composite(const gpu::Device& device, const scene::PassLibrary& passes);
 
-    // The lit image, linear, rows from the top. `occlusion`: in [0, 1], a value for each pixel of the light;
-    // empty: no occlusion. `albedo`: linear, for each pixel, with which light bounces among blockers
-    // (gloam_multi_bounce); empty: it does not. Throws std::invalid_argument when the sizes disagree with the
-    // extent.
-    [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, const scene::SplitLight& light,
+    // The lit image, linear, rows from the top. `ambient` and `direct`: light of each pixel, linear.
+    // `occlusion`: in [0, 1], a value for each pixel; empty: no occlusion. `albedo`: linear, for each pixel,
+    // with which light bounces among blockers (gloam_multi_bounce); empty: it does not. Throws
+    // std::invalid_argument when the sizes disagree with the extent.
+    [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, std::span<const glm::vec3> ambient,
+                                             std::span<const glm::vec3> direct,
                                              std::span<const float> occlusion,
                                              const std::vector<glm::vec3>& albedo = {}) const;
 

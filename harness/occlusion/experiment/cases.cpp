@@ -25,7 +25,7 @@ constexpr std::uint32_t most_taps = 64;
 std::vector<Case> views_of(const CaseQuery& query) {
     std::vector<Case> cases;
     for (const scene::ViewInfo& info : scene::all_views())
-        if ((info.kind == "motion") == (query.all == "motion"))
+        if (!info.half.empty() && (info.kind == "motion") == (query.all == "motion"))
             cases.push_back(
                 {.name = info.name, .kind = info.kind, .half = info.half, .scene = info.name, .view = true});
     return cases;
@@ -182,7 +182,7 @@ void choose_cases(Experiment& experiment, const std::vector<std::string>& names,
         if (!names.empty() && std::ranges::count(names, one.name) == 0) return true;
         if (!wanted.empty() && one.half != wanted) return true;
         return query.perspective &&
-               scene_of(one, meshes).camera.projection == scene::Projection::orthographic;
+               scene::make_scene(one.scene, meshes).camera.projection == scene::Projection::orthographic;
     });
     experiment.query.reset();
     if (experiment.cases.empty())
@@ -193,15 +193,10 @@ void choose_cases(Experiment& experiment, const std::vector<std::string>& names,
 scene::ClosedFormView closed_form_of(const Case& one) {
     std::string known;
     for (scene::ClosedFormView& view : scene::closed_form_views(scene::Projection::perspective)) {
-        if (view.name == one.scene) return std::move(view);
-        known += (known.empty() ? "" : ", ") + view.name;
+        if (view.scene.name == one.scene) return std::move(view);
+        known += (known.empty() ? "" : ", ") + view.scene.name;
     }
     throw std::invalid_argument(fmt::format("closed_form {}: expected {}", one.scene, known));
-}
-
-scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes) {
-    if (one.view) return scene::make_view(one.scene, meshes);
-    return scene::make_scene(one.scene);
 }
 
 BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {

@@ -125,9 +125,10 @@ namespace {
 // Adds up the errors and counts of frames.
 class Judge {
   public:
-    Judge(const BenchmarkViews& views, const effect::Settings& settings) : views_(&views) {
-        if (!views.frames().by_class || views.frames().rays == 0) return;
-        sum_.by_class = ClassScores{.most_samples = double{settings.weight_max}};
+    // most_samples: that count in a mean; without them nothing is judged by class.
+    explicit Judge(const BenchmarkViews& views, std::optional<float> most_samples = {}) : views_(&views) {
+        if (!most_samples || !views.frames().by_class || views.frames().rays == 0) return;
+        sum_.by_class = ClassScores{.most_samples = double{*most_samples}};
     }
 
     // before: the frame's predecessor; empty: there is none.
@@ -216,15 +217,6 @@ Converged compared(const std::vector<float>& image, BenchmarkViews& views, const
     return found;
 }
 
-// The part of one of the scored frames in the means.
-void add(FrameQuality& mean, const effect::PlainFrame& frame, const effect::Truth& truth, int scored) {
-    mean.raw_geometry += effect::errors_of(frame.occlusion, truth).rmse / scored;
-    const effect::Errors shown = effect::errors_of(frame.blurred, truth);
-    mean.geometry += shown.rmse / scored;
-    mean.bias += shown.bias / scored;
-    mean.percentile_99 = mean.percentile_99.value_or(0.0) + shown.percentile_99 / scored;
-}
-
 }  // namespace
 
 void add_bins(FrameQuality& quality, const std::vector<float>& image, const effect::Truth& truth) {
@@ -271,7 +263,7 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
         const effect::Frame frame = effect.next(frames.repeat);
         return {.readings = {{frame.times}}};
     }
-    Judge judge(views, settings);
+    Judge judge(views, settings.weight_max);
     ConfigurationVisit visit;
     for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
         effect.begin(views.view(i, settings), settings);
@@ -289,7 +281,7 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
 
 ConfigurationVisit ConfigurationStudy::held(BenchmarkViews& views, const effect::Settings& settings) {
     effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
-    Judge judge(views, settings);
+    Judge judge(views, settings.weight_max);
     ConfigurationVisit visit;
     for (int i = views.first_scored(); i < views.frames().frames; i += views.frames().every) {
         effect.begin(views.view(i, settings), settings);
@@ -305,7 +297,7 @@ ConfigurationVisit ConfigurationStudy::held(BenchmarkViews& views, const effect:
 ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const effect::Settings& settings,
                                                 int round) {
     effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
-    Judge judge(views, settings);
+    Judge judge(views, settings.weight_max);
     ConfigurationVisit visit;
     std::vector<float> before;
     for (int i = 0; i < views.frames().frames; ++i) {
@@ -334,7 +326,7 @@ ConfigurationVisit PlainRun::visit(BenchmarkViews& views, int round) {
     const BenchmarkFrames& frames = views.frames();
     const auto radius = static_cast<float>(views.scene().ao_radius);
     ConfigurationVisit visit;
-    FrameQuality sum;
+    Judge judge(views);
     for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
         slices_.take(views.view(i, {}), radius);
         effect::PlainFrame frame = slices_.next(round > 0 ? frames.repeat : 1);
@@ -342,33 +334,30 @@ ConfigurationVisit PlainRun::visit(BenchmarkViews& views, int round) {
             visit.readings.push_back({{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}});
             continue;
         }
-        if (frames.rays > 0) add(sum, frame, views.scored(i).geometry, views.frames().scores());
-        if (frames.rays > 0 && frames.bins) add_bins(sum, frame.blurred, views.scored(i).geometry);
-        if (frames.rays > 0 && i == views.last_scored())
-            sum.similarity =
-                effect::structural_similarity(frame.blurred, views.scored(i).geometry, frames.extent);
-        visit.shown.filtered = std::move(frame.blurred);
+        visit.shown = {.extent = frames.extent,
+                       .occlusion = std::move(frame.occlusion),
+                       .filtered = std::move(frame.blurred)};
+        judge.add(i, visit.shown, {});
     }
-    if (round == 0 && frames.rays > 0) visit.quality = sum;
+    if (round == 0) visit.quality = judge.mean();
     return visit;
 }
 
 ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     if (round > 0 || views.frames().rays == 0) return {};
     const BenchmarkFrames& frames = views.frames();
-    FrameQuality quality;
+    ConfigurationVisit visit;
+    Judge judge(views);
     for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
-        const effect::Errors errors = effect::errors_of(views.scored(i).depth, views.scored(i).geometry);
-        quality.geometry += errors.rmse / frames.scores();
-        quality.bias += errors.bias / frames.scores();
-        if (frames.bins) add_bins(quality, views.scored(i).depth, views.scored(i).geometry);
+        const effect::Truth& depth = views.scored(i).depth;
+        visit.shown = {.extent = frames.extent, .occlusion = depth, .filtered = depth};
+        judge.add(i, visit.shown, {});
     }
-    quality.raw_geometry = quality.geometry;
-    const ScoredView& last = views.scored(views.last_scored());
-    quality.similarity = effect::structural_similarity(last.depth, last.geometry, frames.extent);
+    visit.quality = judge.mean();
     if (frames.converged)
-        quality.converged = converged_of(effect::metrics_of(last.depth, last.geometry, frames.extent));
-    return {.quality = quality, .shown = {.filtered = last.depth}};
+        visit.quality->converged = converged_of(effect::metrics_of(
+            visit.shown.filtered, views.scored(views.last_scored()).geometry, frames.extent));
+    return visit;
 }
 
 }  // namespace gloam::experiment

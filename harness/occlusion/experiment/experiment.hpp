@@ -64,7 +64,7 @@ struct Case {
     std::string kind{};  // rows of tables are chosen and grouped by it
     std::string half{};  // of a view: "tuning" or "unseen"
     std::string scene{};
-    bool view = false;            // `scene` is a view of scene/scene.hpp; otherwise a built-in scene
+    bool view = false;            // `scene` is looked for when it is measured
     std::vector<int> shown{};     // for how many frames each view is shown; empty: the experiment's frames
     std::optional<int> scored{};  // the last ones of these, instead of the experiment's
     std::optional<int> every{};   // instead of the experiment's
@@ -139,7 +139,7 @@ struct Experiment {
 void require_consistent(const Experiment& experiment);
 
 // Replaces a query by its cases, and keeps the cases with these names; all without names. half: instead of
-// the query's; empty: the query's. meshes: folder of the views' meshes. Throws like scene::make_view(), and
+// the query's; empty: the query's. meshes: folder of the views' meshes. Throws like scene::make_scene(), and
 // std::invalid_argument for an unknown name, for a half without a query of views, and if no case is left.
 void choose_cases(Experiment& experiment, const std::vector<std::string>& names, const std::string& half,
                   const std::filesystem::path& meshes);

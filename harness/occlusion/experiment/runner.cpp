@@ -143,7 +143,7 @@ class SizeRun {
                         frames.scored, frames.every, one.still, radius, limit_ ? label_of(one) : "");
         std::shared_ptr<BenchmarkViews>& views = shared_.views[key];
         if (views) return views;
-        scene::Scene scene = scene_of(one, place_.meshes);
+        scene::Scene scene = scene::make_scene(one.scene, place_.meshes);
         scene.ao_radius *= radius;
         if (limit_)  // of what all candidates of the case have in common
             frames.limit = with_radius(subject_of({&experiment_.layer, &one.layer}, place_).settings,

@@ -16,9 +16,6 @@
 
 namespace gloam::experiment {
 
-// The scene or the view of a case. Throws like scene::make_scene() and scene::make_view().
-[[nodiscard]] scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes);
-
 // The view of a case in closed form. Throws std::invalid_argument that lists the names.
 [[nodiscard]] scene::ClosedFormView closed_form_of(const Case& one);
 

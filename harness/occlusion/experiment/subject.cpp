@@ -111,7 +111,7 @@ void require_possible(const Experiment& experiment, const Place& place) {
                 throw std::invalid_argument(
                     fmt::format("{}: {} frames, expected 2 or more", one.name, experiment.frames));
         } else if (!one.view) {
-            (void)scene_of(one, place.meshes);  // a view's meshes are read when it is measured
+            (void)scene::make_scene(one.scene, place.meshes);  // a view's meshes are read when it is measured
         }
         const BenchmarkFrames frames = frames_of(experiment, one, {});
         if (frames.scored > frames.frames)

@@ -3,45 +3,13 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
+#include "scene/scene.hpp"
 
 namespace gloam::scene {
-
-// The points on the inner side of a plane: (x - point) . normal >= 0.
-struct HalfSpace {
-    glm::dvec3 point{0, 0, 0};
-    glm::dvec3 normal{0, 0, 1};
-};
-
-// A surface of second order, or a plane, visible from both sides: the points p, seen from `center`, inside
-// all limits with
-//   along (p . axis)^2 + round p . p + level (p . axis) = square
-struct Quadric {
-    glm::dvec3 center{0, 0, 0};
-    glm::dvec3 axis{0, 0, 1};  // unit
-    double along = 0.0;
-    double round = 0.0;
-    double level = 0.0;
-    double square = 0.0;
-    std::vector<HalfSpace> limits{};
-};
-[[nodiscard]] Quadric plane_of(const HalfSpace& plane, std::vector<HalfSpace> limits = {});
-
-// The intersection of a ray with a surface.
-struct SurfaceHit {
-    double distance = 0.0;  // in units of the ray's direction
-    glm::dvec3 normal{0};   // unit, against the ray
-};
-
-// The nearest hit at a distance above 0, in double; nullopt if there is none. `direction` may have any length
-// except 0.
-[[nodiscard]] std::optional<SurfaceHit> first_hit(const std::vector<Quadric>& scene, const glm::dvec3& origin,
-                                                  const glm::dvec3& direction);
 
 // A view with a closed form of the occlusion at the point in the middle of its image. Lengths are in units of
 // the radius of influence.
@@ -51,19 +19,16 @@ struct SurfaceHit {
 // scene. In the view `plate` a plate without thickness hides the floor, so an estimator that has only the
 // depth buffer cannot know all that blocks.
 struct ClosedFormView {
-    std::string name;
-    std::vector<Quadric> scene;  // the point is the origin, +z its normal, +x the side of the blockers
-    Camera camera;               // looks at the point; the image is square
-    double occlusion = 0.0;      // at the point: TSSAO-1, cosine-weighted, linear falloff
-    bool flat = true;            // the surface around the point is a plane
+    Scene scene;  // the point is the origin, +z its normal, +x the blockers' side; the camera looks at it
+    double occlusion = 0.0;  // at the point: TSSAO-1, cosine-weighted, linear falloff
 };
 
 // Views of planes at three tilts, walls at three distances, a ceiling, grooves, a pit, the inside of a
 // sphere, a step and a plate. A ceiling is visible only from below it, so the orthographic views have none.
 [[nodiscard]] std::vector<ClosedFormView> closed_form_views(Projection projection);
 
-// The view's images, calculated in double at the centres of size x size pixels. All pixels except the middle
-// one are guard band, so a frame is one pixel. size: odd, from 3 on.
+// The view's images of size x size pixels. All pixels except the middle one are guard band, so a frame is one
+// pixel. size: odd, from 3 on.
 [[nodiscard]] GBuffer draw(const ClosedFormView& view, std::uint32_t size);
 
 // Occlusion of a point on a floor in front of two infinite walls at right angles: cosine-weighted (TSSAO-1),

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/threads.hpp"
-#include "scene/internal/tracer.hpp"
+#include "scene/tracer.hpp"
 
 namespace gloam::scene {
 namespace {

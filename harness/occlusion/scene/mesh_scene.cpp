@@ -70,9 +70,7 @@ void place_camera(Scene& scene, const MeshView& view, const glm::dvec3& middle, 
     const glm::dvec3 target = view.look_at.value_or(middle);
     const glm::dvec3 first =
         view.eye ? *view.eye - target : direction_of(view.azimuth_deg, view.elevation_deg);
-    const double azimuth = std::atan2(first.x, first.z) * 180.0 / std::numbers::pi;
-    const double elevation = std::atan2(first.y, std::hypot(first.x, first.z)) * 180.0 / std::numbers::pi;
-    const glm::dvec3 back = direction_of(azimuth, elevation);
+    const glm::dvec3 back = glm::normalize(first);
     const double distance = view.eye ? glm::length(first) : fitting_distance(scene.mesh, target, back, view);
     if (!(distance > 0.0)) throw std::invalid_argument("mesh view: the eye is where it looks");
     const glm::dvec3 eye = target + distance * back;

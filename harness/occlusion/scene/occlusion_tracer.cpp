@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "scene/internal/tracer.hpp"
+#include "scene/tracer.hpp"
 
 namespace gloam::scene {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/internal/tracer.hpp"
+#include "scene/tracer.hpp"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>

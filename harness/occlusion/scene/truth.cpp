@@ -14,10 +14,96 @@
 #include "base/cached_file.hpp"
 #include "base/threads.hpp"
 #include "scene/internal/bytes.hpp"
-#include "scene/internal/tracer.hpp"
-#include "scene/lighting.hpp"
+#include "scene/tracer.hpp"
 
 namespace gloam::scene {
+namespace {
+
+// The depth at a place of the image; 0 outside.
+float depth_at(const GBuffer& view, const glm::ivec2& at) {
+    const glm::ivec2 size(view.extent.width, view.extent.height);
+    if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) return 0.0F;
+    return view.depth[static_cast<std::size_t>(at.y) * view.extent.width + static_cast<std::size_t>(at.x)];
+}
+
+// Whether two neighbouring pixels belong to one surface: their depths differ by at most the thickness, or the
+// slope between them continues one of the pixels beyond.
+bool connected(const GBuffer& view, double thickness, const glm::ivec2& at, const glm::ivec2& step) {
+    const float a = depth_at(view, at);
+    const float b = depth_at(view, at + step);
+    const auto continues = [&](float first, float second, float third) {
+        if (!is_surface(first)) return false;
+        if (view.camera.orthographic()) return std::abs(2.0 * second - first - third) <= thickness;
+        const double expected = 2.0 / second - 1.0 / first;
+        return std::abs(expected - 1.0 / third) * third * third <= thickness;
+    };
+    if (!is_surface(a) || !is_surface(b)) return false;
+    return std::isinf(thickness) || std::abs(double{a} - double{b}) <= thickness ||
+           continues(depth_at(view, at - step), a, b) || continues(depth_at(view, at + 2 * step), b, a);
+}
+
+// Along an axis, the difference of positions to the neighbour that is nearer in depth, with the sign of the
+// positive direction; 0 without a neighbour.
+glm::dvec3 slope_at(const GBuffer& view, const PixelPositions& positions, std::size_t pixel, int axis) {
+    const auto width = static_cast<int>(view.extent.width);
+    const glm::ivec2 at(static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);
+    const double depth = view.depth[pixel];
+    glm::dvec3 best(0.0);
+    double least = std::numeric_limits<double>::infinity();
+    for (const int side : {-1, 1}) {
+        glm::ivec2 beside = at;
+        beside[axis] += side;
+        const float other = depth_at(view, beside);
+        const double jump = std::abs(other - depth);
+        if (!is_surface(other) || !(jump < least)) continue;
+        least = jump;
+        best = static_cast<double>(side) *
+               (positions.at(static_cast<std::size_t>(beside.y * width + beside.x), other) -
+                positions.at(pixel, depth));
+    }
+    return best;
+}
+
+glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, std::size_t pixel) {
+    const glm::dvec3 area =
+        glm::cross(slope_at(view, positions, pixel, 1), slope_at(view, positions, pixel, 0));
+    if (glm::length(area) > 0.0) return {glm::normalize(area)};
+    return {0, 0, 1};  // a surface of a single pixel: facing the viewer
+}
+
+}  // namespace
+
+Mesh depth_field(const GBuffer& view, double thickness) {
+    if (std::ranges::none_of(view.depth, is_surface))
+        throw std::invalid_argument("depth field: no geometry in the view");
+    const PixelPositions positions(view);
+    Mesh mesh;
+    for (std::size_t pixel = 0; pixel < view.depth.size(); ++pixel) {
+        const bool surface = is_surface(view.depth[pixel]);
+        mesh.positions.emplace_back(surface ? positions.at(pixel, double{view.depth[pixel]}) : glm::dvec3(0));
+        mesh.normals.push_back(!surface              ? glm::vec3(0)
+                               : view.normal.empty() ? normal_at(view, positions, pixel)
+                                                     : view.normal[pixel]);
+    }
+    const std::uint32_t width = view.extent.width;
+    const glm::ivec2 right(1, 0);
+    const glm::ivec2 down(0, 1);
+    for (std::uint32_t y = 0; y + 1 < view.extent.height; ++y) {
+        for (std::uint32_t x = 0; x + 1 < width; ++x) {
+            const glm::ivec2 at(x, y);
+            if (!connected(view, thickness, at, right) || !connected(view, thickness, at, down) ||
+                !connected(view, thickness, at + down, right) ||
+                !connected(view, thickness, at + right, down))
+                continue;
+            const std::uint32_t corner = y * width + x;
+            const std::uint32_t below = corner + width;
+            mesh.indices.insert(mesh.indices.end(),
+                                {corner, below, corner + 1, corner + 1, below, below + 1});
+        }
+    }
+    return mesh;
+}
+
 namespace {
 
 // A point of the G-buffer, unchanged. reach: the largest coordinate of the triangles around it.

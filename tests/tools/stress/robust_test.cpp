@@ -38,11 +38,6 @@ TEST_P(PoisonOf, FetchesNothingOutside) {
 INSTANTIATE_TEST_SUITE_P(All, PoisonOf, testing::ValuesIn(gloam::test::method_names()),
                          gloam::test::parameter_name);
 
-TEST(Poison, FiltersFetchNothingOutside) {
-    const Bench bench;
-    expect_all_passed(poisoned_filters(bench.context()));
-}
-
 TEST(Poison, HistoriesHealAsStated) {
     const Bench bench;
     expect_all_passed(poisoned_history(bench.context()));
@@ -70,10 +65,8 @@ TEST(Stress, NoticesWhatIsBroken) {
                 "farthest from the exact mean", short_run},
           Fault{"gloam/temporal/blend.glsl", "total < cap ? total : cap", "total < cap ? total : cap - 1.0",
                 "weight off, samples", short_run},
-          Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size", "(index + k) % size",
-                "next index off", short_run},
-          Fault{"gloam/filter/weights.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
-                "results outside their range", poisoned_filters},
+          Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size", "(index + k + 1) % size",
+                "index off, samples", short_run},
           Fault{"gloam/gather/footprint.glsl", "footprint.size - 1.0", "footprint.size + 9.0",
                 "fetches outside the image", poisoned_gathers},
           Fault{"gloam/temporal/blend.glsl", "return vec2(old, w);", "return vec2(contribution, w);",

@@ -54,13 +54,15 @@ std::vector<Named> setting_names() {
 }
 
 std::vector<Named> scene_names() {
-    return named(scene::built_in_scenes());
+    std::vector<scene::ViewInfo> scenes = scene::all_views();
+    std::erase_if(scenes, [](const scene::ViewInfo& view) { return view.kind != "scene"; });
+    return named(scenes);
 }
 
 std::vector<Named> view_names() {
     std::vector<Named> names;
-    for (const scene::ViewInfo& view : scene::all_views())
-        names.push_back({view.name, fmt::format("{} ({} half; {})", view.description, view.half, view.kind)});
+    for (const auto& [name, kind, what, half] : scene::all_views())
+        if (!half.empty()) names.push_back({name, fmt::format("{} ({} half; {})", what, half, kind)});
     return names;
 }
 

@@ -88,8 +88,7 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
         if (options.mesh.given())
             throw std::invalid_argument(
                 fmt::format("\"{}\" has a camera of its own: {}", source, mesh_options));
-        return is_among(scene_names(), source) ? scene::make_scene(source)
-                                               : scene::make_view(source, scene::installed_meshes());
+        return scene::make_scene(source);
     }
     std::error_code none;
     if (!fs::is_regular_file(source, none)) {

@@ -73,14 +73,15 @@ std::vector<pictures::SheetPicture> pictures_of_one(const Rendered& run) {
 
 }  // namespace
 
-Pictures pictures_of(const effect::Composite& composite, std::string name, const scene::PictureLight& light,
-                     const std::vector<float>& occlusion, const effect::Truth& truth, bool multi_bounce) {
+Pictures pictures_of(const effect::Composite& composite, std::string name,
+                     const pictures::PictureLight& light, const std::vector<float>& occlusion,
+                     const effect::Truth& truth, bool multi_bounce) {
     const std::vector<glm::vec3> black;
     const std::vector<glm::vec3>& albedo = multi_bounce ? light.albedo : black;
     const auto lit = [&](const std::vector<float>& values) {
         const std::vector<float> samples = values.empty() ? values : light.spread(values);
-        return base::srgb_of(
-            components_of(light.mean(composite.lit(light.sampled(), light.light, samples, albedo))));
+        return base::srgb_of(components_of(light.mean(
+            composite.lit(light.sampled(), light.light.ambient, light.light.direct, samples, albedo))));
     };
     Pictures pictures{.name = std::move(name),
                       .extent = light.extent,

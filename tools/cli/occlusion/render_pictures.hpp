@@ -10,11 +10,11 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/composite.hpp"
 #include "effect/errors.hpp"
+#include "pictures/light.hpp"
 #include "pictures/sheet.hpp"
 #include "report/output.hpp"
 #include "report/page.hpp"
 #include "scene/gbuffer.hpp"
-#include "scene/lighting.hpp"
 
 namespace gloam::cli {
 
@@ -108,7 +108,7 @@ inline constexpr double brightest_error = 0.25;
 // Pictures, lit by the pass that engines use. occlusion: a value for each pixel; truth: the same, or empty.
 // multi_bounce: light bounces among blockers (gloam_multi_bounce).
 [[nodiscard]] Pictures pictures_of(const effect::Composite& composite, std::string name,
-                                   const scene::PictureLight& light, const std::vector<float>& occlusion,
+                                   const pictures::PictureLight& light, const std::vector<float>& occlusion,
                                    const effect::Truth& truth, bool multi_bounce);
 
 // Writes NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.

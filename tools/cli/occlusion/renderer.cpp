@@ -296,7 +296,7 @@ class Renderer {
     void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
               const ViewTruth& truth) {
         const bool watched = !options_.quiet && input_.views.size() == 1;
-        const scene::PictureLight& light = bench_.light_of(input_, view_number, view, watched);
+        const pictures::PictureLight& light = bench_.light_of(input_, view_number, view, watched);
         pictures_ = pictures_of(bench_.composite, stem(frame_number), light, frame.filtered, truth.truth,
                                 options_.multi_bounce);
         if (output_.folder != nullptr) write_pictures(*output_.folder, pictures_);
@@ -337,16 +337,16 @@ RenderBench::RenderBench(const RenderOptions& options)
       passes(glsl_directory(), cache_directory()),
       composite(device, passes) {}
 
-const scene::PictureLight& RenderBench::light_of(const RenderInput& input, int number,
-                                                 const scene::GBuffer& view, bool watched) {
+const pictures::PictureLight& RenderBench::light_of(const RenderInput& input, int number,
+                                                    const scene::GBuffer& view, bool watched) {
     if (lit_ == number) return light_;
-    scene::LightingOptions options{.frame = input.first_frame + number};
+    pictures::LightingOptions options{.frame = input.first_frame + number};
     if (watched) options.progress = progress_bar(input.name + ": light");
     // Fewer where the device has no images of that size.
     const std::uint32_t most = device.info().max_image_size / std::max(view.extent.width, view.extent.height);
     const int samples = std::min(input.picture_samples, static_cast<int>(std::max(most, 1U)));
     if (samples == 1) {
-        light_ = scene::picture_light(view, view, samples, input.scene.get(), options);
+        light_ = pictures::picture_light(view, view, samples, input.scene.get(), options);
     } else {
         // As many rays as one sample would send, so that smooth edges cost little.
         options.rays = std::max(1, options.rays / (samples * samples));
@@ -354,7 +354,7 @@ const scene::PictureLight& RenderBench::light_of(const RenderInput& input, int n
         const scene::GBuffer fine =
             scene::draw(*input.scene, {view.extent.width * side, view.extent.height * side},
                         {.frame = options.frame, .color = true});
-        light_ = scene::picture_light(view, fine, samples, input.scene.get(), options);
+        light_ = pictures::picture_light(view, fine, samples, input.scene.get(), options);
     }
     lit_ = number;
     return light_;

@@ -9,9 +9,9 @@
 #include "cli/occlusion/render.hpp"
 #include "cli/occlusion/render_input.hpp"
 #include "cli/occlusion/render_pictures.hpp"
+#include "pictures/light.hpp"
 #include "report/output.hpp"
 #include "scene/gbuffer.hpp"
-#include "scene/lighting.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::cli {
@@ -28,8 +28,8 @@ class RenderBench {
     explicit RenderBench(const RenderOptions& options);
 
     // The light of the view with this number.
-    [[nodiscard]] const scene::PictureLight& light_of(const RenderInput& input, int number,
-                                                      const scene::GBuffer& view, bool watched);
+    [[nodiscard]] const pictures::PictureLight& light_of(const RenderInput& input, int number,
+                                                         const scene::GBuffer& view, bool watched);
 
     // Call it before a view of another input.
     void forget_light() { lit_.reset(); }
@@ -40,7 +40,7 @@ class RenderBench {
 
   private:
     std::optional<int> lit_;
-    scene::PictureLight light_;
+    pictures::PictureLight light_;
 };
 
 // The output of a run: written to `folder`, with names that begin with `prefix`.

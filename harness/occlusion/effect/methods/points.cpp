@@ -118,7 +118,7 @@ std::vector<Preset> angle_presets(const MethodInfo& method) {
 
 }  // namespace
 
-std::vector<MethodInfo> pair_methods() {
+std::vector<MethodInfo> volumetric_methods() {
     return {
         {.name = "volumetric",
          .description = "solid share of a ball, by paired lines (Loos and Sloan 2010)",
@@ -147,6 +147,11 @@ std::vector<MethodInfo> pair_methods() {
          .on_a_plane = 0.5,
          .adapt = [](Settings& s) { s.remap_a = 0.5F; },
          .presets = spiral_presets},
+    };
+}
+
+std::vector<MethodInfo> pair_methods() {
+    return {
         {.name = "tangent_sphere",
          .family = "volumetric",
          .description = "solid share of the ball on the surface, by lines (Szirmay-Kalos et al. 2009)",

@@ -58,7 +58,7 @@ std::vector<Preset> gtao_presets(const MethodInfo& method) {
 
 }  // namespace
 
-std::vector<MethodInfo> slice_methods() {
+std::vector<MethodInfo> hbao_methods() {
     return {
         {.name = "hbao",
          .description = "horizons above the image plane, all directions alike (after Bavoil and Sainz 2008): "
@@ -81,6 +81,11 @@ std::vector<MethodInfo> slice_methods() {
          .unit = SampleUnit::slice,
          .adapt = adapt_hbao,
          .presets = hbao_study_presets},
+    };
+}
+
+std::vector<MethodInfo> slice_methods() {
+    return {
         {.name = "gtao",
          .description = "horizon slices, cosine-weighted, divided by their weights (Jimenez et al. 2016)",
          .falloff = "linear",

@@ -105,6 +105,11 @@ std::vector<MethodInfo> surface_methods() {
          .adapt = [](Settings& s) { s.remap_a = 0.5F; },
          .prepare = area_moments,
          .presets = area_presets},
+    };
+}
+
+std::vector<MethodInfo> proxy_methods() {
+    return {
         {.name = "sphere_proxy",
          .description = "pixels as balls (Shanmugam and Arikan 2007)",
          .measure = shape,

@@ -196,6 +196,11 @@ std::vector<MethodInfo> tap_methods() {
          .members = {{"epsilon"}, {"intensity"}, {"mip_distance"}},
          .adapt = adapt_sao,
          .prepare = depth_chain},
+    };
+}
+
+std::vector<MethodInfo> issao_methods() {
+    return {
         {.name = "issao",
          .description = "surface points under the covering circle, dense near the pixel (ISSAO)",
          .falloff = "alchemy",

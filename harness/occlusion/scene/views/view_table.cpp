@@ -118,48 +118,23 @@ Scene filmed(const Row& row, const std::filesystem::path& meshes) {
     return scene;
 }
 
-// Whether a row is one of the built-in scenes, or of the views.
-bool is_of(const Row& row, bool scenes) {
-    return scenes ? row["kind"] == "scene" : row.contains("half");
-}
+}  // namespace
 
-std::vector<ViewInfo> infos_of(bool scenes) {
+std::vector<ViewInfo> all_views() {
     std::vector<ViewInfo> infos;
-    for (const Row& row : rows()) {
-        if (!is_of(row, scenes)) continue;
+    for (const Row& row : rows())
         infos.push_back({row["name"], row["kind"], row["what"], row.value("half", "")});
-    }
     return infos;
 }
 
-Scene named(std::string_view name, bool scenes, const std::filesystem::path& meshes) {
+Scene make_scene(std::string_view name, const std::filesystem::path& meshes) {
     std::string names;
     for (const Row& row : rows()) {
-        if (!is_of(row, scenes)) continue;
         const std::string known = row["name"];
         if (known == name) return filmed(row, meshes);
         names += (names.empty() ? "" : ", ") + known;
     }
-    throw std::invalid_argument(
-        fmt::format("unknown {} \"{}\": expected {}", scenes ? "scene" : "view", name, names));
-}
-
-}  // namespace
-
-std::vector<ViewInfo> built_in_scenes() {
-    return infos_of(true);
-}
-
-std::vector<ViewInfo> all_views() {
-    return infos_of(false);
-}
-
-Scene make_scene(std::string_view name) {
-    return named(name, true, {});
-}
-
-Scene make_view(std::string_view name, const std::filesystem::path& meshes) {
-    return named(name, false, meshes);
+    throw std::invalid_argument(fmt::format("unknown scene \"{}\": expected {}", name, names));
 }
 
 std::filesystem::path installed_meshes() {

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "scene/lighting.hpp"
+// The light of pictures.
+#include "pictures/light.hpp"
 
 #include "effect/surface_views.hpp"
 #include "scene/support.hpp"
-#include "scene/truth.hpp"
 
-namespace gloam::scene::test::lighting_test {
+namespace gloam::pictures::light_test {
 
 using effect::plane;
-using effect::view_of;
 using effect::wall;
-
-const TruthSettings few_rays{.rays = {.radius = 0.5, .rays = 64}};
+using namespace scene;
 
 // A view of walls that face the eye, with these depths.
 GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
@@ -19,99 +17,6 @@ GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
     view.depth = depth;
     return view;
 }
-
-double largest(const std::vector<float>& values) {
-    return double{*std::ranges::max_element(values)};
-}
-
-// However the plane is tilted, and whether its normals are given or found.
-TEST(DepthField, OfAPlaneIsOpen) {
-    for (const Projection projection : projections) {
-        for (const double tilt : {0.0, 0.5, 1.2, 1.45}) {
-            for (const bool normals : {true, false}) {
-                const glm::dvec3 normal{std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, std::cos(tilt)};
-                GBuffer view = plane({48, 32}, projection == Projection::orthographic, normal);
-                if (!normals) view.normal.clear();
-                const TracedTruth truth = trace_depth(view, few_rays);
-                // Depths are floats: a bump of one in 10^7 may meet a ray that grazes it.
-                EXPECT_LT(largest(truth.occlusion), 0.02) << tilt << " " << normals;
-                const double sum = std::accumulate(truth.occlusion.begin(), truth.occlusion.end(), 0.0);
-                EXPECT_LT(sum / (48 * 32), 1e-4) << tilt << " " << normals;
-            }
-        }
-    }
-}
-
-// If nothing is hidden, the depth buffer contains all geometry: a wall meets a floor, both completely
-// visible.
-TEST(DepthField, AgreesWithTheGeometryWhereNothingIsHidden) {
-    Scene scene{.name = "edge", .mesh = make_parallelogram({-9, -1, -5}, {0, 0, 9}, {18, 0, 0}, 1.0)};
-    append(scene.mesh, make_parallelogram({-9, -1, -5}, {18, 0, 0}, {0, 9, 0}, 1.0));
-    const GBuffer view = draw(scene, {96, 64});
-    const TruthSettings settings{.rays = {.radius = 0.5, .rays = 256}};
-    const TracedTruth geometry = trace_geometry(scene, 0, view, settings);
-    const TracedTruth depth = trace_depth(view, settings);
-    EXPECT_EQ(geometry.unmatched, 0U);
-    double squares = 0.0;
-    int compared = 0;
-    for (std::size_t i = 0; i < view.depth.size(); ++i) {
-        const std::size_t x = i % 96;
-        // The border hides what is outside; the row of pixels over the edge spans a rounded corner.
-        if (x < 12 || x >= 84 || i / 96 >= 52) continue;
-        const double error = double{depth.occlusion[i]} - double{geometry.occlusion[i]};
-        squares += error * error;
-        ++compared;
-    }
-    EXPECT_GT(compared, 3000);
-    EXPECT_GT(largest(geometry.occlusion), 0.2);
-    EXPECT_LT(std::sqrt(squares / compared), 0.02);
-}
-
-// A square before a wall, 3 before it: as a solid it shades the wall beside it, as a sheet it is too far
-// away.
-TEST(DepthField, ThicknessSaysWhatIsBehindTheSurface) {
-    const GBuffer view = view_of({64, 64}, true, [](glm::dvec2 at) { return at.x < 0.0 ? 2.0 : 5.0; });
-    TruthSettings settings = few_rays;
-    const std::size_t beside = 32 * 64 + 33;
-    const TracedTruth solid = trace_depth(view, settings);
-    EXPECT_GT(solid.occlusion[beside], 0.15F);
-    settings.thickness = 1.0;
-    const TracedTruth sheet = trace_depth(view, settings);
-    EXPECT_EQ(sheet.occlusion[beside], 0.0F);
-    EXPECT_EQ(sheet.occlusion[32 * 64 + 10], 0.0F);
-}
-
-// A floor to the horizon jumps by metres from pixel to pixel and is a plane all the same.
-TEST(DepthField, ASlopeIsNoJump) {
-    const GBuffer view =
-        view_of({32, 64}, false, [](glm::dvec2 at) { return at.y < 0.0 ? -1.0 / at.y : double{infinity}; });
-    const Mesh sheet = depth_field(view, 0.01);
-    const Mesh solid = depth_field(view);
-    const auto rows_below = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); }) / 32;
-    EXPECT_EQ(static_cast<long>(sheet.triangle_count()), 2 * 31 * (rows_below - 1));
-    EXPECT_EQ(solid.triangle_count(), sheet.triangle_count());
-}
-
-TEST(DepthField, BackgroundIsOpenAndTheEdgeOfAnObjectShadesNothing) {
-    std::vector<float> depth;
-    for (int i = 0; i < 32 * 32; ++i) depth.push_back(i % 32 >= 8 && i % 32 < 24 ? 5.0F : infinity);
-    const GBuffer view = walls({32, 32}, depth);
-    const TracedTruth truth = trace_depth(view, few_rays);
-    EXPECT_LT(largest(truth.occlusion), 1e-3);
-    EXPECT_EQ(truth.pixels, 32U * 16);
-}
-
-TEST(DepthField, OfNothingIsRefusedAndOfOnePixelIsOpen) {
-    const GBuffer sky = wall({4, 4}, infinity);
-    expect_error<std::invalid_argument>([&] { (void)trace_depth(sky, few_rays); }, {"no geometry"});
-    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{1, 5}, gpu::Extent{5, 1}}) {
-        GBuffer view = wall(extent, 5.0F);
-        view.normal.clear();
-        EXPECT_EQ(largest(trace_depth(view, few_rays).occlusion), 0.0);
-    }
-}
-
-// The light of a view.
 
 constexpr gpu::Extent size{33, 33};
 
@@ -222,4 +127,4 @@ TEST(PictureLight, ThePictureIsTheMeanOfItsSamples) {
                 ElementsAre(glm::vec3(2.5F), glm::vec3(4.5F), glm::vec3(10.5F), glm::vec3(12.5F)));
 }
 
-}  // namespace gloam::scene::test::lighting_test
+}  // namespace gloam::pictures::light_test

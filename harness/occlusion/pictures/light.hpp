@@ -4,15 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
-#include <limits>
-#include <optional>
 #include <vector>
 
 #include "scene/gbuffer.hpp"
-#include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
-namespace gloam::scene {
+namespace gloam::pictures {
 
 // Light that leaves the surfaces of a view towards the eye, split as in an engine: ambient light, which
 // ambient occlusion darkens, and the direct light of one lamp, which it does not. Linear, 1 is white.
@@ -30,7 +27,7 @@ struct LightingOptions {
 // The light of a view without its guard band: diffuse surfaces with GBuffer::color, or default_color.
 // `scene`: the scene that casts shadows, in the frame that the view shows; nullptr: no shadows, light of the
 // sun. Missing normals are reconstructed from depth. Bit-identical for any number of threads.
-[[nodiscard]] SplitLight light_of(const GBuffer& view, const Scene* scene,
+[[nodiscard]] SplitLight light_of(const scene::GBuffer& view, const scene::Scene* scene,
                                   const LightingOptions& options = {});
 
 // The light of a picture at several samples of each pixel, so that its edges are smooth. The occlusion stays
@@ -57,20 +54,7 @@ struct PictureLight {
 // The light of a view without its guard band, at the samples of `fine`: the same view with `samples` times as
 // many pixels on each side. A sample shows its own pixel, unless it is off the plane of that pixel's surface
 // by more than 0.6 % of its depth; then that of the 3 x 3 pixels around it whose plane is nearest.
-[[nodiscard]] PictureLight picture_light(const GBuffer& view, const GBuffer& fine, int samples,
-                                         const Scene* scene, const LightingOptions& options = {});
+[[nodiscard]] PictureLight picture_light(const scene::GBuffer& view, const scene::GBuffer& fine, int samples,
+                                         const scene::Scene* scene, const LightingOptions& options = {});
 
-// A depth buffer as a surface in view space: one vertex at the centre of each pixel, in the order of the
-// pixels, and two triangles between four pixels with geometry. Nothing is connected to the background.
-//
-// thickness: assumed thickness behind the surface, world units, > 0. +infinity: solid, so the surface is the
-// height field of the depth buffer, and neighbours are connected over any jump of depth. Finite: the surface
-// ends at a larger jump, unless the jump continues a slope (1 / depth is linear over a plane).
-//
-// normals: one for each pixel. They are the view's own; if it has none, they follow from the surface, from
-// the nearer neighbour on each axis. Background 0. Throws std::invalid_argument for a view without
-// geometry.
-[[nodiscard]] Mesh depth_field(const GBuffer& view,
-                               double thickness = std::numeric_limits<double>::infinity());
-
-}  // namespace gloam::scene
+}  // namespace gloam::pictures

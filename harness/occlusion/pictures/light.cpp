@@ -1,104 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "scene/lighting.hpp"
+#include "pictures/light.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <stdexcept>
-#include <string>
+#include <optional>
 
 #include "base/threads.hpp"
-#include "scene/internal/tracer.hpp"
+#include "scene/tracer.hpp"
+#include "scene/truth.hpp"
 
-namespace gloam::scene {
-namespace {
-
-// The depth at a place of the image; 0 outside.
-float depth_at(const GBuffer& view, const glm::ivec2& at) {
-    const glm::ivec2 size(view.extent.width, view.extent.height);
-    if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) return 0.0F;
-    return view.depth[static_cast<std::size_t>(at.y) * view.extent.width + static_cast<std::size_t>(at.x)];
-}
-
-// Whether two neighbouring pixels belong to one surface: their depths differ by at most the thickness, or the
-// slope between them continues one of the pixels beyond.
-bool connected(const GBuffer& view, double thickness, const glm::ivec2& at, const glm::ivec2& step) {
-    const float a = depth_at(view, at);
-    const float b = depth_at(view, at + step);
-    const auto continues = [&](float first, float second, float third) {
-        if (!is_surface(first)) return false;
-        if (view.camera.orthographic()) return std::abs(2.0 * second - first - third) <= thickness;
-        const double expected = 2.0 / second - 1.0 / first;
-        return std::abs(expected - 1.0 / third) * third * third <= thickness;
-    };
-    if (!is_surface(a) || !is_surface(b)) return false;
-    return std::isinf(thickness) || std::abs(double{a} - double{b}) <= thickness ||
-           continues(depth_at(view, at - step), a, b) || continues(depth_at(view, at + 2 * step), b, a);
-}
-
-// Along an axis, the difference of positions to the neighbour that is nearer in depth, with the sign of the
-// positive direction; 0 without a neighbour.
-glm::dvec3 slope_at(const GBuffer& view, const PixelPositions& positions, std::size_t pixel, int axis) {
-    const auto width = static_cast<int>(view.extent.width);
-    const glm::ivec2 at(static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);
-    const double depth = view.depth[pixel];
-    glm::dvec3 best(0.0);
-    double least = std::numeric_limits<double>::infinity();
-    for (const int side : {-1, 1}) {
-        glm::ivec2 beside = at;
-        beside[axis] += side;
-        const float other = depth_at(view, beside);
-        const double jump = std::abs(other - depth);
-        if (!is_surface(other) || !(jump < least)) continue;
-        least = jump;
-        best = static_cast<double>(side) *
-               (positions.at(static_cast<std::size_t>(beside.y * width + beside.x), other) -
-                positions.at(pixel, depth));
-    }
-    return best;
-}
-
-glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, std::size_t pixel) {
-    const glm::dvec3 area =
-        glm::cross(slope_at(view, positions, pixel, 1), slope_at(view, positions, pixel, 0));
-    if (glm::length(area) > 0.0) return {glm::normalize(area)};
-    return {0, 0, 1};  // a surface of a single pixel: facing the viewer
-}
-
-}  // namespace
-
-Mesh depth_field(const GBuffer& view, double thickness) {
-    if (std::ranges::none_of(view.depth, is_surface))
-        throw std::invalid_argument("depth field: no geometry in the view");
-    const PixelPositions positions(view);
-    Mesh mesh;
-    for (std::size_t pixel = 0; pixel < view.depth.size(); ++pixel) {
-        const bool surface = is_surface(view.depth[pixel]);
-        mesh.positions.emplace_back(surface ? positions.at(pixel, double{view.depth[pixel]}) : glm::dvec3(0));
-        mesh.normals.push_back(!surface              ? glm::vec3(0)
-                               : view.normal.empty() ? normal_at(view, positions, pixel)
-                                                     : view.normal[pixel]);
-    }
-    const std::uint32_t width = view.extent.width;
-    const glm::ivec2 right(1, 0);
-    const glm::ivec2 down(0, 1);
-    for (std::uint32_t y = 0; y + 1 < view.extent.height; ++y) {
-        for (std::uint32_t x = 0; x + 1 < width; ++x) {
-            const glm::ivec2 at(x, y);
-            if (!connected(view, thickness, at, right) || !connected(view, thickness, at, down) ||
-                !connected(view, thickness, at + down, right) ||
-                !connected(view, thickness, at + right, down))
-                continue;
-            const std::uint32_t corner = y * width + x;
-            const std::uint32_t below = corner + width;
-            mesh.indices.insert(mesh.indices.end(),
-                                {corner, below, corner + 1, corner + 1, below, below + 1});
-        }
-    }
-    return mesh;
-}
-
+namespace gloam::pictures {
 namespace {
 
 const glm::dvec3 to_sun = glm::normalize(glm::dvec3(-0.55, 0.75, 0.45));  // world
@@ -126,8 +39,8 @@ double turn_of(std::size_t pixel, std::uint32_t width) {
 }
 
 // Visible part of the light's disc at a point, in [0, 1]; the directions form a spiral over the disc.
-double lit_part(const RayScene& blockers, const Light& light, const glm::dvec3& origin, double clearance,
-                int rays, double turn) {
+double lit_part(const scene::RayScene& blockers, const Light& light, const glm::dvec3& origin,
+                double clearance, int rays, double turn) {
     const glm::dvec3 middle = light.direction;
     const glm::dvec3 aside = std::abs(middle.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(aside, middle));
@@ -149,28 +62,29 @@ double lit_part(const RayScene& blockers, const Light& light, const glm::dvec3& 
 // Calculates the light of single pixels.
 class Lighting {
   public:
-    Lighting(const GBuffer& view, const Scene* scene, const LightingOptions& options)
+    Lighting(const scene::GBuffer& view, const scene::Scene* scene, const LightingOptions& options)
         : view_(view),
           positions_(view),
           normals_(view.normal),
           view_from_world_(view.camera.view),
           rays_(options.rays) {
-        if (normals_.empty() && std::ranges::any_of(view.depth, is_surface))
-            normals_ = depth_field(view).normals;
+        if (normals_.empty() && std::ranges::any_of(view.depth, scene::is_surface))
+            normals_ = scene::depth_field(view).normals;
         if (scene == nullptr) return;
-        if (scene->lamp) lamp_ = view_from_world_ * (*scene->lamp - camera_at(*scene, options.frame).eye);
-        blockers_.emplace(view_space_mesh(*scene, options.frame));
+        if (scene->lamp)
+            lamp_ = view_from_world_ * (*scene->lamp - scene::camera_at(*scene, options.frame).eye);
+        blockers_.emplace(scene::view_space_mesh(*scene, options.frame));
     }
 
     void light(std::size_t pixel, SplitLight& light) const {
         const double depth = view_.depth[pixel];
-        if (!is_surface(view_.depth[pixel])) {
+        if (!scene::is_surface(view_.depth[pixel])) {
             const glm::dvec3 away = glm::normalize(positions_.at(pixel, 1.0));
             const double up = (glm::transpose(view_from_world_) * away).y;
             light.direct[pixel] = glm::mix(sky_horizon, sky_above, std::sqrt(std::clamp(up, 0.0, 1.0)));
             return;
         }
-        const glm::dvec3 albedo = view_.color.empty() ? default_color : view_.color[pixel];
+        const glm::dvec3 albedo = view_.color.empty() ? scene::default_color : view_.color[pixel];
         const glm::dvec3 normal = normals_[pixel];
         const double up = (glm::transpose(view_from_world_) * normal).y;
         light.ambient[pixel] = albedo * glm::mix(sky_below, sky_above, 0.5 + 0.5 * up);
@@ -190,24 +104,24 @@ class Lighting {
         const double cosine = glm::dot(normal, light_at(point).direction);
         if (!(cosine > 0.0)) return 0.0;
         if (!blockers_) return cosine;
-        const double clearance = 1e-4 * largest(point);  // far above the rounding error of a depth
+        const double clearance = 1e-4 * scene::largest(point);  // far above the rounding error of a depth
         const glm::dvec3 origin = point + clearance * normal;
         return cosine * lit_part(*blockers_, light_at(origin), origin, clearance, rays_,
                                  turn_of(pixel, view_.extent.width));
     }
 
-    const GBuffer& view_;
-    PixelPositions positions_;
+    const scene::GBuffer& view_;
+    scene::PixelPositions positions_;
     std::vector<glm::vec3> normals_;
     glm::dmat3 view_from_world_;
     int rays_;
     std::optional<glm::dvec3> lamp_;  // view space; without it there is the sun
-    std::optional<RayScene> blockers_;
+    std::optional<scene::RayScene> blockers_;
 };
 
 }  // namespace
 
-SplitLight light_of(const GBuffer& view, const Scene* scene, const LightingOptions& options) {
+SplitLight light_of(const scene::GBuffer& view, const scene::Scene* scene, const LightingOptions& options) {
     const std::size_t pixels = view.depth.size();
     SplitLight light{.ambient = std::vector<glm::vec3>(pixels, glm::vec3(0)),
                      .direct = std::vector<glm::vec3>(pixels, glm::vec3(0))};
@@ -228,11 +142,11 @@ constexpr double same_surface = 0.006;  // of the depth
 
 // The pixel of a view whose surface a sample shows. x, y: the sample's own pixel. point: what it shows, in
 // view space; depth: its depth, finite.
-std::uint32_t pixel_of(const GBuffer& view, const PixelPositions& positions, std::uint32_t x, std::uint32_t y,
-                       const glm::dvec3& point, double depth) {
+std::uint32_t pixel_of(const scene::GBuffer& view, const scene::PixelPositions& positions, std::uint32_t x,
+                       std::uint32_t y, const glm::dvec3& point, double depth) {
     // Distance of the point from the plane of a pixel's surface, as part of the depth; infinity: no surface.
     const auto off_plane = [&](std::uint32_t pixel) {
-        if (!is_surface(view.depth[pixel])) return std::numeric_limits<double>::infinity();
+        if (!scene::is_surface(view.depth[pixel])) return std::numeric_limits<double>::infinity();
         const glm::dvec3 from = point - positions.at(pixel, view.depth[pixel]);
         const glm::dvec3 normal = view.normal.empty() ? glm::dvec3(0, 0, 1) : glm::dvec3(view.normal[pixel]);
         return std::abs(glm::dot(from, normal)) / depth;
@@ -253,9 +167,9 @@ std::uint32_t pixel_of(const GBuffer& view, const PixelPositions& positions, std
     return best;
 }
 
-std::vector<std::uint32_t> pixels_of(const GBuffer& view, const GBuffer& fine, int samples) {
-    const PixelPositions coarse(view);
-    const PixelPositions positions(fine);
+std::vector<std::uint32_t> pixels_of(const scene::GBuffer& view, const scene::GBuffer& fine, int samples) {
+    const scene::PixelPositions coarse(view);
+    const scene::PixelPositions positions(fine);
     const auto side = static_cast<std::uint32_t>(samples);
     std::vector<std::uint32_t> pixels;
     pixels.reserve(fine.depth.size());
@@ -263,8 +177,9 @@ std::vector<std::uint32_t> pixels_of(const GBuffer& view, const GBuffer& fine, i
         for (std::uint32_t x = 0; x < fine.extent.width; ++x) {
             const float depth = fine.depth[pixels.size()];
             const glm::dvec3 point = positions.at(pixels.size(), depth);
-            pixels.push_back(is_surface(depth) ? pixel_of(view, coarse, x / side, y / side, point, depth)
-                                               : y / side * view.extent.width + x / side);
+            pixels.push_back(scene::is_surface(depth)
+                                 ? pixel_of(view, coarse, x / side, y / side, point, depth)
+                                 : y / side * view.extent.width + x / side);
         }
     }
     return pixels;
@@ -289,14 +204,14 @@ std::vector<glm::vec3> PictureLight::mean(const std::vector<glm::vec3>& of_sampl
     return means;
 }
 
-PictureLight picture_light(const GBuffer& view, const GBuffer& fine, int samples, const Scene* scene,
-                           const LightingOptions& options) {
-    return {
-        .extent = view.extent,
-        .samples = samples,
-        .light = light_of(fine, scene, options),
-        .albedo = fine.color.empty() ? std::vector(fine.depth.size(), glm::vec3(default_color)) : fine.color,
-        .pixel = pixels_of(view, fine, samples)};
+PictureLight picture_light(const scene::GBuffer& view, const scene::GBuffer& fine, int samples,
+                           const scene::Scene* scene, const LightingOptions& options) {
+    return {.extent = view.extent,
+            .samples = samples,
+            .light = light_of(fine, scene, options),
+            .albedo = fine.color.empty() ? std::vector(fine.depth.size(), glm::vec3(scene::default_color))
+                                         : fine.color,
+            .pixel = pixels_of(view, fine, samples)};
 }
 
-}  // namespace gloam::scene
+}  // namespace gloam::pictures
