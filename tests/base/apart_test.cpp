@@ -2,7 +2,6 @@
 #include "base/process.hpp"
 #include "support/test.hpp"
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -67,41 +66,6 @@ TEST(Apart, MemoryIsLimited) {
     };
     EXPECT_THAT([&] { (void)run_apart(take, few); },
                 ThrowsMessage<LimitError>("takes more than 200 MiB of memory"));
-}
-
-TEST(Apart, AnswersManyQuestionsAndEachHasItsOwnLimit) {
-    Apart apart(
-        [count = 0](std::string_view question) mutable {
-            if (question == "throw") throw std::runtime_error("thrown");
-            if (question == "crash") std::_Exit(7);
-            return std::string(question) + std::to_string(++count);
-        },
-        few);
-    EXPECT_EQ(apart.ask("a"), "a1");
-    EXPECT_EQ(apart.ask("b"), "b2");
-    EXPECT_THAT([&] { (void)apart.ask("throw"); }, ThrowsMessage<WorkError>("thrown"));
-    EXPECT_EQ(apart.ask("c"), "c3");  // by the same copy
-    EXPECT_THAT([&] { (void)apart.ask("crash"); }, ThrowsMessage<LimitError>("ended with status 7"));
-    EXPECT_EQ(apart.ask("d"), "d1");  // by a new one
-    const std::string much(1'000'000, 'x');
-    EXPECT_EQ(apart.ask(much), much + "2");
-}
-
-// The copy that answers belongs to the process that made it: a forked one makes its own.
-TEST(Apart, WorksInAForkedProcess) {
-    Apart apart([](std::string_view question) { return std::string(question) + "!"; }, few);
-    EXPECT_EQ(apart.ask("first"), "first!");
-    const pid_t child = fork();
-    ASSERT_GE(child, 0);
-    const std::string question = child == 0 ? "child" : "parent";
-    bool right = true;
-    for (int i = 0; i < 200; ++i) right = apart.ask(question) == question + "!" && right;
-    if (child == 0) _exit(right ? 0 : 1);
-    int status = -1;
-    waitpid(child, &status, 0);
-    EXPECT_TRUE(right);
-    EXPECT_EQ(status, 0);
-    EXPECT_EQ(apart.ask("last"), "last!");  // the end of the other process did not end the copy
 }
 
 TEST(Apart, WorksFromManyThreads) {

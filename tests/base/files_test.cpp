@@ -111,16 +111,6 @@ TEST_F(WriteFile, ManyAtOnceNeverMixAndNeverFail) {
     EXPECT_EQ(count_files(folder.path()), 1U);
 }
 
-TEST(FileDescriptor, ClosesAtItsEnd) {
-    int number = -1;
-    {
-        const FileDescriptor file(open("/dev/null", O_RDONLY | O_CLOEXEC));
-        number = file.get();
-        EXPECT_TRUE(file.is_open());
-    }
-    EXPECT_EQ(fcntl(number, F_GETFD), -1);
-}
-
 // In a child process, which may close what it likes.
 int status_of(int (*work)()) {
     const pid_t child = fork();

@@ -39,13 +39,6 @@ TEST(Process, TakesMuchInputWhileItGivesMuchOutput) {
     EXPECT_TRUE(shell("exec <&-; echo done", {}, much).succeeded());  // it need not listen
 }
 
-TEST(Process, ASignalIsNamed) {
-    const ProcessResult result = shell("kill -SEGV $$");
-    EXPECT_EQ(result.end, End::signal);
-    EXPECT_EQ(result.number, SIGSEGV);
-    EXPECT_THAT(result.how(), HasSubstr("ended by signal 11 (SEGV: Segmentation fault)"));
-}
-
 TEST(Process, EndsWhenItsTimeIsOver) {
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_EQ(shell("sleep 30", {.patience = 100ms}).end, End::time);
@@ -101,51 +94,28 @@ TEST(Process, AGroupEndsWithIt) {
     EXPECT_NE(kill(below, 0), 0);
 }
 
-void wait_for(const Patience& patience) {
-    std::this_thread::sleep_until(patience.next_look());
-}
-
 TEST(Patience, EndsNoEarlierThanItsLimit) {
     Patience patience(10s, [] { return nanoseconds(0); });
     EXPECT_FALSE(patience.is_over());
     EXPECT_GT(patience.next_look() - Patience::Clock::now(), 5s);
 }
 
-TEST(Patience, EndsAtItsLimitForAProcessThatComputesNothing) {
-    Patience patience(20ms, [] { return nanoseconds(0); });
-    wait_for(patience);
-    EXPECT_TRUE(patience.is_over());
-}
-
-TEST(Patience, EndsAtItsLimitForAProcessThatHasUsedIt) {
-    nanoseconds used = 5s;  // before the wait: does not count
-    Patience patience(20ms, [&] { return used; });
-    used += 20ms;
-    wait_for(patience);
-    EXPECT_TRUE(patience.is_over());
-}
-
-TEST(Patience, GoesOnWhileAProcessGetsOnlyAShareOfTheProcessor) {
-    nanoseconds used = 0s;
-    Patience patience(20ms, [&] { return used; });
-    for (int look = 0; look < 3; ++look) {
-        used += 5ms;
-        wait_for(patience);
-        EXPECT_FALSE(patience.is_over()) << look;
+TEST(Patience, EndsForAProcessThatHasUsedItsLimitOrComputesNothing) {
+    // What the process uses until each look, and whether the wait is over then.
+    const std::vector<std::pair<nanoseconds, bool>> rows[] = {
+        {{0ms, true}},
+        {{20ms, true}},
+        {{5ms, false}, {5ms, false}, {5ms, false}, {5ms, true}},  // it gets a share of the processor
+        {{10ms, false}, {0ms, true}}};
+    for (const auto& row : rows) {
+        nanoseconds used = 5s;  // before the wait: does not count
+        Patience patience(20ms, [&] { return used; });
+        for (const auto& [more, over] : row) {
+            used += more;
+            std::this_thread::sleep_until(patience.next_look());
+            EXPECT_EQ(patience.is_over(), over) << used.count();
+        }
     }
-    used += 5ms;
-    wait_for(patience);
-    EXPECT_TRUE(patience.is_over());
-}
-
-TEST(Patience, EndsForAProcessThatStopsComputing) {
-    nanoseconds used = 0s;
-    Patience patience(20ms, [&] { return used; });
-    used += 10ms;
-    wait_for(patience);
-    EXPECT_FALSE(patience.is_over());
-    wait_for(patience);
-    EXPECT_TRUE(patience.is_over());
 }
 
 TEST(ProcessorTime, GrowsWithWorkAndIsZeroForAProcessThatHasEnded) {
@@ -294,11 +264,6 @@ TEST(WorkerProcess, OneInheritsNothingOfAnother) {
     const int alone = open_files();
     const WorkerProcess other(shell("exec sleep 1000"));
     EXPECT_EQ(open_files(), alone);
-}
-
-TEST(WorkerProcess, AProgramThatIsNotThereIsNamed) {
-    expect_error<std::system_error>([] { WorkerProcess worker({"/no/such/program"}); },
-                                    {"/no/such/program: No such file"});
 }
 
 }  // namespace worker_process_test

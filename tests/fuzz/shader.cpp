@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The front end of the framework, as far as it is ours: lines, directives, includes, declarations.
-// (glslang runs apart from the process, see harness/framework/shader/internal/compiler_process.hpp.)
+// (gloam tries glslang in a copy of the process first, see harness/framework/base/compiler_limits.hpp.)
 #include "fuzz/fuzz.hpp"
 #include "module/include.hpp"
 #include "source/lines.hpp"

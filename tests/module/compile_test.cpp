@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "module/compile.hpp"
 #include "module/include.hpp"
-#include "module/internal/compiler_process.hpp"
 #include "module/support.hpp"
 #include "support/environment.hpp"
 
@@ -43,22 +42,6 @@ TEST(Compile, IncludesLookInTheFolderOfTheSource) {
 
 TEST(Compile, UnreachedFunctionsMayCallPrototypes) {
     EXPECT_NO_THROW(static_cast<void>(compile(kernel("#include \"fetch.glsl\"", "1.0"), with_fixtures())));
-}
-
-TEST(Compile, OptimisesWhenAsked) {
-    const Source source = kernel(
-        "#include \"math/square.glsl\"\n"
-        "layout(std430, binding = 1) buffer In { float value[]; };",
-        "fx_square(value[0]) + 0.0 * value[1] * float(1 + 2)");
-    const Spirv plain = compile(source, with_fixtures());
-    const Spirv fast = compile(source, with_fixtures(Optimization::performance));
-    const Spirv small = compile(source, with_fixtures(Optimization::size));
-    EXPECT_THAT(disassemble(plain), HasSubstr("OpFunctionCall"));
-    EXPECT_THAT(disassemble(fast), Not(HasSubstr("OpFunctionCall")));
-    EXPECT_LT(fast.size(), plain.size());
-    EXPECT_LT(small.size(), plain.size());
-    EXPECT_NO_THROW(validate(fast));
-    EXPECT_NO_THROW(validate(small));
 }
 
 TEST(Compile, NamesItsTools) {
@@ -131,15 +114,14 @@ TEST(CompileErrorMessage, VersionLineMustComeFirstAndSuitVulkan) {
             << version;
 }
 
-// The compiler never prints, tested in this process; glslang would, for a version that its tables do not
-// know.
+// The compiler never prints; glslang would, for a version that its tables do not know.
 TEST(CompileErrorMessage, NothingIsPrinted) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     for (const Source& source :
          {Source{"a.comp", "#version 110\nvoid main() {}\n"}, Source{"a.comp", "void main() {}\n"},
           kernel("#include \"broken/outer.glsl\"", "1.0")})
-        EXPECT_THROW((void)internal::compile_here(source, with_fixtures()), CompileError);
+        EXPECT_THROW((void)compile(source, with_fixtures()), CompileError);
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -120,42 +120,10 @@ TEST(Metamorphic, MakesEveryKindOfChange) {
                                        "condition negated", "branch as a switch", "flattened"}));
 }
 
-TEST(Metamorphic, RefusesWhatIsNoModule) {
-    EXPECT_THAT(message_of<std::runtime_error>([] { (void)metamorphic({1, 2, 3}, 1, {0}); }),
-                HasSubstr("no SPIR-V module"));
-}
-
 // Texts that exhaust or mislead the compiler: each is a CompileError that names the text, and the next text
 // compiles.
 
-std::string repeated(const std::string& text, std::size_t count) {
-    std::string all;
-    for (std::size_t i = 0; i < count; ++i) all += text;
-    return all;
-}
-
 using Hostile = InFolder;
-
-TEST_F(Hostile, AnExpressionThatIsTooDeep) {
-    const Source source{"bad.comp", "#version 450\nfloat f(float x) { return " + repeated("x-", 200'000) +
-                                        "x; }\nvoid main() { f(1.0); }\n"};
-    const std::string why = "bad.comp: the compiler ended by signal 11";
-    EXPECT_THAT(message_of<CompileError>([&] { (void)compile(source, {}); }), StartsWith(why));
-    EXPECT_THAT(message_of<CompileError>([&] { (void)functions(source, {}); }), StartsWith(why));
-    EXPECT_NO_THROW((void)compile(kernel("", "1.0"), {})) << "the next text is another process's";
-}
-
-TEST_F(Hostile, MacrosThatDouble) {
-    std::string macros = "#define M0 x\n";
-    for (int i = 1; i <= 40; ++i) {
-        const std::string inner = "M" + std::to_string(i - 1);
-        macros += "#define M" + std::to_string(i) + " " + inner + " + " + inner + "\n";
-    }
-    const Source source{"bad.comp", "#version 450\n" + macros + "float f(float x) { return M40; }\n"};
-    const std::string why = "bad.comp: the compiler takes more than ";
-    EXPECT_THAT(message_of<CompileError>([&] { (void)functions(source, {}); }), StartsWith(why));
-    EXPECT_THAT(message_of<CompileError>([&] { (void)pack({source}, {}, {}); }), StartsWith(why));
-}
 
 TEST_F(Hostile, IncludesFromOutsideTheRoots) {
     const auto secret = folder.write("secret.glsl", "float secret;\n");

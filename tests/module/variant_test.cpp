@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "module/include.hpp"
+#include "module/internal/front_end.hpp"
 #include "module/support.hpp"
+#include "source/declarations.hpp"
 #include "support/library_files.hpp"
 
 namespace gloam::shader::variant_test {
@@ -53,51 +55,17 @@ TEST(Variants, StepsCombine) {
     EXPECT_GE(module.decorated("RelaxedPrecision").size(), 3u);
 }
 
-std::string type_name(const Type& type) {
-    return type.scalar == Scalar::structure ? type.name : to_glsl(type);
-}
-
-// "T f(A, B) { T r; return r; }", for a prototype.
-std::string body_of(const Function& prototype) {
-    const std::string head = to_glsl(prototype);
-    if (prototype.result.scalar == Scalar::void_) return head + " {}\n";
-    return head + " { " + type_name(prototype.result) + " r; return r; }\n";
-}
-
-// A shader that calls every function of a file once; its prototypes get a body.
-Source caller_of(const std::string& file) {
-    const std::string include = "#include \"" + file + "\"\n";
-    const Source probe{"probe of " + file, "#version 450\n" + include};
-    std::string bodies;
-    std::string calls;
-    std::size_t count = 0;
-    for (const Function& function : functions(probe, {.include_roots = {GLOAM_GLSL_DIR}})) {
-        if (!function.defined) {
-            bodies += body_of(function);
-            continue;
-        }
-        std::string arguments;
-        for (const Parameter& parameter : function.parameters) {
-            const std::string variable = "v" + std::to_string(count++);
-            calls += "    " + type_name(parameter.type) + " " + variable + ";\n";
-            arguments += (arguments.empty() ? "" : ", ") + variable;
-        }
-        calls += "    " + function.name + "(" + arguments + ");\n";
-    }
-    return {"caller of " + file, "#version 450\nlayout(local_size_x = 1) in;\n" + include + bodies +
-                                     "void main() {\n" + calls + "}\n"};
-}
-
 class EveryFile : public testing::TestWithParam<std::string> {};
 
-// compile() validates: a failure is an exception.
+// A module of all functions; prototypes get a body. What is decorated is a valid module.
 TEST_P(EveryFile, OfTheLibraryCanBeMade) {
-    const Source source = caller_of(GetParam());
-    for (const char* name : {"strict", "relaxed"}) {
-        EXPECT_NO_THROW((void)compile(source, {.include_roots = {GLOAM_GLSL_DIR}, .variant = variant(name)}))
-            << name << '\n'
-            << source.text;
-    }
+    const Source file{GetParam(), "#version 450\n#include \"" + GetParam() + "\"\n"};
+    const std::string text = internal::preprocessed(file, Stage::compute, {GLOAM_GLSL_DIR});
+    const std::string whole = internal::completed(text, internal::each_once(internal::declarations(text)));
+    const Spirv strict = with_no_contraction(internal::to_spirv({GetParam(), whole}, Stage::compute, {},
+                                                                {.unreached = internal::Unreached::kept}));
+    for (const Spirv& decorated : {strict, with_relaxed_precision(strict)})
+        EXPECT_NO_THROW(validate(decorated)) << whole;
 }
 
 INSTANTIATE_TEST_SUITE_P(Library, EveryFile, testing::ValuesIn(gloam::test::library_files()),
@@ -167,15 +135,6 @@ TEST(Language, ErrorsInIncludesNameTheInclude) {
             << to_string(language);
     EXPECT_THAT(error_of("#include \"none.glsl\"\n", Language::es300),
                 StartsWith("body:1: cannot find include"));
-}
-
-TEST(Language, UnknownLanguageIsRefused) {
-    EXPECT_THROW(static_cast<void>(preamble(static_cast<Language>(99))), std::invalid_argument);
-}
-
-TEST(OpenglText, WhatCannotBeWrittenIsSaid) {
-    EXPECT_THAT(message_of<std::runtime_error>([] { (void)opengl_text({1, 2, 3}, Language::es310, 0); }),
-                HasSubstr("SPIRV-Cross cannot write the module as GLSL for OpenGL"));
 }
 
 }  // namespace gloam::shader::variant_test

@@ -185,6 +185,21 @@ TEST_F(HostileShaders, FilesThatAreNoText) {
     expect_refused(path("folder.glsl"), "is a folder");
 }
 
+// What ends the compiler, or takes all memory, ends a copy of the process.
+TEST_F(HostileShaders, TextsThatTheCompilerDoesNotSurvive) {
+    const std::string deep = "float f(float x) { return " + repeated("x-", 200'000) + "x; }\n";
+    std::string macros = "#define M0 x\n";
+    for (int i = 1; i <= 40; ++i) macros += fmt::format("#define M{0} M{1} + M{1}\n", i, i - 1);
+    const fs::path bad = write("deep.glsl", deep);
+    const fs::path whole = write("deep.comp", "#version 450\n" + deep + "void main() { f(1.0); }\n");
+    for (const char* command :
+         {"check {}", "explain {} f 1", "audit {}", "mutate {} -- true", "pack {} --target hlsl"})
+        expect_could_not_run(gloam(command, bad), "deep.glsl: the compiler ended by signal 11");
+    expect_could_not_run(gloam("cost {}", whole), "deep.comp: the compiler ended by signal 11");
+    const fs::path much = write("double.glsl", macros + "float f(float x) { return M40; }\n");
+    expect_could_not_run(gloam("pack {}", much), "double.glsl: the compiler takes more than ");
+}
+
 TEST_F(HostileShaders, ControlCharactersDoNotReachTheTerminal) {
     const std::string red = "\x1b[31mred";
     expect_refused(write("token.glsl", "float f(float x) { return " + red + "; }\n"), "");

@@ -125,26 +125,4 @@ class LimitError : public std::runtime_error {
 // WorkError, LimitError, and std::system_error if no process can be created.
 [[nodiscard]] std::string run_apart(const std::function<std::string()>& work, const ProcessLimits& limits);
 
-// The same for many questions: one copy, forked at the first question, answers them in turn. If it does not
-// complete, that question fails and the next one goes to a new copy. Time limits are for each question. For
-// one thread.
-class Apart {
-  public:
-    using Work = std::function<std::string(std::string_view question)>;
-
-    Apart(Work work, const ProcessLimits& limits);
-    ~Apart();
-    Apart(const Apart&) = delete;
-    Apart& operator=(const Apart&) = delete;
-
-    // Throws like run_apart().
-    [[nodiscard]] std::string ask(std::string_view question);
-
-  private:
-    struct Copy;
-    Work work_;
-    ProcessLimits limits_;
-    std::unique_ptr<Copy> copy_;
-};
-
 }  // namespace gloam::base

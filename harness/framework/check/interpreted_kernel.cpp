@@ -6,8 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "check/sampled_words.hpp"
-
 namespace gloam::check {
 
 std::vector<numeric::Bounds> hull_of(const Permitted& permitted) {
@@ -74,6 +72,27 @@ std::vector<Word> words_of(const Image& image, const ImagePrototype& prototype) 
 }
 
 }  // namespace
+
+std::vector<Word> sampled_words(const Image& image, std::string_view sampler) {
+    const Image::Sampling sampling = image.sampling.value_or(Image::Sampling{});
+    const backend::SampledHeader header{.width = static_cast<Word>(image.size.x),
+                                        .height = static_cast<Word>(image.size.y),
+                                        .depth = sampling.depth,
+                                        .levels = sampling.levels,
+                                        .shape = backend::shape_of_sampler(sampler),
+                                        .texel = backend::texel_of_sampler(sampler),
+                                        .linear = sampling.linear ? 1U : 0U,
+                                        .wrap = sampling.wrap,
+                                        .compare = sampling.compare};
+    const auto first = std::bit_cast<std::array<Word, backend::sampled_header_words>>(header);
+    std::vector<Word> words(first.begin(), first.end());
+    words.insert(words.end(), image.words.begin(), image.words.end());
+    (void)backend::sampled_header(words);
+    for (std::size_t i = 0; header.texel == backend::SampledTexel::depth && i < image.words.size(); i += 4)
+        if (const auto depth = std::bit_cast<float>(image.words[i]); !(depth >= 0.0F && depth <= 1.0F))
+            throw std::invalid_argument("an image of depths that are not all in [0, 1]");
+    return words;
+}
 
 std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& prototypes,
                                            const ImageSet& images, const std::string& kernel) {

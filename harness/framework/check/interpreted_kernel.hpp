@@ -45,6 +45,11 @@ inline constexpr std::size_t most_paths = 256;
 [[nodiscard]] std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& prototypes,
                                                          const ImageSet& images, const std::string& kernel);
 
+// An image for a sampler of this type ("usampler3D"), as backend/sampled.hpp has it. The image's pixels have
+// four components, of which depths use the first. Throws std::invalid_argument where its size and its words
+// disagree, for a cube without six square faces, and for depths outside [0, 1].
+[[nodiscard]] std::vector<Word> sampled_words(const Image& image, std::string_view sampler);
+
 // A kernel that the interpreter runs, one input at a time, on one number type (interpreter/number.hpp). Not
 // thread-safe.
 template <class Number>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "module/internal/compiler_process.hpp"
 #include "module/internal/cross.hpp"
 #include "module/internal/front_end.hpp"
 #include "module/spirv.hpp"
@@ -182,7 +181,7 @@ Spirv varied(Spirv module, const Variant& variant) {
 
 }  // namespace
 
-Spirv internal::compile_here(const Source& source, const CompileOptions& options) {
+Spirv compile(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
     Spirv module = internal::to_spirv(source, options.stage, options.include_roots, {.lines = options.lines});
     try {

@@ -137,10 +137,9 @@ struct CompileOptions {
 
 using Spirv = std::vector<std::uint32_t>;
 
-// A text can be untrusted. compile(), functions(), excerpts(), mutations(), pack() and translated() run the
-// compiler in another process with limits: 60 s of processor time and 3 GiB of memory. A text that exceeds
-// them, or that ends the compiler by a signal, is a CompileError. Includes must lie below the roots or the
-// folder of the Source.
+// The compiler runs in this process. A text made to exhaust it (an expression 100,000 deep, macros that
+// double) ends the process, or takes its memory: try texts of strangers in another one first
+// (base::run_apart()). Includes must lie below the roots or the folder of the Source.
 
 // Compiles GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module of the variant; names are kept. #include
 // needs no #extension line. Functions that main does not call may use prototypes without a body. Throws

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "module/internal/compiler_process.hpp"
 #include "module/internal/front_end.hpp"
 #include "module/module.hpp"
 #include "module/spirv.hpp"
@@ -306,7 +305,7 @@ void require_no_bias(const Spirv& module, const std::string& name) {
 
 }  // namespace
 
-std::vector<Function> internal::functions_here(const Source& source, const CompileOptions& options) {
+std::vector<Function> functions(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
     // The unchanged text is parsed first, so that messages have its line numbers.
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},

@@ -28,19 +28,6 @@ bool lists(const char* list, const std::string& wanted) {
 
 }  // namespace
 
-std::string dependency_list() {
-    const char* list = std::getenv(list_variable);
-    return list == nullptr ? "" : list;
-}
-
-void use_dependency_list(const std::string& list) {
-    if (list.empty()) {
-        ::unsetenv(list_variable);
-    } else {
-        ::setenv(list_variable, list.c_str(), 1);
-    }
-}
-
 void note_dependency(const std::filesystem::path& file) {
     const char* list = std::getenv(list_variable);
     if (list == nullptr) return;

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <map>
 #include <set>
@@ -24,6 +25,17 @@ constexpr std::uint32_t length_shift = 16;
 constexpr std::uint32_t opcode_mask = 0xffffu;
 
 }  // namespace
+
+std::string bytes_of(const Spirv& module) {
+    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(Spirv::value_type)};
+}
+
+std::optional<Spirv> module_of(std::string_view bytes) {
+    if (bytes.empty() || bytes.size() % sizeof(Spirv::value_type) != 0) return std::nullopt;
+    Spirv module(bytes.size() / sizeof(Spirv::value_type));
+    std::memcpy(module.data(), bytes.data(), bytes.size());
+    return module;
+}
 
 std::vector<Instruction> instructions(const Spirv& module) {
     if (module.size() < header_words || module[0] != magic)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "module/compile.hpp"
@@ -39,6 +40,10 @@ struct Instruction {
 
 // The words of an instruction; the first one combines the opcode and the length.
 [[nodiscard]] Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands);
+
+// A module as bytes, and back; nullopt for bytes that are no whole words.
+[[nodiscard]] std::string bytes_of(const Spirv& module);
+[[nodiscard]] std::optional<Spirv> module_of(std::string_view bytes);
 
 // The instructions of a module, one after another, without those that only name things and places.
 [[nodiscard]] Spirv without_names(const Spirv& module);

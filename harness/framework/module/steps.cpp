@@ -13,7 +13,6 @@
 #include "base/number.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
-#include "module/internal/compiler_process.hpp"
 #include "module/metamorphic.hpp"
 #include "module/spirv.hpp"
 
@@ -90,12 +89,8 @@ void require_step(const std::string& step) {
     }
 }
 
-std::string bytes_of(const Spirv& module) {
-    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(module[0])};
-}
-
-Spirv module_of(const std::string& bytes, const std::string& from) {
-    if (auto module = internal::module_of(bytes)) return std::move(*module);
+Spirv module_from(const std::string& bytes, const std::string& from) {
+    if (auto module = module_of(bytes)) return std::move(*module);
     throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", from, bytes.size()));
 }
 
@@ -106,7 +101,7 @@ constexpr std::chrono::seconds most_time{60};
 Spirv made_apart(const std::function<Spirv()>& make) {
     const base::ProcessLimits limits{
         .memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time};
-    return module_of(base::run_apart([&] { return bytes_of(make()); }, limits), "the step");
+    return module_from(base::run_apart([&] { return bytes_of(make()); }, limits), "the step");
 }
 
 Spirv run_program(const std::string& step, const StepInput& input) {
@@ -139,7 +134,7 @@ Spirv run_program(const std::string& step, const StepInput& input) {
         throw StepUnavailable(fmt::format("{} {}", command.front(), result.how()));
     if (!result.succeeded())
         throw StepError(base::one_line(fmt::format("{} {}", command.front(), result.how())));
-    return module_of(base::read_file(out), out.string());
+    return module_from(base::read_file(out), out.string());
 }
 
 Spirv taken_unchecked(const std::string& step, const StepInput& input) {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "module/include.hpp"
-#include "module/internal/compiler_process.hpp"
 #include "module/internal/front_end.hpp"
 
 namespace gloam::shader {
@@ -47,12 +46,13 @@ void require_valid(const Source& source, const std::vector<std::filesystem::path
 
 }  // namespace
 
-std::string internal::pack_here(const std::vector<Source>& sources, const PackRequest& request,
-                                const std::vector<std::filesystem::path>& roots, Stage stage) {
+std::string pack(const std::vector<Source>& sources, const PackRequest& request,
+                 const std::vector<std::filesystem::path>& roots) {
+    const Stage stage = request.stage.value_or(usual_stage(request.language));
     const std::string name = sources.empty() ? "nothing" : sources.back().name;
     Packed result;
     try {
-        result = packed(active_text(sources, request.language, stage, roots), request);
+        result = packed(internal::active_text(sources, request.language, stage, roots), request);
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(name + ": " + error.what());
     }
@@ -66,13 +66,13 @@ std::string internal::pack_here(const std::vector<Source>& sources, const PackRe
     return result.text;
 }
 
-Excerpts internal::excerpts_here(const Source& source, const std::vector<std::filesystem::path>& roots) {
-    return excerpts(active_text({source}, Language::vulkan450, Stage::compute, roots));
+Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots) {
+    return excerpts(internal::active_text({source}, Language::vulkan450, Stage::compute, roots));
 }
 
-std::vector<Mutation> internal::mutations_here(const Source& source,
-                                               const std::vector<std::filesystem::path>& roots) {
-    const ActiveText active = active_text({source}, Language::vulkan450, Stage::compute, roots);
+std::vector<Mutation> mutations(const Source& source, const std::vector<std::filesystem::path>& roots) {
+    const internal::ActiveText active =
+        internal::active_text({source}, Language::vulkan450, Stage::compute, roots);
     require_valid(source, roots);
     return mutations(active);
 }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "module/internal/compiler_process.hpp"
 #include "module/internal/cross.hpp"
 #include "module/internal/front_end.hpp"
 #include "module/texts.hpp"
@@ -74,14 +73,15 @@ std::string suffix(Target target) {
     return target == Target::hlsl ? ".hlsl" : ".metal";
 }
 
-std::string internal::translated_here(const Source& packed, Target target, Stage stage) {
+std::string translated(const Source& packed, Target target, Stage stage) {
     const bool hlsl = target == Target::hlsl;
     const char* head =
         hlsl ? "// HLSL of shader model 6.0 by SPIRV-Cross. Compile it by IEEE's rules (dxc -Gis).\n"
              : "// Metal Shading Language 2.1 by SPIRV-Cross. Compile it without fast math.\n";
     try {
-        const Spirv module = to_spirv({packed.name, whole(packed, stage)}, stage, {});
-        return licences_of(packed.text) + head + (hlsl ? to_direct3d_hlsl(module) : to_msl(module));
+        const Spirv module = internal::to_spirv({packed.name, whole(packed, stage)}, stage, {});
+        return licences_of(packed.text) + head +
+               (hlsl ? internal::to_direct3d_hlsl(module) : internal::to_msl(module));
     } catch (const CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {

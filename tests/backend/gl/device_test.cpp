@@ -261,22 +261,6 @@ void main() {
     }
 }
 
-TEST_P(OpenGlDraws, ADrawNeedsPixelsAndTargetsThatThereAre) {
-    GLOAM_OPEN_OR_SKIP(GetParam());
-    const bool es = device().info().id.version.api == Api::es;
-    const Program program(device(), Program::Stage::fragment,
-                          {"one.frag", std::string(es ? "#version 300 es\n" : "#version 330 core\n") +
-                                           "out highp uvec4 target;\nvoid main() { target = uvec4(7u); }\n"});
-    EXPECT_THROW((void)draw(device(), {.program = program, .textures = {}, .uniforms = {}, .width = 0}),
-                 std::invalid_argument);
-    EXPECT_THROW((void)draw(device(), {.program = program, .textures = {}, .uniforms = {}, .targets = 1000}),
-                 std::invalid_argument);
-    const auto targets = draw(device(), {.program = program, .textures = {}, .uniforms = {}, .width = 3});
-    EXPECT_THAT(targets.at(0), Each(7U));
-    EXPECT_THROW(WordTexture(device(), std::vector<Word>(WordTexture::most_words(device().info()) + 1)),
-                 std::invalid_argument);
-}
-
 std::string name_of(const testing::TestParamInfo<const char*>& info) {
     return test::test_name(info.param);
 }

@@ -60,12 +60,6 @@ TEST_F(ComputeTest, NoGroupsDoNothing) {
     EXPECT_EQ(buffer.as<float>()[0], 7.0f);
 }
 
-TEST_F(ComputeTest, NoCommandsSubmit) {
-    Commands commands(device());
-    commands.submit();
-    EXPECT_TRUE(commands.times_ms().empty());
-}
-
 // Each of many dispatches needs the whole result of the one before; also more descriptor sets than one pool
 // has.
 TEST_F(ComputeTest, EachDispatchSeesTheOneBefore) {

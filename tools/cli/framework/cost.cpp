@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/compiler_limits.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "check/kernel_code.hpp"
@@ -67,8 +68,10 @@ std::string with_definitions(std::string text, const std::vector<std::string>& d
 
 std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::filesystem::path& file) {
     const std::string text = with_definitions(shader::read_text(file), command.defines);
-    const shader::Spirv module = shader::compile({std::filesystem::absolute(file).string(), text},
-                                                 {.include_roots = include_roots_of(file, command.includes)});
+    const shader::Spirv module = base::tried(file, [&] {
+        return shader::compile({std::filesystem::absolute(file).string(), text},
+                               {.include_roots = include_roots_of(file, command.includes)});
+    });
     return {{file.filename().string(), cost_of(module, command.options)}};
 }
 

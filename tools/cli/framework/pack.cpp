@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/compiler_limits.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/environment.hpp"
@@ -116,9 +117,10 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
     const report::OutputFile out(options.out);
     const shader::PackRequest request{
         .language = *language, .functions = functions, .stage = stage_of(files)};
-    const std::string text =
-        with_version(in_language(packed_text(files, request, roots), files.front(), target, request.stage),
-                     target ? "" : api_of(*language));
+    const std::string packed = base::tried(files.front(), [&] {
+        return in_language(packed_text(files, request, roots), files.front(), target, request.stage);
+    });
+    const std::string text = with_version(packed, target ? "" : api_of(*language));
     if (options.out.empty()) {
         fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? base::for_terminal(text) : text);
     } else {

@@ -200,9 +200,6 @@ void set_uniforms(const Functions& gl, const Draw& work) {
 }  // namespace
 
 std::vector<std::vector<Word>> draw(const Device& device, const Draw& work) {
-    if (work.width == 0 || work.height == 0 || work.targets == 0 ||
-        work.targets > device.info().max_draw_buffers)
-        throw std::invalid_argument("a draw has pixels and 1 to max_draw_buffers targets");
     const Context& context = device.context();
     const Functions& gl = context.use();
     const Targets targets(context, work);

@@ -29,9 +29,4 @@ struct IncludeFolders {
 // is not set or the list cannot be written: a list of dependencies must not stop a compilation.
 void note_dependency(const std::filesystem::path& file);
 
-// The value of that variable, empty if it is not set, and its counterpart for another process: a compiler
-// process serves several tests of a suite, each with its own list.
-[[nodiscard]] std::string dependency_list();
-void use_dependency_list(const std::string& list);
-
 }  // namespace gloam::shader::internal

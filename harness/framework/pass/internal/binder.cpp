@@ -6,7 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <stdexcept>
 
-#include "check/sampled_words.hpp"
+#include "check/interpreted_kernel.hpp"
 #include "numeric/numbers.hpp"
 #include "pass/internal/work.hpp"
 

@@ -11,6 +11,7 @@
 
 #include "audit/coverage.hpp"
 #include "backend/backend.hpp"
+#include "base/compiler_limits.hpp"
 #include "base/text.hpp"
 #include "check/reproduction.hpp"
 #include "cli/environment.hpp"
@@ -60,10 +61,12 @@ OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
     const std::filesystem::path path = std::filesystem::absolute(file);
     const std::string text = shader::read_text(file);
     const check::Ranges known = ranges_from(ranges);
-    const shader::Excerpts all = shader::excerpts({path.string(), text}, include_roots_of(path, includes));
-    OwnFile own{all.version, all.by_macro,
-                check::own_functions({.cache_directory = cache_directory(), .excerpts = all.functions},
-                                     path.filename().string(), names)};
+    OwnFile own = base::tried(file, [&] {
+        const auto all = shader::excerpts({path.string(), text}, include_roots_of(path, includes));
+        return OwnFile{all.version, all.by_macro,
+                       check::own_functions({.cache_directory = cache_directory(), .excerpts = all.functions},
+                                            path.filename().string(), names)};
+    });
     require_known(known, own.functions.found);
     return own;
 }

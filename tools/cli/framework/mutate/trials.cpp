@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/process.hpp"
+#include "base/compiler_limits.hpp"
 #include "base/text.hpp"
 #include "base/threads.hpp"
 #include "cli/environment.hpp"
@@ -161,7 +161,9 @@ void Trials::read_files() {
     for (const fs::path& file : shaders_of(command_.paths)) {
         const std::string text = shader::read_text(file);
         real.push_back(fs::canonical(file));
-        files_.emplace_back(real.back(), text, include_roots_of(real.back(), command_.includes));
+        const auto roots = include_roots_of(real.back(), command_.includes);
+        base::try_compiler(file, [&] { const check::MutantFile tried(real.back(), text, roots); });
+        files_.emplace_back(real.back(), text, roots);
         by_number_.push_back(&files_.back());
         report_.files.push_back(file.string());
     }
