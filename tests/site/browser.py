@@ -28,7 +28,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-
 
 # The code that Windows has for each key, and its text.
 KEYS = {"Tab": (9, None), "Enter": (13, "\r"), "Space": (32, " "), "ArrowRight": (39, None), "ArrowUp": (38, None),
-        "Minus": (189, "-")}
+        "Minus": (189, "-"), "Escape": (27, None)}
 
 
 class Page:

@@ -18,12 +18,13 @@ NATIVE = "es:llvmpipe-3.0"  # the device whose verdicts a browser's must be
 SMALL = ("TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc")  # equations of a site whose kernels are spoiled
 
 # What the judge of the page says of the outputs in gloam.cases, beside what the framework said of them.
-JUDGE_ALL = """gloam.cases.map(({check, outputs, answer}) => {
+JUDGE_ALL = """Promise.all(gloam.cases.map(async ({check, outputs, answer}) => {
     const tally = gloam.judge.newTally();
-    check.scenarios.forEach((scenario, i) => gloam.judge.addScenario(tally, check, gloam.judge.decode(scenario),
-        gloam.words(outputs[i])));
+    for (const [i, scenario] of check.scenarios.entries())
+        gloam.judge.addScenario(tally, check, await gloam.judge.decode(scenario),
+            await gloam.values(Uint32Array, outputs[i]));
     return [answer, gloam.results.row(check, {tally, fault: "", error: "", reason: "", seconds: 0})];
-})"""
+}))"""
 
 
 def run(*arguments):
@@ -81,7 +82,7 @@ class SiteTest(SiteCase):
 
     def test_the_results_agree_with_those_of_the_program(self):
         file = self.folder / "native.json"
-        native = run("check", *self.EQUATIONS, "--device", NATIVE, "--inputs", 512, "--json", file)
+        native = run("check", *self.EQUATIONS, "--device", NATIVE, "--inputs", 128, "--json", file)
         if native.returncode == 2:
             self.skipTest(native.stderr)
         known = {row["equation"]: row for row in json.loads(file.read_text(encoding="utf-8"))["results"]}
@@ -174,13 +175,13 @@ class SiteTest(SiteCase):
         page = self.checked(self.spoiled("void main() {", "void main() { no_such_name = 1.0;"))
         shown = self.browser.evaluate("""(() => {
             const row = [...document.querySelectorAll("tbody tr")].find((row) => row.cells[2].textContent === "error");
-            row.querySelector("[aria-expanded]").click();
-            const lines = [...row.nextElementSibling.querySelectorAll(".code .line")];
-            return [row.nextElementSibling.hidden, lines.map((line) => line.textContent).join(""),
+            row.querySelector(".small").click();
+            const lines = [...document.querySelectorAll("dialog .code .line")];
+            return [document.querySelector("dialog").open, lines.map((line) => line.textContent).join(""),
                 lines.filter((line) => line.matches(".bad")).map((line) => line.textContent),
                 getComputedStyle(lines[1], "::before").content, row.cells[9].textContent];
         })()""")
-        self.assertFalse(shown[0])
+        self.assertTrue(shown[0])
         self.assertTrue(shown[1].startswith("#version 300 es\nprecision highp float;"), shown[1])
         self.assertEqual(["void main() { no_such_name = 1.0;\n"], shown[2])
         self.assertEqual("counter(line)", shown[3])
@@ -236,9 +237,11 @@ class SiteTest(SiteCase):
             self.tab_to(selector)
         self.browser.key("Space")
         self.assertEqual("ascending", self.browser.evaluate("document.querySelector('th').getAttribute('aria-sort')"))
-        self.tab_to("[aria-expanded]")
+        self.tab_to("tbody .small")
         self.browser.key("Space")
         self.tab_to(".code")
+        self.browser.key("Escape")
+        self.assertFalse(self.browser.evaluate("document.querySelector('dialog').open"))
 
     def test_the_focus_stays_on_the_buttons_of_a_run(self):
         page = self.fresh()

@@ -41,5 +41,5 @@ class CheckPage:
     def shown(self, column):
         """The texts of a column in the rows that are not hidden."""
         return self.browser.evaluate(
-            "[...document.querySelectorAll('tbody tr:not(.more)')].filter((row) => !row.hidden)"
+            "[...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden)"
             f".map((row) => row.cells[{column}].textContent)")

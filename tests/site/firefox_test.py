@@ -29,7 +29,7 @@ class FirefoxTest(SiteCase):
         self.begin(self.browser)
         self.assertEqual("", self.browser.text("told"))
         self.assertRegex(self.browser.text("timing"), "^WebGL2: .* ms from frame to frame")
-        for page, ready in (("methods", "document.querySelectorAll('tbody tr').length === 1"),
+        for page, ready in (("methods", "document.querySelectorAll('.method').length === 1"),
                             ("check", "document.getElementById('gpu').textContent !== 'unknown'")):
             self.browser.open(self.site / f"{page}.html")
             self.browser.wait(ready)

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "base/text.hpp"
+#include "base/image_files.hpp"
 #include "catalogue/catalogue.hpp"
 #include "check/prepared_check.hpp"
 #include "check/run.hpp"
@@ -81,7 +81,7 @@ ordered_json case_of(const gloam::check::Lab& lab, const gloam::catalogue::Entry
         answer.merge(gloam::check::judge(question, {.nan = false}, scenario.inputs, words, scenario.images,
                                          scenario.name));
         const auto* const bytes = reinterpret_cast<const unsigned char*>(words.data());
-        outputs.push_back(gloam::base::base64({bytes, words.size() * sizeof(Word)}));
+        outputs.push_back(gloam::base::deflated_base64({bytes, words.size() * sizeof(Word)}));
     }
     return {{"check", ordered_json::parse(gloam::site::check_json(entry.description, question, prepared))},
             {"outputs", std::move(outputs)},

@@ -222,6 +222,8 @@ class NpmTest(BrowserCase):
                 () => { view.occlusion.source = "scene"; view.occlusion.preset = "none"; view.draw(); },
                 () => made({logarithmicDepthBuffer: true}).draw(),
                 () => new view.occlusion.constructor(view.scene, view.camera, {output: "light"}),
+                () => new view.occlusion.constructor(view.scene, view.camera, {raduis: 2}),
+                () => new view.occlusion.constructor(view.scene),
                 () => { const depth = new view.occlusion.materials.hidden.constructor();
                     view.occlusion.darken(depth); depth.onBeforeCompile({uniforms: {}, fragmentShader: ""}); },
             ].map(refusal);
@@ -233,6 +235,8 @@ class NpmTest(BrowserCase):
                     "depth: expected a texture", "whose target has a depthTexture",
                     'preset "none": expected fast', "logarithmicDepthBuffer: expected",
                     'output "light": expected "shaded" or "visibility" or "ambient"',
+                    'option "raduis": expected preset, radius, intensity, output, source, bounces',
+                    "camera: expected one of three.js, got undefined",
                     "MeshNormalMaterial: expected a material that three.js lights"]
         for want, message in zip(expected, messages, strict=True):
             self.assertIn(want, message or "")

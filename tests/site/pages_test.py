@@ -30,8 +30,9 @@ class PagesTest(SiteCase):
 
     def test_every_page_works_on_a_small_screen_and_asks_no_network(self):
         for page in PAGES:
-            self.open(page, width=390)
-            self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390, page)
+            for width in (1920, 390):
+                self.open(page, width=width)
+                self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), width, page)
             self.assertEqual(len(PAGES), self.count("nav a"), page)
             self.assertEqual(1, self.count("nav a[aria-current]"), page)
             self.assertIn("gloam", self.browser.evaluate("document.title"), page)
@@ -46,55 +47,54 @@ class PagesTest(SiteCase):
     def text(self, selector):
         return self.browser.evaluate(f"document.querySelector('{selector}').textContent")
 
-    def details(self, name):
-        """Opens the details of a method, and gives the row that holds them."""
+    def test_the_methods_have_their_equations_presets_and_failures(self):
         self.open("methods")
-        self.browser.evaluate(f"document.querySelector('[aria-label=\"details of {name}\"]').click()")
-        return "tr.more"
-
-    def test_the_methods_have_a_row_with_details_each(self):
-        self.open("methods")
-        names = self.browser.evaluate("[...document.querySelectorAll('tbody tr')].map((row) =>"
-                                      " row.cells[0].textContent)")
-        self.assertEqual(METHODS, names)
+        self.assertEqual(METHODS, self.browser.evaluate("[...document.querySelectorAll('tbody tr')].map((row) =>"
+                                                        " row.cells[0].textContent)"))
         self.assertIn("reference", self.text("tbody tr:nth-child(2)"))
         listed = json.loads(subprocess.run([GLOAM, "list", "presets", "--json"], check=True, capture_output=True,
                                            text=True).stdout)["presets"]
         for name, equation in (("gtao", "GTAO-gather"), ("sweep", "SWEEP-gather")):
-            row = self.details(name)
-            self.assertIn(equation, self.text(f"{row} tbody td"))
-            rows = self.browser.evaluate(f"[...document.querySelectorAll('{row} [aria-label=Presets] tbody tr')]"
-                                         ".map((row) => [...row.cells].slice(0, 3).map((cell) => cell.textContent))")
-            want = [[one["name"], f"{one['error']:.4f}", f"{one['time']:.2f}"] for one in listed
-                    if one["settings"].get("method", "hemisphere") == name]
-            self.assertEqual(want, rows)
+            said = self.text(f"#{name} dl")
+            self.assertIn(equation, said)
+            for one in listed:
+                if one["settings"].get("method", "hemisphere") == name:
+                    self.assertIn(f"{one['name']}: error {one['error']:.4f}, time {one['time']:.2f}", said)
         table = (DOCS / "methods.md").read_text(encoding="utf-8").split("| method | fails | number |")[1]
         failure = next(line for line in table.splitlines() if line.startswith("| gtao | "))
-        said = self.text(self.details("gtao"))
         for cell in failure.strip("| ").split(" | ")[1:]:
-            self.assertIn(cell, said)
+            self.assertIn(cell, self.text("#gtao dl"))
 
     def test_the_methods_have_pictures(self):
-        row = self.details("gtao")
-        if self.count(f"{row} img") == 0:
+        self.open("methods")
+        if self.count("#gtao img") == 0:
             self.skipTest("there is no Vulkan device")
-        self.browser.wait(f"document.querySelector('{row} img').complete")
-        self.assertEqual(480, self.browser.evaluate(f"document.querySelector('{row} img').naturalWidth"))
-        self.assertIn("preset balanced", self.text(f"{row} figcaption"))
+        self.browser.wait("document.querySelector('#gtao img').complete")
+        self.assertEqual(320, self.browser.evaluate("document.querySelector('#gtao img').naturalWidth"))
+        self.assertIn("preset balanced", self.text("main .soft"))
         pictures = [(self.site / f"method-{name}.png").read_bytes() for name in METHODS]
         self.assertNotEqual(*pictures)
 
-    def test_one_of_three_pictures_of_a_room_is_shown(self):
+    def test_the_plot_has_every_preset(self):
+        self.open("index")
+        listed = subprocess.run([GLOAM, "list", "presets"], check=True, capture_output=True, text=True).stdout
+        points = self.browser.evaluate("[...document.querySelectorAll('.plot title')].map((one) => one.textContent)")
+        self.assertEqual([line.split()[0] for line in listed.splitlines()], [point.split(":")[0] for point in points])
+        names = self.browser.evaluate("[...document.querySelectorAll('.plot text.own')].map((one) => one.textContent)")
+        self.assertEqual(["fast", "balanced", "quality", "reference"], names)
+
+    def test_one_of_the_pictures_of_a_room_is_shown(self):
         self.open("index")
         if self.count(".choose") == 0:
             self.skipTest("there is no Vulkan device")
         shown = ("[...document.querySelectorAll('.choose img')].filter((one) => one.checkVisibility())"
                  ".map((one) => one.getAttribute('src'))")
-        for name, file in (("with", "room-with.png"), ("without", "room-without.png"), ("traced", "room-truth.png")):
+        for name, file in (("with", "room-with.png"), ("without", "room-without.png"), ("traced", "room-truth.png"),
+                           ("alone", "room-occlusion.png")):
             self.browser.evaluate(f"document.getElementById('{name}').click()")
             self.assertEqual([file], self.browser.evaluate(shown))
-        self.assertEqual(3, len({(self.site / f"room-{name}.png").read_bytes()
-                                 for name in ("with", "without", "truth")}))
+        self.assertEqual(4, len({(self.site / f"room-{name}.png").read_bytes()
+                                 for name in ("with", "without", "truth", "occlusion")}))
         self.assertIn("error", self.text(".choose figcaption"))
         self.assertIn('content="https://example.org/gloam/room-with.png"', (self.site / "index.html").read_text(encoding="utf-8"))
 

@@ -31,15 +31,20 @@ TEST_F(Demo, SaysInTenLinesWhatItDidAndWhereToLook) {
     EXPECT_THAT(page, HasSubstr("gloam_radical_inverse_base2"));
     // Every picture of the page is there, and nothing that the page does not show.
     std::vector<std::string> shown{"index.html", "sheet.png"};
+    for (const char* guide : {"copy-a-shader.txt", "testing.txt", "judge-a-driver.txt"}) {
+        shown.emplace_back(guide);
+        EXPECT_THAT(page, HasSubstr("href=\"" + shown.back() + "\""));
+    }
+    EXPECT_THAT(page, AllOf(HasSubstr("<svg class=\"plot\""), HasSubstr("<details class=\"fold\">")));
     for (const char* scene : {"room", "moving"}) {
-        for (const char* picture : {"plain", "shaded", "visibility", "error"}) {
+        for (const char* picture : {"plain", "shaded", "truth", "visibility", "error"}) {
             shown.push_back(std::string(scene) + "_" + picture + ".png");
             EXPECT_THAT(page, HasSubstr("src=\"" + shown.back() + "\""));
         }
     }
     const std::vector<std::string> files = files_in(out);
     EXPECT_THAT(files, testing::IsSupersetOf(shown));
-    EXPECT_EQ(files.size(), shown.size() + 4);  // those of the bunny, or of the knot
+    EXPECT_EQ(files.size(), shown.size() + 5);  // those of the bunny, or of the knot
 }
 
 class LitPictures : public Rendering {

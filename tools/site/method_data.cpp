@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -9,31 +9,18 @@
 #include "catalogue/catalogue.hpp"
 #include "effect/methods.hpp"
 #include "module/texts.hpp"
+#include "report/page.hpp"
 #include "site/page_data.hpp"
 
 namespace gloam::site {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 bool has_name(const std::string& names, const std::string& name) {
     std::istringstream words(names);
     for (std::string word; words >> word;)
         if (word == name || word == name + ",") return true;
     return false;
-}
-
-// The presets that run the method, with what was measured of them.
-ordered_json presets_of(const effect::MethodInfo& method) {
-    ordered_json rows = ordered_json::array();
-    for (const effect::Preset& preset : effect::presets())
-        if (preset.settings.method == method.name)
-            rows.push_back({{"name", preset.name},
-                            {"description", preset.description},
-                            {"error", preset.error},
-                            {"time", preset.time}});
-    return rows;
 }
 
 // Where a method fails, in words, and by how much.
@@ -78,35 +65,100 @@ std::vector<catalogue::Description> method_equations(const effect::MethodInfo& m
     return used;
 }
 
-ordered_json equations_json(const std::vector<catalogue::Description>& equations) {
-    ordered_json rows = ordered_json::array();
+// The presets that run the method, the one with the least error first.
+std::vector<effect::Preset> presets_of(const effect::MethodInfo& method) {
+    std::vector<effect::Preset> own;
+    for (const effect::Preset& preset : effect::presets())
+        if (preset.settings.method == method.name) own.push_back(preset);
+    std::ranges::sort(own, {}, &effect::Preset::error);
+    return own;
+}
+
+std::string numbers_of(const effect::Preset& preset) {
+    return fmt::format("{}: error {:.4f}, time {:.2f}", preset.name, preset.error, preset.time);
+}
+
+// A list of terms and what is said of each; texts are escaped, `code` stands behind the text.
+class Terms {
+  public:
+    void add(const std::string& term, const std::string& text, const std::string& code = {}) {
+        html_ +=
+            fmt::format("<dt>{}</dt><dd>{}{}</dd>\n", report::escaped_html(term), report::escaped_html(text),
+                        code.empty() ? "" : " <code>" + report::escaped_html(code) + "</code>");
+    }
+    [[nodiscard]] std::string html() const { return "<dl>\n" + html_ + "</dl>\n"; }
+
+  private:
+    std::string html_;
+};
+
+// A method with its picture, and its details folded below.
+std::string card_of(const effect::MethodInfo& method, const std::vector<catalogue::Description>& equations,
+                    const MethodFailure& failure, bool with_picture) {
+    Terms terms;
+    terms.add("copy it", "", fmt::format("gloam pack {} --function gloam_{}", file_of(method), method.name));
+    terms.add("estimates", to_string(method.measure));
+    terms.add("falloff", method.falloff);
     for (const catalogue::Description& equation : equations)
-        rows.push_back({{"name", equation.id},
-                        {"title", equation.title},
-                        {"formula", equation.formula},
-                        {"source", equation.source}});
-    return rows;
+        terms.add(equation.id, equation.title + " [" + equation.source + "]", equation.formula);
+    for (const effect::Preset& preset : presets_of(method)) terms.add(numbers_of(preset), preset.description);
+    if (!failure.words.empty())
+        terms.add("where it fails", failure.words + "; error, by gloam bench methods: " + failure.number);
+    const std::string picture =
+        with_picture ? fmt::format(
+                           "<img src=\"method-{0}.png\" alt=\"occlusion of a room by {0}\" width=\"{1}\" "
+                           "height=\"{2}\" loading=\"lazy\">\n",
+                           method.name, method_picture_width, method_picture_height)
+                     : "";
+    return fmt::format(
+        "<section class=\"method\" id=\"{0}\">\n{1}<h2>{0}</h2>\n<p>{2}</p>\n<details><summary>equations, "
+        "presets, "
+        "where it fails<span class=\"unseen\"> of {0}</span></summary>\n{3}</details>\n</section>\n",
+        method.name, picture, report::escaped_html(method.description), terms.html());
+}
+
+// One row for each method, with its preset of the least error.
+report::PageTable table_of(const std::vector<effect::MethodInfo>& methods) {
+    report::PageTable table{.columns = {{.title = "method"},
+                                        {.title = "estimates", .filter = true},
+                                        {.title = "error", .numeric = true},
+                                        {.title = "time", .numeric = true},
+                                        {.title = "preset"},
+                                        {.title = "what it is"}},
+                            .rows = {}};
+    for (const effect::MethodInfo& method : methods) {
+        const std::vector<effect::Preset> own = presets_of(method);
+        const auto number = [&](double effect::Preset::* value, int digits) {
+            return own.empty() ? report::PageCell{}
+                               : report::number_cell(own.front().*value,
+                                                     fmt::format("{:.{}f}", own.front().*value, digits));
+        };
+        table.rows.push_back({{.text = method.name},
+                              {.text = to_string(method.measure)},
+                              number(&effect::Preset::error, 4),
+                              number(&effect::Preset::time, 2),
+                              {.text = own.empty() ? "" : own.front().name},
+                              {.text = method.description}});
+    }
+    return table;
 }
 
 }  // namespace
 
-std::string methods_json(const std::vector<effect::MethodInfo>& methods, const std::filesystem::path& library,
+std::string methods_html(const std::vector<effect::MethodInfo>& methods, const std::filesystem::path& library,
                          std::string_view failures, const std::string& caption) {
     std::map<std::string, MethodFailure> known = method_failures(failures);
     const Equations equations = catalogue::descriptions(library);
-    ordered_json json = ordered_json::array();
+    report::Page page("");
+    if (!caption.empty()) page.markup("<p class=\"soft\">" + report::escaped_html(caption) + "</p>\n");
+    page.markup("<div class=\"methods\">\n");
     for (const effect::MethodInfo& method : methods)
-        json.push_back({{"name", method.name},
-                        {"description", method.description},
-                        {"file", file_of(method)},
-                        {"measure", to_string(method.measure)},
-                        {"falloff", method.falloff},
-                        {"equations", equations_json(method_equations(method, library, equations))},
-                        {"presets", presets_of(method)},
-                        {"fails", known[method.name].words},
-                        {"number", known[method.name].number},
-                        {"caption", caption}});
-    return json.dump(-1, ' ', true);
+        page.markup(card_of(method, method_equations(method, library, equations), known[method.name],
+                            !caption.empty()));
+    page.markup("</div>\n");
+    page.heading("Error and time");
+    page.table(table_of(methods));
+    return page.body();
 }
 
 }  // namespace gloam::site

@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "catalogue/catalogue.hpp"
 #include "effect/methods.hpp"
+#include "pictures/plot.hpp"
 #include "report/output.hpp"
 #include "report/page.hpp"
 #include "site/page_data.hpp"
@@ -112,36 +113,41 @@ std::string worker_text(const fs::path& files) {
     return nlohmann::ordered_json(text).dump();
 }
 
-// The page with the picture of a room between two comments, or without it.
-std::string with_picture(std::string page, const SiteOptions& options) {
-    const std::string begin = "<!-- begin picture -->\n";
-    const std::string end = "<!-- end picture -->\n";
-    std::string picture = between(page, begin, end, "index.html");
-    const std::size_t at = page.find(begin);
-    const std::size_t size = begin.size() + picture.size() + end.size();
-    if (options.pictures.room.empty()) picture.clear();
-    return page.replace(at, size,
-                        base::replaced(picture, "CAPTION", report::escaped_html(options.pictures.room)));
-}
-
-void write_pages(const SiteOptions& options, report::OutputFolder& folder) {
-    copy_files(options.files / "page", ".js.css", folder);
-    for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page")) {
-        if (file.path().extension() != ".html") continue;
-        const std::string name = file.path().filename().string();
-        const std::string text = base::read_file(file.path());
-        folder.write(name,
-                     page_text(name, name == "index.html" ? with_picture(text, options) : text, options));
-    }
-    folder.write("worker-text.js", "gloam.workerText = " + worker_text(options.files) + ";\n");
-}
-
 // The methods that the page of methods shows, in the order of all.
 std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
     if (options.methods.empty()) return effect::methods();
     std::vector<effect::MethodInfo> methods;
     for (const std::string& name : options.methods) methods.push_back(effect::method_named(name));
     return methods;
+}
+
+// What stands in the pages in the place of a word in capitals. The picture of a room stands only where there
+// is one.
+std::string filled(std::string page, const SiteOptions& options, const std::filesystem::path& library) {
+    const SitePictures& pictures = options.pictures;
+    if (pictures.room.empty())
+        if (const std::size_t at = page.find("<figure class=\"choose\">"); at != std::string::npos)
+            page.erase(at, page.find("</figure>\n", at) + 10 - at);
+    page = base::replaced(page, "CAPTION", report::escaped_html(pictures.room));
+    page = base::replaced(page, "PLOT\n", presets_plot());
+    if (page.find("METHODS\n") == std::string::npos) return page;
+    const std::string failures = base::read_file(options.documents / "methods.md");
+    return base::replaced(page, "METHODS\n",
+                          methods_html(methods_of(options), library, failures, pictures.methods));
+}
+
+void write_pages(const SiteOptions& options, const fs::path& library, report::OutputFolder& folder) {
+    copy_files(options.files / "page", ".js", folder);
+    for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page")) {
+        if (file.path().extension() != ".html") continue;
+        const std::string name = file.path().filename().string();
+        folder.write(name, page_text(name, filled(base::read_file(file.path()), options, library), options));
+    }
+    write_guides(options.documents, folder);
+    folder.write("style.css",
+                 std::string(report::page_style()) + base::read_file(options.files / "page/style.css"));
+    folder.write("page.js", std::string(report::page_script()));
+    folder.write("worker-text.js", "gloam.workerText = " + worker_text(options.files) + ";\n");
 }
 
 // The class of the effect as a script of the pages, whose names are members of `gloam`.
@@ -186,6 +192,23 @@ void write_checks(const catalogue::Entries& entries, const std::vector<Written>&
 
 }  // namespace
 
+std::string presets_plot() {
+    std::vector<pictures::PlotPoint> points;
+    for (const effect::Preset& preset : effect::presets())
+        points.push_back({preset.name, preset.time, preset.error, !preset.published});
+    return "<figure>\n" +
+           pictures::to_plot_svg(points, "time of a frame, in that of fast (llvmpipe)", "error") +
+           "<figcaption>gloam's own presets in blue, published ones in grey; error: root mean square against "
+           "ray-traced occlusion, of sequences on unseen views (gloam bench "
+           "presets).</figcaption>\n</figure>\n";
+}
+
+void write_guides(const fs::path& documents, report::OutputFolder& folder) {
+    for (const Guide& guide : guides)
+        folder.write(guide.name + std::string(".txt"),
+                     base::read_file(documents / (guide.name + std::string(".md"))));
+}
+
 SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
                        const std::function<void(std::size_t, std::size_t)>& told) {
     const std::filesystem::path& glsl = lab.options().include_roots.front();
@@ -195,13 +218,8 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     summary.checks = entries.size();
     const std::vector<Written> written = prepare_all(lab, options, entries, told);
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
-    write_pages(options, folder);
+    write_pages(options, glsl, folder);
     write_effect(glsl, options, folder);
-    folder.write("methods-data.js", "gloam.methodList = " +
-                                        methods_json(methods_of(options), glsl,
-                                                     base::read_file(options.documents / "methods.md"),
-                                                     options.pictures.methods) +
-                                        ";\n");
     write_checks(entries, written, options, folder);
     return summary;
 }

@@ -15,15 +15,15 @@ namespace gloam::site {
 
 // Captions of the pictures that were rendered into the site's folder; empty: there are none.
 struct SitePictures {
-    // Of room-with.png, which stands for the site elsewhere, room-without.png and room-truth.png
-    // (page/index.html).
+    // Of room-with.png, which stands for the site elsewhere, room-without.png, room-truth.png and
+    // room-occlusion.png (page/index.html).
     std::string room;
     std::string methods;  // of method-NAME.png, each
 };
 
 struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
-    std::size_t inputs = 512;            // of each check
+    std::size_t inputs = 128;            // of each check
     std::uint64_t seed = 1;
     std::filesystem::path files;       // folder of the pages and the shaders
     std::filesystem::path documents;   // folder of methods.md
@@ -32,6 +32,24 @@ struct SiteOptions {
     std::string address;   // of the published site, for previews of its pages; can be empty
     std::string versions;  // of this program, for the results file
 };
+
+// Size of method-NAME.png, pixels.
+inline constexpr int method_picture_width = 320;
+inline constexpr int method_picture_height = 180;
+
+// A figure of time against error: each preset as `gloam bench presets` has measured it.
+[[nodiscard]] std::string presets_plot();
+
+// A guide of docs, which the pages link as text.
+struct Guide {
+    const char* name;  // of its file, without the extension
+    const char* title;
+};
+inline constexpr Guide guides[] = {
+    {"copy-a-shader", "Copy a shader"}, {"testing", "Test a function"}, {"judge-a-driver", "Judge a driver"}};
+
+// Writes them as NAME.txt.
+void write_guides(const std::filesystem::path& documents, report::OutputFolder& folder);
 
 // What was written.
 struct SiteSummary {

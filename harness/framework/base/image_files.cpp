@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <numbers>
 #include <stdexcept>
+
+#include "base/text.hpp"
+
+// Of stb.cpp; its header declares what makes files alone.
+extern "C" unsigned char* stbi_zlib_compress(unsigned char* data, int size, int* packed_size, int quality);
 
 namespace gloam::base {
 
@@ -211,6 +218,18 @@ FloatImage read_pfm(const fs::path& file) {
     if (!stream) fail_with_file(file, "cannot be read to its end");
     if (header.little_endian != (std::endian::native == std::endian::little)) swap_bytes(image.texels);
     return image;
+}
+
+std::string deflated_base64(std::span<const unsigned char> bytes) {
+    if (bytes.empty()) return {};
+    constexpr int quality = 16;
+    int size = 0;
+    std::vector<unsigned char> copy(bytes.begin(), bytes.end());
+    unsigned char* packed = stbi_zlib_compress(copy.data(), static_cast<int>(copy.size()), &size, quality);
+    if (packed == nullptr) throw std::bad_alloc();
+    const std::string text = base64({packed, static_cast<std::size_t>(size)});
+    std::free(packed);
+    return text;
 }
 
 }  // namespace gloam::base

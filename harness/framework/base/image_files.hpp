@@ -62,4 +62,7 @@ using RgbBytes = std::vector<std::uint8_t>;
 [[nodiscard]] std::string to_heat_png(std::span<const float> errors, std::uint32_t width,
                                       std::uint32_t height, double full);
 
+// Bytes compressed in the zlib format (RFC 1950), as base64; nothing of no bytes.
+[[nodiscard]] std::string deflated_base64(std::span<const unsigned char> bytes);
+
 }  // namespace gloam::base

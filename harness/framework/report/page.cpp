@@ -116,9 +116,15 @@ std::string escaped_html(std::string_view text) {
     return html;
 }
 
-Page::Page(std::string_view title) : title_(title) {
-    body_ = fmt::format("<h1>{}</h1>\n", escaped_html(title));
+std::string_view page_style() {
+    return internal::page_style;
 }
+
+std::string_view page_script() {
+    return internal::page_script;
+}
+
+Page::Page(std::string_view title) : title_(title) {}
 
 void Page::heading(std::string_view text) {
     body_ += fmt::format("<h2>{}</h2>\n", escaped_html(text));
@@ -140,6 +146,15 @@ void Page::source(const std::vector<PageLine>& lines) {
                              std::min(line.heat, hottest), line.number, escaped_html(line.text),
                              line.note.empty() ? "" : "  // ", escaped_html(line.note));
     body_ += "</pre>\n";
+}
+
+void Page::markup(std::string_view html) {
+    body_ += html;
+}
+
+void Page::fold(std::string_view summary) {
+    body_ += fmt::format("<details class=\"fold\"><summary>{}</summary>\n", escaped_html(summary));
+    folded_ = true;
 }
 
 void Page::choose(const std::vector<PagePicture>& pictures, std::string_view caption) {
@@ -182,9 +197,10 @@ std::string Page::html() const {
         "style-src 'unsafe-inline'; script-src 'sha256-{}'\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"generator\" content=\"gloam {}\">\n<title>{}</title>\n"
-        "<style>\n{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
-        base64_of_hex(internal::page_script_sha256), base::version(), escaped_html(title_),
-        internal::page_style, body_, internal::page_script);
+        "<style>\n{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n{}{}</main>\n<script>{}</script>\n"
+        "</body>\n</html>\n",
+        base64_of_hex(internal::page_script_sha256), base::version(), escaped_html(title_), page_style(),
+        escaped_html(title_), body_, folded_ ? "</details>\n" : "", page_script());
 }
 
 }  // namespace gloam::report

@@ -64,6 +64,12 @@ class Page {
     void preformatted(std::string_view text);
     void source(const std::vector<PageLine>& lines);
 
+    // Elements of HTML as they are: the caller has escaped what they contain.
+    void markup(std::string_view html);
+
+    // Folds what follows, to the end of the page, below a line that opens it. Once.
+    void fold(std::string_view summary);
+
     // Pictures of one size with a button each: the chosen one is shown, at first the first. At most five.
     void choose(const std::vector<PagePicture>& pictures, std::string_view caption);
 
@@ -73,11 +79,19 @@ class Page {
     // The complete file.
     [[nodiscard]] std::string html() const;
 
+    // What a page of another maker contains: elements, without the title.
+    [[nodiscard]] const std::string& body() const { return body_; }
+
   private:
     std::string title_;
     std::string body_;
     int choices_ = 0;
+    bool folded_ = false;
 };
+
+// The style and the script of every page, for those that are files beside it.
+[[nodiscard]] std::string_view page_style();
+[[nodiscard]] std::string_view page_script();
 
 // Escapes a text for HTML, in element content and in quoted attributes: & < > " ' become entities, control
 // characters except tab and line break become U+FFFD. Bytes that are not UTF-8 stay; a browser shows them as

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/environment.hpp"
 #include "cli/framework/check.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/occlusion/names.hpp"
@@ -19,6 +20,7 @@
 #include "cli/progress.hpp"
 #include "report/check_page.hpp"
 #include "report/page.hpp"
+#include "site/site.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -51,7 +53,7 @@ void say(const DemoOptions& demo, const std::string& line) {
 }
 
 RenderOptions options_for(const DemoOptions& demo, const std::string& source) {
-    RenderOptions options{.source = source, .frames = 8, .size = "480x270", .device = demo.device};
+    RenderOptions options{.source = source, .frames = 8, .size = "640x360", .device = demo.device};
     options.trace_truth = true;
     options.truth_rays = 128;
     options.quiet = demo.quiet;
@@ -82,15 +84,21 @@ report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out
         page.heading(scene.name + ": " + scene.what);
         add_pictures(page, out, scene.name + "_", scene.run);
     }
+    page.heading("Time and error");
+    page.markup(site::presets_plot());
+    page.heading("Three doors");
+    site::write_guides(documents_directory(), out);
+    for (const site::Guide& guide : site::guides)
+        page.markup(fmt::format("<p><a href=\"{}.txt\">{}</a></p>\n", guide.name, guide.title));
     return page;
 }
 
 void add_check(report::Page& page, const CheckOutcome& outcome) {
-    page.heading("The check");
+    page.fold("The check: " + to_text(outcome.counts));
     page.paragraph(
         fmt::format("Every equation of the library ran on this device with {} inputs, and each result "
-                    "was compared with the equation in double precision: {}.",
-                    few_inputs, to_text(outcome.counts)));
+                    "was compared with the equation in double precision.",
+                    few_inputs));
     page.table(report::check_table(outcome.reports));
 }
 

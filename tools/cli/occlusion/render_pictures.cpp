@@ -151,10 +151,13 @@ void add_pictures(report::Page& page, report::OutputFolder& folder, const std::s
     };
     add("shaded.png", last.shaded, "with ambient occlusion");
     add("plain.png", last.plain, "without");
+    if (!last.truth_lit.empty()) add("truth.png", last.truth_lit, "ray-traced truth");
     add("visibility.png", last.visibility, "the occlusion alone");
-    if (!last.error.empty())
-        add("error.png", last.error, fmt::format("its error (pale yellow: {} and more)", brightest_error));
-    page.choose(all, caption_of(run.report));
+    if (!last.error.empty()) add("error.png", last.error, "its error");
+    page.choose(all, caption_of(run.report) +
+                         (last.error.empty()
+                              ? ""
+                              : fmt::format("; its error: pale yellow is {} and more", brightest_error)));
 }
 
 }  // namespace gloam::cli

@@ -45,15 +45,17 @@ std::string render_room(const PictureOptions& options, RenderBench& bench, repor
     const RenderOptions render_options{.source = "room",
                                        .frames = 16,
                                        .still = true,
+                                       .size = "960x540",
                                        .device = options.device,
                                        .trace_truth = true,
-                                       .truth_rays = 256,
+                                       .truth_rays = 64,
                                        .quiet = true};
     bench.forget_light();
     const Rendered run = render(render_options, open_input(render_options), bench, {});
     const auto [width, height] = run.last.extent;
     folder.write("room-with.png", base::to_rgb_png(run.last.shaded, width, height));
     folder.write("room-without.png", base::to_rgb_png(run.last.plain, width, height));
+    folder.write("room-occlusion.png", base::to_rgb_png(run.last.visibility, width, height));
     folder.write("room-truth.png", base::to_rgb_png(run.last.truth_lit, width, height));
     return fmt::format("A room, rendered on {}: {}", bench.device.info().name, caption_of(run.report));
 }
@@ -62,13 +64,14 @@ std::string render_room(const PictureOptions& options, RenderBench& bench, repor
 // method.
 std::string render_method(const std::string& name, const PictureOptions& options, RenderBench& bench,
                           report::OutputFolder& folder) {
-    const RenderOptions render_options{.source = "room",
-                                       .method = name,
-                                       .frames = 8,
-                                       .still = true,
-                                       .size = "480x270",
-                                       .device = options.device,
-                                       .quiet = true};
+    const RenderOptions render_options{
+        .source = "room",
+        .method = name,
+        .frames = 4,
+        .still = true,
+        .size = fmt::format("{}x{}", site::method_picture_width, site::method_picture_height),
+        .device = options.device,
+        .quiet = true};
     const Rendered run = render(render_options, open_input(render_options), bench, {});
     const Pictures& last = run.last;
     folder.write("method-" + name + ".png",

@@ -25,6 +25,7 @@ export interface PassOptions {
 
 /** Ambient occlusion in an EffectComposer, behind its RenderPass; with the output "ambient" before it. All options may be set later, too. */
 export class AmbientOcclusionPass extends Pass {
+    /** Throws an Error for another option, or a value that none of these is. */
     constructor(scene: Scene, camera: Camera, options?: PassOptions);
     scene: Scene;
     /** Another camera begins a new history. */

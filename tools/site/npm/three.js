@@ -99,14 +99,20 @@ class NormalMaterials {
 }
 
 export class AmbientOcclusionPass extends Pass {
-    constructor(scene, camera, {preset = effect.preset, radius = 1, intensity = 1, output = "shaded",
-        source = "scene", bounces = false} = {}) {
+    constructor(scene, camera, options = {}) {
         super();
+        for (const [name, object, kind] of [["scene", scene, "isObject3D"], ["camera", camera, "isCamera"]])
+            if (!object?.[kind]) throw new Error(`${name}: expected one of three.js, got ${object}`);
+        const known = {preset: effect.preset, radius: 1, intensity: 1, output: "shaded", source: "scene",
+            bounces: false};
+        for (const name of Object.keys(options))
+            if (!(name in known)) throw new Error(`option "${name}": expected ${Object.keys(known).join(", ")}`);
+        const {output, source} = Object.assign(known, options);
         for (const [name, value, expected] of [["output", output, ["shaded", "visibility", "ambient"]],
             ["source", source, ["scene", "composer"]]])
             if (!expected.includes(value))
                 throw new Error(`${name} "${value}": expected ${expected.map((one) => `"${one}"`).join(" or ")}`);
-        Object.assign(this, {scene, camera, preset, radius, intensity, output, source, bounces});
+        Object.assign(this, {scene, camera, ...known});
         this.size = [1, 1];
         this.occlusion = null;
         this.materials = new NormalMaterials();

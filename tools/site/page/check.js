@@ -4,7 +4,8 @@
 
 gloam.checkPage = (() => {
     const at = (id) => document.getElementById(id);
-    const state = {running: false, stop: false, rows: [], runner: null, table: null, toldAt: 0};
+    const state = {running: false, stop: false, rows: [], runner: null, table: gloam.checkTable.made(), toldAt: 0};
+    at("results").append(state.table);  // page.js, which sorts it, comes later
 
     // What a check gave: {tally, fault, error, reason, seconds} for gloam.results.row(), null where it was stopped.
     async function runOf(check) {
@@ -12,7 +13,7 @@ gloam.checkPage = (() => {
         const run = {tally: gloam.judge.newTally(), fault: "", error: check.unsupported, reason: ""};
         if (run.error !== "") return {...run, reason: "unsupported", seconds: 0};
         try {
-            const scenarios = check.scenarios.map(gloam.judge.decode);
+            const scenarios = await Promise.all(check.scenarios.map(gloam.judge.decode));
             const results = await state.runner.evaluate(check, scenarios);
             results.forEach(({outputs, fault}, i) => {
                 gloam.judge.addScenario(run.tally, check, scenarios[i], outputs);
@@ -31,7 +32,8 @@ gloam.checkPage = (() => {
     function add({scenarios, ...check}, run) {
         const row = gloam.results.row(check, run);
         state.rows.push(row);
-        state.table.add({check, row, worst: run.tally.worst, kernel: check.kernel});
+        state.table.tBodies[0].append(gloam.checkTable.rowOf({check, row, worst: run.tally.worst, kernel: check.kernel},
+            at("details")));
         at("progress").value = state.rows.length;
         if (performance.now() - state.toldAt > 1000) tellProgress();  // a screen reader reads each
     }
@@ -43,6 +45,7 @@ gloam.checkPage = (() => {
         at("told").textContent = `${state.rows.length} of ${gloam.site.checks} checks: ${count("ok")} ok, ` +
             `${count("failed")} failed, ${count("not judged")} not judged${end}`;
         at("told").className = count("failed") > 0 ? "bad" : "";
+        document.querySelector("input[type=search]").dispatchEvent(new Event("input"));  // the rows are filtered again
     }
 
     // The checks of a file of the site, by the name of their part.
@@ -65,7 +68,7 @@ gloam.checkPage = (() => {
 
     async function runAll() {
         Object.assign(state, {running: true, stop: false, rows: []});
-        state.table.clear();
+        state.table.tBodies[0].replaceChildren();
         Object.assign(at("progress"), {value: 0, max: gloam.site.checks});
         const focused = document.activeElement;
         setButtons();
@@ -112,8 +115,6 @@ gloam.checkPage = (() => {
     async function begin() {
         at("agent").textContent = navigator.userAgent;
         at("versions").textContent = gloam.site.versions;
-        state.table = new gloam.Table(gloam.checkRow.columns, "One line for each equation", gloam.checkRow.more);
-        at("results").append(state.table.root);
         at("run").addEventListener("click", runAll);
         at("stop").addEventListener("click", stop);
         at("save").addEventListener("click", save);

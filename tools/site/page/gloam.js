@@ -20,17 +20,13 @@ gloam.loadScript = (file) => new Promise((resolve, reject) => {
     document.head.append(script);
 });
 
-// The bytes of a base64 text.
-gloam.bytes = (text) => {
-    const characters = atob(text);
-    const bytes = new Uint8Array(characters.length);
-    for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
-    return bytes;
+// The values of a type, Float64Array for one, from their compressed bytes as base64 (page_data.hpp).
+gloam.values = async (Type, text) => {
+    if (text === "") return new Type();
+    const packed = new Blob([Uint8Array.from(atob(text), (character) => character.charCodeAt(0))]);
+    const bytes = packed.stream().pipeThrough(new DecompressionStream("deflate"));
+    return new Type(await new Response(bytes).arrayBuffer());
 };
-
-gloam.words = (text) => new Uint32Array(gloam.bytes(text).buffer);
-
-gloam.doubles = (text) => new Float64Array(gloam.bytes(text).buffer);
 
 // A new element with attributes and children. Texts become text nodes, never markup.
 gloam.element = (tag, attributes = {}, ...children) => {

@@ -161,11 +161,11 @@ gloam.judge = (() => {
     }
 
     // The data of a scenario, decoded.
-    function decode(scenario) {
-        return {name: scenario.name, count: scenario.count, images: scenario.images.map(gloam.words),
-            inputs: gloam.words(scenario.inputs), classes: gloam.bytes(scenario.classes),
-            criteria: gloam.bytes(scenario.criteria), wants: gloam.doubles(scenario.wants),
-            counts: new Uint16Array(gloam.bytes(scenario.counts).buffer)};
+    async function decode({name, count, images, inputs, classes, criteria, wants, counts}) {
+        return {name, count, images: await Promise.all(images.map((image) => gloam.values(Uint32Array, image))),
+            inputs: await gloam.values(Uint32Array, inputs), classes: await gloam.values(Uint8Array, classes),
+            criteria: await gloam.values(Uint8Array, criteria), wants: await gloam.values(Float64Array, wants),
+            counts: await gloam.values(Uint16Array, counts)};
     }
 
     function addInput(tally, inputClass, result, sample) {

@@ -10,8 +10,9 @@ gloam.scene = async (name) => {
     return gloam.scenes.get(name);
 };
 
-gloam.addScene = (packed) => gloam.scenes.set(packed.name, {...packed, vertices: gloam.bytes(packed.vertices),
-    indices: gloam.words(packed.indices), path: gloam.doubles(packed.path)});
+gloam.addScene = ({vertices, indices, path, ...scene}) => gloam.scenes.set(scene.name, (async () => ({...scene,
+    vertices: await gloam.values(Uint8Array, vertices), indices: await gloam.values(Uint32Array, indices),
+    path: await gloam.values(Float64Array, path)}))());
 
 // The camera of a frame on a scene's path: the eye and the point that it looks at.
 gloam.cameraAt = ({path}, frame) => ({eye: Array.from(path.slice(6 * frame, 6 * frame + 3)),

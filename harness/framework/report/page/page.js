@@ -13,7 +13,7 @@ const order = (a, b) => {
 };
 for (const section of document.querySelectorAll("section.table")) {
   const body = section.querySelector("tbody");
-  const rows = Array.from(body.rows);
+  const rows = () => Array.from(body.rows);  // a page may add some
   const heads = Array.from(section.querySelectorAll("th"));
   heads.forEach((head, column) => head.querySelector("button").addEventListener("click", () => {
     // Numbers begin with the largest, text with its beginning; a second click turns the order round.
@@ -22,8 +22,7 @@ for (const section of document.querySelectorAll("section.table")) {
     const up = now === null ? !numeric : now === "descending";
     heads.forEach((other) => other.removeAttribute("aria-sort"));
     head.setAttribute("aria-sort", up ? "ascending" : "descending");
-    rows.sort((a, b) => (up ? 1 : -1) * order(keyOf(a, column), keyOf(b, column)));
-    body.append(...rows);
+    body.append(...rows().sort((a, b) => (up ? 1 : -1) * order(keyOf(a, column), keyOf(b, column))));
   }));
   const text = section.querySelector("input[type=search]");
   const choices = Array.from(section.querySelectorAll("select"));
@@ -31,13 +30,13 @@ for (const section of document.querySelectorAll("section.table")) {
   const filter = () => {
     const words = text.value.toLowerCase().split(/\s+/);
     let shown = 0;
-    for (const row of rows) {
+    for (const row of rows()) {
       const all = row.textContent.toLowerCase();
       const chosen = (choice) => choice.value === "" || row.cells[choice.dataset.column].textContent === choice.value;
       row.hidden = !(words.every((word) => all.includes(word)) && choices.every(chosen));
       if (!row.hidden) shown += 1;
     }
-    count.textContent = shown + " of " + rows.length + " rows";
+    count.textContent = shown + " of " + rows().length + " rows";
   };
   [text, ...choices].forEach((input) => input.addEventListener("input", filter));
   filter();

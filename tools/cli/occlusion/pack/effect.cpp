@@ -20,13 +20,16 @@ namespace gloam::cli {
 namespace {
 
 effect::Settings settings_of(const EffectPackOptions& options) {
+    const std::string expected =
+        "preset " + options.preset + ": expected fast, balanced, quality or reference";
+    const bool is_known = options.preset.ends_with(".json") ||
+                          std::ranges::count(effect::presets(), options.preset, &effect::Preset::name) > 0;
+    if (!is_known) throw std::invalid_argument(expected + ", or a file NAME.json");
     const effect::Settings settings =
         settings_for({.preset = options.preset, .radius = 1.0F, .set = options.set}, {});
     if (settings.passes == effect::Passes::frame) return settings;
-    throw std::invalid_argument(fmt::format(
-        "preset {}: expected fast, balanced, quality or reference; of others pack the function: gloam pack "
-        "{}",
-        options.preset, file_of(effect::method_named(settings.method))));
+    throw std::invalid_argument(expected + "; of others pack the function: gloam pack " +
+                                file_of(effect::method_named(settings.method)));
 }
 
 shader::Language language_of(const std::string& version) {
@@ -42,9 +45,13 @@ shader::Language language_of(const std::string& version) {
 
 effect::PlanOptions plan_options(const EffectPackOptions& options) {
     const bool none = options.normals == "none";
-    return {.orthographic = options.orthographic,
-            .normals = !none,
-            .encoding = scene::encoding_named("buffer", none ? "view" : options.normals)};
+    try {
+        return {.orthographic = options.orthographic,
+                .normals = !none,
+                .encoding = scene::encoding_named("buffer", none ? "view" : options.normals)};
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(error.what() + std::string("; or none"));
+    }
 }
 
 // The header of the library with the format of what is shown, and the preset.
