@@ -95,13 +95,6 @@ struct Found {
     }
 };
 
-std::vector<test::CompilerFault> all_faults() {
-    std::vector<test::CompilerFault> all = test::faults_of_values();
-    const std::vector<test::CompilerFault> more = test::faults_of_memory_and_flow();
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-}
-
 TEST(PlantedCompiler, EachFaultIsFound) {
     const std::vector<Subject> all = subjects();
     const auto look = [&all](const test::CompilerFault& fault, const std::string& where,
@@ -116,7 +109,7 @@ TEST(PlantedCompiler, EachFaultIsFound) {
         found.print(fault.name, where);
     };
     const std::shared_ptr<backend::Backend> exact = interpreter();
-    for (const test::CompilerFault& fault : all_faults()) {
+    for (const test::CompilerFault& fault : test::compiler_faults()) {
         look(fault, "as a step", [&](KernelModule module) {
             module.before = module.spirv;
             module.rounds_to_even = true;
