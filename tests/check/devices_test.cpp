@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The interpreter as a device: whole checks with no driver at all.
-#include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"
-#include "check/lab.hpp"
-#include "support/lab.hpp"
+#include "check/fixture_functions.hpp"
 #include "support/test_name.hpp"
 
 namespace gloam::check::devices_test {
@@ -12,11 +10,6 @@ Lab lab_of(const std::string& variant = "shipped") {
     return Lab({.device = std::string(interpreter_name),
                 .include_roots = {GLOAM_GLSL_DIR, FIXTURES},
                 .variant = shader::variant(variant)});
-}
-
-double exact(double distance, double radius) {
-    const double x = distance / radius;
-    return std::abs(distance) < radius ? 1.0 - x * x : 0.0;
 }
 
 // In this process nobody has told the loader of it.
@@ -99,11 +92,11 @@ TEST_P(EachDevice, JudgesARightAndAWrongFunction) {
     const Budget budget{.ulp = 2, .absolute = 4e-7};
     // More inputs than a row of the targets holds.
     const Answer right = Function<float(float, float)>(*lab, "wrong.glsl", "weight")
-                             .compare(exact, domain, budget, {.inputs = 3000});
+                             .compare(exact_weight, domain, budget, {.inputs = 3000});
     EXPECT_TRUE(right.passed()) << right;
     EXPECT_GT(right.max_absolute, 0.0);
     const Answer wrong = Function<float(float, float)>(*lab, "wrong.glsl", "weight_wrong_constant")
-                             .compare(exact, domain, budget, {.inputs = 3000});
+                             .compare(exact_weight, domain, budget, {.inputs = 3000});
     EXPECT_FALSE(wrong.passed());
     EXPECT_THAT(wrong.story, HasSubstr("wrong.glsl"));
 }
