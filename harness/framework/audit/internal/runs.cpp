@@ -36,12 +36,6 @@ AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSourc
     least_ = original.least_;
 }
 
-template <class N>
-InterpretedKernel<N> AuditRuns::kernel_of() {
-    const auto& part = decoded_.parts().front();
-    return {part.program, *modules_.front(), part.images};
-}
-
 AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet images)
     : question_(question),
       scalars_(question.signature.output_scalars()),
@@ -53,17 +47,17 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       constants_(shader::float_constants(modules_.front()->spirv)),
       decoded_(modules_, images_),
       interpretation_(decoded_, scalars_, scalars_.size(), false),
-      kernel_(kernel_of<interpreter::Explained>()),
-      half_(kernel_of<interpreter::Explained>()),
-      floats_(kernel_of<float>()),
-      doubles_(kernel_of<double>()),
-      drivers_(kernel_of<numeric::Interval>()) {
+      kernel_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      half_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      doubles_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      drivers_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
     drivers_.machine().set_sampling(1);
+    drivers_.machine().set_limit(most_audited_instructions);
     half_.machine().set_half(true);
-    const auto limit = [](auto&... kernels) {
-        (kernels.machine().set_limit(most_audited_instructions), ...);
-    };
-    limit(kernel_, half_, floats_, doubles_, drivers_);
+    for (auto* kernel : {&kernel_, &half_}) kernel->machine().set_limit(most_audited_instructions);
+    floats_.machine().set_limit(most_audited_instructions);
+    doubles_.machine().set_limit(most_audited_instructions);
 }
 
 // Floats are rounded to float16, so that their rounding is no error of the function.

@@ -102,8 +102,6 @@ class AuditRuns {
 
   private:
     AuditRuns(KernelModule module, const Question& question, ImageSet images);
-    template <class N>
-    [[nodiscard]] InterpretedKernel<N> kernel_of();
     // The words that a kernel of this precision is given: floats of float16 for half.
     [[nodiscard]] std::vector<Word> given(std::span<const Word> input, Precision precision) const;
     [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const Word> input,
