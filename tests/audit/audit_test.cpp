@@ -261,12 +261,7 @@ TEST(Rewrites, AreNotFoundWhereTheTextMeansAnotherThing) {
         << "the one belongs to a product";
     EXPECT_THAT(afters("y = a.x * a.x - b.x * b.x;"), ElementsAre("((a.x - b.x) * (a.x + b.x))"));
     EXPECT_THAT(afters("y = pow(f(a, b), 2.0);"), Contains("((f(a, b)) * (f(a, b)))"));
-    EXPECT_THAT(afters("float s = x; for (;;) { s += x; s += y; } s += z;"),
-                ElementsAre("s = add_with_rest(s, x, s_rest)"));
-    for (const char* text :
-         {"y = c - a * a - b * b;",
-          "float s = x; s += x; { float t = x; } for (;;) { t += x; } int i = 0; do i += 1; while (f());",
-          "float acos(float x) { return x; }", "acos("})
+    for (const char* text : {"y = c - a * a - b * b;", "float acos(float x) { return x; }", "acos("})
         EXPECT_THAT(afters(text), IsEmpty()) << text;
 }
 
@@ -304,10 +299,6 @@ INSTANTIATE_TEST_SUITE_P(
         Helped{"float f(float x) { return pow(x, 3.); }", "((x) * (x) * (x))", {{"x", {0, 4}}}},
         Helped{"float f(vec3 d) { return length(d); }", "scaled_length(d)", {{"d", {1e18, 1e22}}}},
         Helped{"float f(float x) { return sin(x); }", "sin(within_pi(x))", {{"x", {-6, 6}}}},
-        Helped{
-            "vec2 f(vec2 x) { vec2 sum = vec2(0.0); for (int i = 0; i < 1024; ++i) sum += x; return sum; }",
-            "sum = add_with_rest(sum, x, sum_rest)",
-            {{"x", {0.1, 0.2}}}},
         Helped{"float f(float x) { return smoothstep(1.0, 0.0, x); }",
                "smoothstep(-(1.0), -(0.0), -(x))",
                {{"x", {0, 1}}}}));

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The interpreter as a device: whole checks with no driver at all.
-#include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"
-#include "check/lab.hpp"
-#include "support/lab.hpp"
+#include "check/fixture_functions.hpp"
 #include "support/test_name.hpp"
 
 namespace gloam::check::devices_test {
 
-Lab lab_of(const std::string& variant = "shipped") {
+Lab interpreted(const std::string& variant = "shipped") {
     return Lab({.device = std::string(interpreter_name),
                 .include_roots = {GLOAM_GLSL_DIR, FIXTURES},
                 .variant = shader::variant(variant)});
-}
-
-double exact(double distance, double radius) {
-    const double x = distance / radius;
-    return std::abs(distance) < radius ? 1.0 - x * x : 0.0;
 }
 
 // In this process nobody has told the loader of it.
@@ -29,7 +22,7 @@ TEST(SwiftShader, IsFoundByItsName) {
 }
 
 TEST(InterpreterDevice, GivesTheResultsOfTheDriverWhereThereIsOneResult) {
-    const Lab ours = lab_of("strict");
+    const Lab ours = interpreted("strict");
     const Lab driver = test::make_lab(FIXTURES, shader::variant("strict"));
     const Function<float(glm::ivec2)> a(ours, "own.glsl", "own_mean");
     const Function<float(glm::ivec2)> b(driver, "own.glsl", "own_mean");
@@ -66,27 +59,20 @@ class EachDevice : public testing::TestWithParam<const char*> {
         const auto opengl = gl::device_name_from(GetParam());
         return !opengl || gl::has_compute(opengl->version);
     }
-    // The device of the test; nothing, and the reason, where this machine has none.
-    std::optional<Lab> lab_of() {
+    void SetUp() override {
         try {
-            return Lab({.device = GetParam(), .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
+            lab.emplace(LabOptions{.device = GetParam(), .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
         } catch (const gl::Unavailable& error) {
-            skipped_ = error.what();
+            GTEST_SKIP() << error.what();
         } catch (const gl::VersionRefused& error) {
-            skipped_ = error.what();
+            GTEST_SKIP() << error.what();
         }
-        return std::nullopt;
     }
-    std::string skipped_;
+    std::optional<Lab> lab;
 };
 class OpenGlDevice : public EachDevice {};
 
-#define GLOAM_LAB_OR_SKIP(lab)               \
-    const std::optional<Lab> lab = lab_of(); \
-    if (!lab) GTEST_SKIP() << skipped_
-
 TEST_P(OpenGlDevice, SaysWhoItIs) {
-    GLOAM_LAB_OR_SKIP(lab);
     EXPECT_EQ(lab->info().name, GetParam());
     EXPECT_THAT(lab->info().api_version, HasSubstr("OpenGL"));
     EXPECT_FALSE(lab->info().float32.preserves_signed_zero_inf_nan);
@@ -94,23 +80,21 @@ TEST_P(OpenGlDevice, SaysWhoItIs) {
 }
 
 TEST_P(EachDevice, JudgesARightAndAWrongFunction) {
-    GLOAM_LAB_OR_SKIP(lab);
     const Domain domain{signed_log_uniform(1e-3, 10), uniform(0.5, 8)};
     const Budget budget{.ulp = 2, .absolute = 4e-7};
     // More inputs than a row of the targets holds.
     const Answer right = Function<float(float, float)>(*lab, "wrong.glsl", "weight")
-                             .compare(exact, domain, budget, {.inputs = 3000});
+                             .compare(exact_weight, domain, budget, {.inputs = 3000});
     EXPECT_TRUE(right.passed()) << right;
     EXPECT_GT(right.max_absolute, 0.0);
     const Answer wrong = Function<float(float, float)>(*lab, "wrong.glsl", "weight_wrong_constant")
-                             .compare(exact, domain, budget, {.inputs = 3000});
+                             .compare(exact_weight, domain, budget, {.inputs = 3000});
     EXPECT_FALSE(wrong.passed());
     EXPECT_THAT(wrong.story, HasSubstr("wrong.glsl"));
 }
 
 // Of structures, matrices and out parameters: rows that no single draw can write.
 TEST_P(EachDevice, EveryTypeArrivesBitByBit) {
-    GLOAM_LAB_OR_SKIP(lab);
     const Function<glm::mat4(glm::mat4, Out<glm::mat3>, Out<glm::ivec4>)> mirrored(*lab, "opengl.glsl",
                                                                                    "mirrored");
     std::vector<std::tuple<glm::mat4>> inputs;
@@ -130,13 +114,12 @@ TEST_P(EachDevice, EveryTypeArrivesBitByBit) {
 }
 
 TEST_P(EachDevice, ServesImagesAndReportsAnAccessOutside) {
-    GLOAM_LAB_OR_SKIP(lab);
     const KernelCore kernel = two_pixels(*lab);
     const std::vector<Word> inputs{0, 0, 2, 1, 2, 0};
     const auto value = [](glm::ivec2 p) { return float(1 + p.x + 10 * p.y); };
     const ImageSet inside{{"fetch", make_image<float>({3, 2}, value, Border::clamp)}};
-    const Lab interpreter = devices_test::lab_of();
-    EXPECT_EQ(kernel.run(inputs, 3, inside).outputs, two_pixels(interpreter).run(inputs, 3, inside).outputs);
+    const Lab other = interpreted();
+    EXPECT_EQ(kernel.run(inputs, 3, inside).outputs, two_pixels(other).run(inputs, 3, inside).outputs);
     const KernelCore::Result result = kernel.run(inputs, 3, {{"fetch", make_image<float>({3, 2}, value)}});
     ASSERT_TRUE(result.fault);
     EXPECT_THAT(to_text(*result.fault),
@@ -149,7 +132,6 @@ TEST(VulkanDevice, StoresToImages) {
 }
 
 TEST_P(EachDevice, StoresToImagesWhereThereAreComputeShaders) {
-    GLOAM_LAB_OR_SKIP(lab);
     const auto store = [&] { expect_stores_to_images(*lab); };
     if (has_compute()) return store();
     EXPECT_THAT(store, ThrowsMessage<backend::Unsupported>(HasSubstr("stores to images")));
@@ -157,7 +139,6 @@ TEST_P(EachDevice, StoresToImagesWhereThereAreComputeShaders) {
 
 // Section 4.7.1 of GLSL 4.60 and of GLSL ES 3.20 has precisions, and none for sin().
 TEST_P(OpenGlDevice, AsksTheRulesWhereTheLanguageHasThem) {
-    GLOAM_LAB_OR_SKIP(lab);
     const gl::Version version = gl::device_name_from(GetParam())->version;
     const bool rules = version == gl::Version{gl::Api::gl, 4, 5} || version == gl::Version{gl::Api::es, 3, 2};
     const Answer quotient = Function<float(float)>(*lab, "rules.glsl", "reciprocal")
@@ -171,7 +152,6 @@ TEST_P(OpenGlDevice, AsksTheRulesWhereTheLanguageHasThem) {
 }
 
 TEST_P(OpenGlDevice, SpecialInputsAreRecordedOnly) {
-    GLOAM_LAB_OR_SKIP(lab);
     const auto same = [](double x) { return x; };
     const Answer answer = Function<float(float)>(*lab, "opengl.glsl", "same")
                               .compare(same, {uniform(1, 2).and_special()}, {}, {.inputs = 600});
@@ -183,7 +163,6 @@ TEST_P(OpenGlDevice, SpecialInputsAreRecordedOnly) {
 
 // The sign of a zero may be lost, so the function is given +0, and the result is judged.
 TEST_P(OpenGlDevice, NegativeZeroIsJudgedAsZero) {
-    GLOAM_LAB_OR_SKIP(lab);
     const auto check = [&](double result) {
         return Function<float(float)>(*lab, "opengl.glsl", "same")
             .compare([=](double) { return result; }, {constant(-0.0F)}, {}, {.inputs = 8});
@@ -193,7 +172,6 @@ TEST_P(OpenGlDevice, NegativeZeroIsJudgedAsZero) {
 }
 
 TEST_P(EachDevice, WhatTheVersionLacksIsUnsupported) {
-    GLOAM_LAB_OR_SKIP(lab);
     const auto kernel = [&] { return Function<unsigned(unsigned)>(*lab, "opengl.glsl", "reversed_bits"); };
     if (has_compute()) {
         EXPECT_EQ(kernel()(1U), 0x80000000U);
@@ -213,19 +191,18 @@ TEST_P(OpenGlDevice, RunsTextsOfChangedModules) {
         EXPECT_THAT(changed, ThrowsMessage<std::invalid_argument>(HasSubstr("those with compute shaders")));
         return;
     }
-    GLOAM_LAB_OR_SKIP(plain);
-    const Lab lab = changed();
-    const Function<unsigned(unsigned)> reversed(lab, "opengl.glsl", "reversed_bits");
+    const Lab other = changed();
+    const Function<unsigned(unsigned)> reversed(other, "opengl.glsl", "reversed_bits");
     EXPECT_NE(reversed.core().module().text,
-              Function<unsigned(unsigned)>(*plain, "opengl.glsl", "reversed_bits").core().module().text);
+              Function<unsigned(unsigned)>(*lab, "opengl.glsl", "reversed_bits").core().module().text);
     EXPECT_EQ(reversed(0xf0U), 0x0f000000U);
 }
 
 TEST_P(OpenGlDevice, HasTheVariantShippedOnly) {
     expect_error<std::invalid_argument>(
-        [] { const Lab lab({.device = GetParam(), .variant = shader::variant("strict")}); },
+        [] { const Lab strict({.device = GetParam(), .variant = shader::variant("strict")}); },
         {"have the variant shipped only"});
-    expect_error<std::invalid_argument>([] { const Lab lab({.device = GetParam(), .validation = true}); },
+    expect_error<std::invalid_argument>([] { const Lab watched({.device = GetParam(), .validation = true}); },
                                         {"validation layers"});
 }
 

@@ -33,6 +33,12 @@ inline check::Answer answer_of(const std::string& file, const std::string& name,
     return answer_of(check::Lab(options_of(file), SharedDevice::get()), file, name, ranges);
 }
 
+// What `weight` of wrong.glsl is.
+inline double exact_weight(double distance, double radius) {
+    if (!(std::abs(distance) < radius)) return 0.0;
+    return 1.0 - distance / radius * (distance / radius);
+}
+
 // Null where this machine has none.
 inline std::shared_ptr<backend::Backend> opengl_device(const std::string& name) {
     try {

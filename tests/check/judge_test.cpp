@@ -2,16 +2,9 @@
 // Every kind of failure that the judge can report, from a shader broken on purpose.
 #include <fmt/format.h>
 
-#include "check/run.hpp"
-#include "support/lab.hpp"
+#include "check/fixture_functions.hpp"
 
 namespace gloam::check::judge_test {
-
-double exact_weight(double distance, double radius) {
-    if (!(std::abs(distance) < radius)) return 0.0;
-    const double x = distance / radius;
-    return 1.0 - x * x;
-}
 
 class JudgeTest : public testing::Test {
   protected:
@@ -98,7 +91,7 @@ TEST_F(JudgeTest, SmallWholeNumbersAreNotMoved) {
     }
 }
 
-TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
+TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromisedAlsoForIntegers) {
     Question question{.file = "wrong.glsl",
                       .function = "identity_one_up",
                       .signature = SignatureOf<float(float)>::describe(),
@@ -112,19 +105,16 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
     const Answer outside = run(lab, question);
     EXPECT_TRUE(outside.failed());
     EXPECT_THAT(outside.story, HasSubstr("the worst result is outside the codomain [0, 1]\n"));
-}
-
-TEST_F(JudgeTest, TheCodomainHoldsForIntegers) {
-    Question question{.file = "wrong.glsl",
-                      .function = "off_by_one",
-                      .signature = SignatureOf<int(float)>::describe(),
-                      .domain = {uniform(0, 1.5)},
-                      .reference = make_reference<int(float)>([](double x) { return std::floor(x) + 1.0; }),
-                      .codomain = {1, 2}};
-    EXPECT_TRUE(run(lab, question).passed());
-    question.promised = make_predicate<int(float)>([](float) { return false; });
-    question.codomain = {0, 1};
-    EXPECT_FALSE(run(lab, question).passed());
+    Question whole{.file = "wrong.glsl",
+                   .function = "off_by_one",
+                   .signature = SignatureOf<int(float)>::describe(),
+                   .domain = {uniform(0, 1.5)},
+                   .reference = make_reference<int(float)>([](double x) { return std::floor(x) + 1.0; }),
+                   .codomain = {1, 2}};
+    EXPECT_TRUE(run(lab, whole).passed());
+    whole.promised = question.promised;
+    whole.codomain = {0, 1};
+    EXPECT_FALSE(run(lab, whole).passed());
 }
 
 // What a function documents for zero, infinity and NaN is judged where its accuracy is not promised, in every
@@ -147,13 +137,10 @@ TEST_F(JudgeTest, TheEdgesHoldWhereNothingElseIsPromised) {
     }
 }
 
-TEST_F(JudgeTest, TheWorstInputIsPrintedInDecimalAndHexadecimal) {
+TEST_F(JudgeTest, TheWorstInputIsPrintedInDecimalAndHexadecimalAndExplainedLineByLine) {
     const Answer result = Function<float(float)>(lab, "wrong.glsl", "identity_one_up")
                               .compare([](double x) { return x; }, {uniform(0.5, 0.5)}, {}, {.inputs = 4});
     EXPECT_THAT(result.story, AllOf(HasSubstr("0.5 (0x3f000000)"), HasSubstr("0.50000006 (0x3f000001)")));
-}
-
-TEST_F(JudgeTest, TheWorstInputIsExplainedLineByLine) {
     const Answer wrong = weight("weight_wrong_constant");
     EXPECT_THAT(wrong.story, AllOf(HasSubstr("the worst input, operation by operation"),
                                    testing::ContainsRegex("wrong.glsl:[0-9]+ weight_wrong_constant +OpF")));
@@ -269,21 +256,24 @@ TEST(OutcomeTest, ByTheRulesTheShareIsThatOfTheBoundedInputs) {
     EXPECT_EQ(answer.outcome(), Outcome::not_judged);
 }
 
-// The outputs of an identity, judged without a device.
+// Right outputs of a function for some inputs, judged without a device.
+template <class T, class Result>
+Answer judged(Question question, const std::vector<float>& xs, Result result,
+              const JudgeOptions& options = {}) {
+    question.signature = SignatureOf<T(float)>::describe();
+    question.reference = make_reference<T(float)>(result);
+    Domain::Inputs inputs;
+    std::vector<Word> outputs;
+    for (const float x : xs) {
+        inputs.add(std::vector{to_word(x)});
+        outputs.push_back(to_word(T(result(x))));
+    }
+    return judge(question, options, inputs, outputs);
+}
 template <class T>
 Answer judged(const Codomain& codomain, const std::function<bool(std::span<const Word>)>& promised) {
-    const Question question{.signature = SignatureOf<T(float)>::describe(),
-                            .reference = make_reference<T(float)>([](double x) { return T(x); }),
-                            .codomain = codomain,
-                            .promised = promised};
-    Domain::Inputs inputs{.width = 1};
-    for (const float x : {1.0F, 2.0F, 0.0F, 4.0F}) {
-        inputs.words.push_back(to_word(x));
-        inputs.branch.push_back(false);
-    }
-    std::vector<Word> outputs;
-    for (const Word word : inputs.words) outputs.push_back(to_word(T(from_word<float>(word))));
-    return judge(question, {}, inputs, outputs);
+    return judged<T>({.codomain = codomain, .promised = promised}, {1, 2, 0, 4},
+                     [](double x) { return T(x); });
 }
 
 bool nothing(std::span<const Word>) {
@@ -302,18 +292,9 @@ TEST(OutcomeTest, AnInputIsJudgedIfSomeResultWouldFail) {
 
 // A device that need not keep NaN is asked only for numbers, and "is not NaN" is always right for these.
 TEST(OutcomeTest, BothAnswersOfAPredicateMustBeJudged) {
-    const auto judged_below = [](float limit, bool nan) {
-        const Question question{
-            .signature = SignatureOf<bool(float)>::describe(),
-            .reference = make_reference<bool(float)>([=](double x) { return std::isnan(x) || x > limit; })};
-        Domain::Inputs inputs{.width = 1};
-        std::vector<Word> outputs;
-        for (const float x : {1.0F, 2.0F, 3.0F, std::nanf("")}) {
-            inputs.words.push_back(to_word(x));
-            inputs.branch.push_back(false);
-            outputs.push_back(std::isnan(x) || x > limit ? 1 : 0);
-        }
-        return judge(question, {.nan = nan}, inputs, outputs);
+    const auto judged_below = [](float limit, bool keeps_nan) {
+        const auto above = [=](double x) { return std::isnan(x) || x > limit; };
+        return judged<bool>({}, {1, 2, 3, nan}, above, {.nan = keeps_nan});
     };
     EXPECT_EQ(judged_below(9.0F, true).outcome(), Outcome::ok);
     EXPECT_EQ(judged_below(2.5F, false).outcome(), Outcome::ok);
@@ -322,28 +303,22 @@ TEST(OutcomeTest, BothAnswersOfAPredicateMustBeJudged) {
               "no input could be judged whose result is true: a function that is always false would pass");
 }
 
-class OutcomeByRules : public testing::Test {
-  protected:
-    template <class Signature>
-    Answer judged(const char* function, const Domain& domain) {
-        return Function<Signature>(test::make_lab(FIXTURES), "rules.glsl", function)
-            .check_rules(domain, {.inputs = 600});
-    }
-};
-
-TEST_F(OutcomeByRules, WhatVulkanLeavesUndefinedIsNotJudged) {
-    const Answer undefined = judged<float(float)>("sine", {uniform(10, 20)});
+TEST(OutcomeByRules, WhatVulkanLeavesUndefinedIsNotJudged) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const Function<float(float)> sine(lab, "rules.glsl", "sine");
+    const auto sine_in = [&](const Values& values) { return sine.check_rules({values}, {.inputs = 600}); };
+    const Answer undefined = sine_in(uniform(10, 20));
     EXPECT_EQ(undefined.outcome(), Outcome::not_judged);
     EXPECT_EQ(undefined.not_judged_because(), "every result would pass");
-    const Answer defined = judged<float(float)>("sine", {uniform(-3, 3)});
+    const Answer defined = sine_in(uniform(-3, 3));
     EXPECT_EQ(defined.outcome(), Outcome::ok) << defined;
     EXPECT_EQ(defined.judged(), 600U);
-    const Answer both = judged<float(float)>("sine", {uniform(-3, 3).and_value(1e30F)});
+    const Answer both = sine_in(uniform(-3, 3).and_value(1e30F));
     EXPECT_EQ(both.outcome(), Outcome::ok) << both;
     EXPECT_THAT(both.not_promised(), ElementsAre(InputClass::huge)) << "no failure of the check";
 }
 
-TEST_F(OutcomeByRules, TheyJudgeWhereNothingElseIsPromised) {
+TEST(OutcomeByRules, TheyJudgeWhereNothingElseIsPromised) {
     const Question question{.file = "rules.glsl",
                             .function = "reciprocal",
                             .signature = SignatureOf<float(float)>::describe(),

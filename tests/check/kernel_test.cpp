@@ -203,16 +203,4 @@ TEST_F(KernelTest, APropertyThatFailsShrinksInsideItsDomain) {
     EXPECT_THAT(text.str(), AllOf(HasSubstr("the property does not hold for float 16"), HasSubstr("0.0625")));
 }
 
-TEST_F(KernelTest, AFunctionIsJudgedAndExplained) {
-    const Function<float(float)> reciprocal = kernel<float(float)>("reciprocal", "rules.glsl");
-    EXPECT_TRUE(reciprocal.check_rules({uniform(1, 2)}, {.inputs = 512}).passed());
-    EXPECT_TRUE(
-        reciprocal.compare([](double x) { return 1.0 / x; }, {uniform(1, 2)}, {.ulp = 3}, {.inputs = 512})
-            .passed());
-    EXPECT_FALSE(
-        reciprocal.compare([](double x) { return 1.001 / x; }, {uniform(1, 2)}, {.ulp = 3}, {.inputs = 512})
-            .passed());
-    EXPECT_EQ(reciprocal.explain(4.0F).steps.back().value, 0.25F);
-}
-
 }  // namespace gloam::check::kernel_test

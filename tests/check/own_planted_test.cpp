@@ -15,7 +15,7 @@ using shader::Scalar;
 struct Planted {
     const char* file;
     std::vector<const char*> functions;
-    test::ChangedDevice::After outputs;
+    std::function<void(std::span<Word>)> outputs;
     std::function<void(std::span<Word> image)> image;
     std::size_t least = 1;
     std::size_t most = SIZE_MAX;
@@ -26,14 +26,14 @@ struct Planted {
 void expect_noticed(const std::vector<Planted>& rows, const std::shared_ptr<backend::Backend>& device,
                     const std::string& name = {}) {
     for (const Planted& row : rows) {
-        test::ChangedDevice::Before before;
+        test::ChangedDevice::Changes changes{.after = row.outputs};
         if (row.image)
-            before = [&row](std::vector<std::vector<Word>>& images) {
+            changes.before = [&row](std::vector<std::vector<Word>>& images) {
                 for (std::vector<Word>& words : images) row.image(words);
             };
         LabOptions options = options_of(row.file);
         if (!name.empty()) options.device = name, options.validation = false;
-        const Lab lab(options, std::make_shared<test::ChangedDevice>(device, before, row.outputs));
+        const Lab lab(options, std::make_shared<test::ChangedDevice>(device, changes));
         for (const char* function : row.functions) {
             const Answer answer = answer_of(lab, row.file, function, row.ranges, row.inputs);
             EXPECT_GE(answer.outside(), row.least) << function << " row " << &row - rows.data();
@@ -49,7 +49,7 @@ TEST(OwnTypes, AWrongElementPixelOrInvocationIsNoticed) {
     };
     const auto rotated = [](Outputs row) { std::rotate(row.begin(), row.begin() + 1, row.end()); };
     const Ranges pixels{{"p", {0, 3}}};
-    const auto image = [&](const char* function, test::ChangedDevice::After change,
+    const auto image = [&](const char* function, std::function<void(std::span<Word>)> change,
                            std::size_t outside = 128) {
         return Planted{"own_images.glsl", {function}, std::move(change), {}, outside, outside, pixels, 128};
     };

@@ -281,6 +281,7 @@ TEST(OwnTypes, AnExplanationHasTheirValues) {
     EXPECT_THROW((void)explained("samplers.glsl", "twice", quad), std::invalid_argument);
 }
 
+// As docs/verdicts.md has it.
 TEST(OwnRules, AFunctionOfYourOwn) {
     const Lab lab({.include_roots = {FIXTURES}});
     const Answer answer =

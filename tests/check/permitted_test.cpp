@@ -197,29 +197,11 @@ TEST(Explain, SaysWhatItExpected) {
                                         {"takes 2 values, got 1"});
 }
 
-struct Mixed {
-    bool flag;
-    glm::vec3 position;
-    int count;
-    glm::mat2 matrix;
-    unsigned bits;
-};
-
 TEST(Scalars, TypesAreThoseOfGlsl) {
     EXPECT_EQ(shader::to_glsl(type_of<glm::mat4x3>()), "mat4x3");
     EXPECT_EQ(shader::to_glsl(type_of<glm::uvec2>()), "uvec2");
     EXPECT_EQ(type_of<double>(), type_of<float>())
         << "references calculate in double what the shader has in float";
-    EXPECT_EQ(word_count<Mixed>(), 10U);
-    const Mixed mixed{true, glm::vec3(1, 2, -3), -4, glm::mat2(5, 6, 7, 8), 0x80000001U};
-    std::vector<Word> words;
-    append_words(mixed, words);
-    std::span<const Word> rest = words;
-    const auto back = take_words<Mixed>(rest);
-    EXPECT_TRUE(rest.empty() && back.flag && back.count == -4 && back.bits == 0x80000001U);
-    EXPECT_TRUE(back.position == mixed.position && back.matrix == mixed.matrix);
-    EXPECT_EQ(scalars_of(type_of<Mixed>()).size(), 10U);
-    EXPECT_EQ(scalars_of(type_of<Mixed>()).front(), shader::Scalar::bool_);
 }
 
 }  // namespace gloam::check::permitted_test

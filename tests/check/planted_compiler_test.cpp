@@ -10,6 +10,7 @@
 #include "interpreter/program.hpp"
 #include "module/include.hpp"
 #include "module/texts.hpp"
+#include "support/changed_device.hpp"
 #include "support/lab.hpp"
 #include "support/random_function.hpp"
 
@@ -17,25 +18,6 @@ namespace gloam::check::planted_compiler_test {
 namespace {
 
 constexpr std::size_t inputs_of_each = 64;
-
-// A driver behind a layer that plants a fault in each module.
-class FaultyDriver : public backend::Backend {
-  public:
-    FaultyDriver(std::shared_ptr<backend::Backend> right, const test::CompilerFault& fault)
-        : right_(std::move(right)), fault_(fault) {}
-
-    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
-    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
-        const backend::KernelProgram& program) const override {
-        backend::KernelProgram changed = program;
-        changed.spirv = fault_.plant(program.spirv);
-        return right_->make_kernel(changed);
-    }
-
-  private:
-    std::shared_ptr<backend::Backend> right_;
-    const test::CompilerFault& fault_;
-};
 
 // A function to compile: its kernel, and the question that judges the results.
 struct Subject {
@@ -95,13 +77,6 @@ struct Found {
     }
 };
 
-std::vector<test::CompilerFault> all_faults() {
-    std::vector<test::CompilerFault> all = test::faults_of_values();
-    const std::vector<test::CompilerFault> more = test::faults_of_memory_and_flow();
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-}
-
 TEST(PlantedCompiler, EachFaultIsFound) {
     const std::vector<Subject> all = subjects();
     const auto look = [&all](const test::CompilerFault& fault, const std::string& where,
@@ -116,7 +91,7 @@ TEST(PlantedCompiler, EachFaultIsFound) {
         found.print(fault.name, where);
     };
     const std::shared_ptr<backend::Backend> exact = interpreter();
-    for (const test::CompilerFault& fault : all_faults()) {
+    for (const test::CompilerFault& fault : test::compiler_faults()) {
         look(fault, "as a step", [&](KernelModule module) {
             module.before = module.spirv;
             module.rounds_to_even = true;
@@ -124,7 +99,9 @@ TEST(PlantedCompiler, EachFaultIsFound) {
             return KernelCore(*exact, std::move(module));
         });
         if (!fault.in_a_driver) continue;
-        const FaultyDriver faulty(test::SharedDevice::get(), fault);
+        const test::ChangedDevice faulty(
+            test::SharedDevice::get(),
+            {.compiled = [&](const shader::Spirv& module) { return fault.plant(module); }});
         look(fault, "in a driver",
              [&](KernelModule module) { return KernelCore(faulty, std::move(module)); });
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check/reproduction.hpp"
+#include "check/fixture_functions.hpp"
 #include "check/prepared_check.hpp"
-#include "support/lab.hpp"
 
 namespace gloam::check::reproduction_test {
 
@@ -12,10 +12,7 @@ Question weight_question() {
             .function = "weight",
             .signature = SignatureOf<float(float, float)>::describe(),
             .domain = Domain{signed_log_uniform(1e-3, 10).and_special(), uniform(0.5, 8)},
-            .reference = make_reference<float(float, float)>([](double distance, double radius) {
-                const double x = distance / radius;
-                return std::abs(x) < 1.0 ? 1.0 - x * x : 0.0;
-            }),
+            .reference = make_reference<float(float, float)>(exact_weight),
             .budget = {.ulp = 2, .absolute = 4e-7}};
 }
 
@@ -176,7 +173,7 @@ TEST(AllowedOutcomes, SpecialsAndIntegersAreExact) {
 
 // Checks that are prepared for another program: what it may know before the shader has run.
 
-Lab interpreter() {
+Lab interpreter_lab() {
     return Lab({.device = std::string(interpreter_name), .include_roots = {FIXTURES}});
 }
 
@@ -189,7 +186,7 @@ std::size_t count(const PreparedCheck& prepared, Criterion criterion) {
 }
 
 TEST(PreparedCheckTest, HasTheKernelAndAnExpectationForEachInput) {
-    const PreparedCheck prepared = prepare(interpreter(), weight_question(), {.inputs = 300});
+    const PreparedCheck prepared = prepare(interpreter_lab(), weight_question(), {.inputs = 300});
     EXPECT_THAT(prepared.kernel, HasSubstr("#version 300 es"));
     EXPECT_THAT(prepared.kernel, HasSubstr("float weight(float"));
     EXPECT_THAT(prepared.unsupported, IsEmpty());
@@ -213,7 +210,7 @@ TEST(PreparedCheckTest, HasTheKernelAndAnExpectationForEachInput) {
 TEST(PreparedCheckTest, WithoutAPromiseOnlyZerosAndTheCodomainAreJudged) {
     Question question = weight_question();
     question.promised = [](std::span<const Word>) { return false; };
-    const PreparedCheck prepared = prepare(interpreter(), question, {.inputs = 300});
+    const PreparedCheck prepared = prepare(interpreter_lab(), question, {.inputs = 300});
     EXPECT_EQ(count(prepared, Criterion::budget), 0U);
     EXPECT_GT(count(prepared, Criterion::edge), 0U);
     EXPECT_GT(count(prepared, Criterion::codomain), 200U);
@@ -222,7 +219,7 @@ TEST(PreparedCheckTest, WithoutAPromiseOnlyZerosAndTheCodomainAreJudged) {
 TEST(PreparedCheckTest, AResultThatAllowsNothingFurtherIsLeftOut) {
     Question question = weight_question();
     const auto most_wants = [&question] {
-        const PreparedCheck prepared = prepare(interpreter(), question, {.inputs = 300});
+        const PreparedCheck prepared = prepare(interpreter_lab(), question, {.inputs = 300});
         std::size_t most = 0;
         for (const Expectation& expectation : prepared.scenarios.front().expectations)
             most = std::max(most, expectation.wants.size());
@@ -237,7 +234,7 @@ TEST(PreparedCheckTest, AResultThatAllowsNothingFurtherIsLeftOut) {
 TEST(PreparedCheckTest, NeedsAReference) {
     Question question = weight_question();
     question.reference = {};
-    EXPECT_THROW((void)prepare(interpreter(), question), std::invalid_argument);
+    EXPECT_THROW((void)prepare(interpreter_lab(), question), std::invalid_argument);
 }
 
 }  // namespace gloam::check::reproduction_test

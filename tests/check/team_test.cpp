@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Functions that need other invocations: derivatives and discard in quads; shared memory, barriers and
 // subgroups.
+#include "check/fixture_functions.hpp"
 #include "check/function.hpp"
-#include "check/own_function.hpp"
-#include "check/run.hpp"
 #include "interpreter/program.hpp"
-#include "support/lab.hpp"
 
 namespace gloam::check::team_test {
 
-Answer answer_of(const Lab& lab, const std::string& file, const std::string& name, const Ranges& ranges = {},
-                 std::size_t inputs = 1024) {
-    const OwnFunctions own = own_functions(lab.options(), file, {name});
-    if (own.found.empty()) throw std::invalid_argument(own.left_out.at(0).why);
-    return run(lab, question_of(lab, file, own.found.front(), ranges), {.inputs = inputs});
-}
-
 Lab lab_for(const char* file) {
-    return {test::options_for(FIXTURES, file), test::SharedDevice::get()};
+    return {options_of(file), test::SharedDevice::get()};
 }
 
 class QuadCalls : public testing::Test {
@@ -59,9 +50,8 @@ TEST_F(QuadCalls, OtherParametersAreThoseOfAllInvocations) {
 
 TEST(Quads, AnInvocationThatIsDiscardedSaysSo) {
     const Lab lab = lab_for("quads.frag");
-    const OwnFunction own = own_functions(lab.options(), "quads.frag", {"cut_out"}).found.at(0);
-    const Question question = question_of(lab, "quads.frag", own, {});
-    const KernelCore kernel = lab.kernel("quads.frag", "cut_out", question.signature);
+    const KernelCore kernel =
+        lab.kernel("quads.frag", "cut_out", function_of("quads.frag", "cut_out").signature());
     const std::vector<Word> input{to_word(0.25F), to_word(0.75F), to_word(1.0F), to_word(0.0F)};
     EXPECT_EQ(kernel.run(input, 1).outputs,
               (std::vector<Word>{0, to_word(1.5F), to_word(2.0F), 0, 1, 0, 0, 1}));
@@ -89,23 +79,23 @@ TEST(Quads, NeighboursDifferByStepsInsideTheDomain) {
 
 // Work groups.
 
+using Kind = interpreter::Error::Kind;
+
+auto fails_with(Kind kind, const testing::Matcher<const char*>& message) {
+    return testing::Throws<interpreter::Error>(AllOf(testing::Property(&interpreter::Error::kind, kind),
+                                                     testing::Property(&std::exception::what, message)));
+}
+
 TEST(Groups, RacesAndDivergentBarriersAreErrorsOfTheShader) {
-    using Kind = interpreter::Error::Kind;
     const Lab lab = lab_for("groups.comp");
-    const Lab interpreted(test::options_for(FIXTURES, "groups.comp"), interpreter());
-    for (const Lab* each : {&lab, &interpreted}) {
+    const Lab interpreted(options_of("groups.comp"), interpreter());
+    for (const Lab* each : {&lab, &interpreted})
         for (const auto& [name, kind] : {std::pair{"without_barrier", Kind::race},
                                          {"sometimes_without", Kind::race},
-                                         {"barrier_for_some", Kind::divergent_barrier}}) {
-            try {
-                (void)answer_of(*each, "groups.comp", name, {}, 64);
-                ADD_FAILURE() << "no error: " << name;
-            } catch (const interpreter::Error& error) {
-                EXPECT_EQ(error.kind(), kind) << name;
-                EXPECT_THAT(error.what(), HasSubstr("groups.comp:"));
-            }
-        }
-    }
+                                         {"barrier_for_some", Kind::divergent_barrier}})
+            EXPECT_THAT([&] { (void)answer_of(*each, "groups.comp", name, {}, 64); },
+                        fails_with(kind, HasSubstr("groups.comp:")))
+                << name;
 }
 
 TEST(Groups, WhatDependsOnTheOrderIsNotJudged) {
@@ -123,15 +113,10 @@ TEST(Groups, AreCalledFromCpp) {
     ones[7] = 2.0F;
     EXPECT_THAT(sum(ones), Each(65.0F));
     const Function<Group<float, 64>(Group<float, 64>)> racing(lab, "totals.glsl", "racing_total");
-    try {
-        (void)racing.check_rules({vector(64, uniform(0, 1))}, {.inputs = 16});
-        ADD_FAILURE() << "no error";
-    } catch (const interpreter::Error& error) {
-        EXPECT_EQ(error.kind(), interpreter::Error::Kind::race);
-        EXPECT_THAT(error.what(), AllOf(StartsWith("totals.glsl: racing_total: a race: invocation "),
-                                        HasSubstr("totals.glsl:16"), HasSubstr("totals.glsl:18"),
-                                        Not(HasSubstr("(word "))));
-    }
+    EXPECT_THAT([&] { (void)racing.check_rules({vector(64, uniform(0, 1))}, {.inputs = 16}); },
+                fails_with(Kind::race, AllOf(StartsWith("totals.glsl: racing_total: a race: invocation "),
+                                             HasSubstr("totals.glsl:16"), HasSubstr("totals.glsl:18"),
+                                             Not(HasSubstr("(word ")))));
     using Mixed = Quad<float>(Group<float, 64>);
     EXPECT_THROW((void)SignatureOf<Mixed>::describe(), std::invalid_argument);
 }

@@ -9,10 +9,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-auto says(const std::string& text) {
-    return ThrowsMessage<std::runtime_error>(HasSubstr(text));
-}
-
 TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
     const check::Answer row = answer_from_json(to_json(failing_row()));
     const check::Answer want = failing_row();

@@ -175,10 +175,11 @@ TEST(ShaderTest, AComputeShaderIsProbed) {
     EXPECT_THAT(text, AllOf(HasSubstr("ssbo 0 8\nssbo 0 subdata int 0 1065353216\nssbo 0 subdata int 4 -1\n"),
                             HasSubstr("ssbo 1 12\n"), HasSubstr("ssbo 3 16\nssbo 3 subdata int 0 1\n"),
                             HasSubstr("compute 1 1 1\n")));
-    EXPECT_THAT(text, AllOf(HasSubstr("probe ssbo float 1 0 >= 0.5\nprobe ssbo float 1 0 <= 2\n"),
-                            HasSubstr("probe ssbo uint 1 4 == 0xffffffff\n"),
-                            HasSubstr("probe ssbo uint 1 8 == 0x3f800000\n"),
-                            HasSubstr("probe ssbo uint 2 0 == 0x0\n")));
+    EXPECT_THAT(
+        text,
+        AllOf(HasSubstr("probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 2.00000000\n"),
+              HasSubstr("probe ssbo uint 1 4 == 4294967295\n"),
+              HasSubstr("probe ssbo uint 1 8 == 1065353216\n"), HasSubstr("probe ssbo uint 2 0 == 0x0\n")));
 }
 
 TEST(ShaderTest, WhatIsNotJudgedIsNotProbed) {
@@ -186,7 +187,8 @@ TEST(ShaderTest, WhatIsNotJudgedIsNotProbed) {
     one.kernel.outcomes.front().front() = {.low = 1, .high = 2, .nan = true};
     EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
     one.kernel.outcomes.front().front() = {.low = 1, .high = infinity, .nan = false};
-    EXPECT_THAT(to_shader_test(one), AllOf(HasSubstr("probe ssbo float 1 0 >= 1\n"), Not(HasSubstr("<="))));
+    EXPECT_THAT(to_shader_test(one),
+                AllOf(HasSubstr("probe ssbo float 1 0 >= 1.00000000\n"), Not(HasSubstr("<="))));
     one.kernel.outcomes.clear();
     EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
 }
@@ -195,9 +197,9 @@ TEST(ShaderTest, OfSeveralOutcomesTheHullIsProbedAndNotWhatFailedBetweenThem) {
     ShaderReplay three = shader_replay(true);
     three.kernel = three_outcomes(2.5F, 3);
     EXPECT_THAT(to_shader_test(three),
-                AllOf(HasSubstr("probe ssbo float 1 0 >= 0\nprobe ssbo float 1 0 <= 4\n"
-                                "probe ssbo uint 1 0 != 0x40200000\n"),
-                      HasSubstr("probe ssbo uint 1 4 >= 0x1\nprobe ssbo uint 1 4 <= 0x2\n")));
+                AllOf(HasSubstr("probe ssbo float 1 0 >= 0.00000000\nprobe ssbo float 1 0 <= 4.00000000\n"
+                                "probe ssbo float 1 0 != 2.50000000\n"),
+                      HasSubstr("probe ssbo uint 1 4 >= 1\nprobe ssbo uint 1 4 <= 2\n")));
 }
 
 TEST(ShaderTest, AFragmentShaderDrawsGreen) {

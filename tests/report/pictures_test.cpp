@@ -78,7 +78,7 @@ TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {
     crashed.reason = check::Reason::crash;
     const std::vector<CheckReport> reports{report_of("A", {passing_row("EQ-1"), failing_row()}),
                                            report_of(hostile, {crashed})};
-    const PageTable table = check_table(reports);
+    const Table table = check_table(reports);
     ASSERT_EQ(table.rows.size(), 3U);
     EXPECT_EQ(table.rows[0][0].text, verdict_of(failing_row()));
     EXPECT_EQ(table.rows[0][0].tone, Tone::bad);

@@ -6,6 +6,10 @@
 
 namespace gloam::report {
 
+inline auto says(const std::string& text) {
+    return ThrowsMessage<std::runtime_error>(HasSubstr(text));
+}
+
 // The first class of an answer's inputs.
 inline check::ClassCount& ordinary(check::Answer& row) {
     return row.classes.front();

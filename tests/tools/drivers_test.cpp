@@ -205,8 +205,10 @@ TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
         EXPECT_THAT(read_file(folder / "report.txt"), HasSubstr(", OpenGL ES 3."));
         const std::string script = read_file(folder / "repro.shader_test");
         EXPECT_THAT(script, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
-        EXPECT_THAT(script, HasSubstr(compute ? "probe ssbo float 1 0 >= 0.5\nprobe ssbo float 1 0 <= 0.5\n"
-                                              : "probe all rgba 0.0 1.0 0.0 1.0\n"));
+        EXPECT_THAT(
+            script,
+            HasSubstr(compute ? "probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 0.500000000\n"
+                              : "probe all rgba 0.0 1.0 0.0 1.0\n"));
         EXPECT_THAT(script, HasSubstr(compute ? "ssbo 0 subdata int 0 1\n"
                                               : "uniform uint gloam_kernel_inputs[0] 1\n"));
         if (!compute) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "audit/own_domain.hpp"
@@ -99,8 +100,7 @@ struct AuditRewrite {
     unsigned line = 0;
     std::string before;  // "1.0 - cos(x)"
     std::string after;
-    std::string
-        helper;  // a function that `after` calls, and a variable, declared before its loop; may be empty
+    std::string helper;  // a function that `after` calls; may be empty
     std::string reason;  // "the difference cancels near x = 0"
     std::string gain;    // "lost digits 6.9 -> 0.4", measured on the same inputs
 };
@@ -155,10 +155,10 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
 [[nodiscard]] std::string to_text(const AuditWitness& witness);
 // "rises", "jumps at 0.5 from 0.2 to 0.8, at tone.glsl:12".
 [[nodiscard]] std::string to_text(const AuditMotion& motion);
-// The worst result in half precision.
-[[nodiscard]] std::string half_text(const AuditFinding& half);
 // The ways and lines that nothing reached, one each: "tone.glsl:12: never true: if (x > 2.0)".
 [[nodiscard]] std::vector<std::string> missed(const Coverage& coverage);
+// What it says besides its findings, with titles: "motion", "x: rises on the lines tried".
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> remarks_on(const Audit& audit);
 
 // The audit in a few lines, for people.
 [[nodiscard]] std::string to_text(const Audit& audit);

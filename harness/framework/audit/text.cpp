@@ -66,11 +66,6 @@ std::string bounds_text(const numeric::Bounds& bounds) {
     return fmt::format("{} to {}{}", number(bounds.low), number(bounds.high), bounds.nan ? ", or NaN" : "");
 }
 
-// Then their positions are printed.
-bool has_several_results(const Audit& audit) {
-    return std::ranges::any_of(audit.motions, [](const AuditMotion& motion) { return motion.output > 0; });
-}
-
 // Why a result has fewer digits than its operands.
 std::string loss_text(const AuditFinding& finding) {
     if (!finding.cancels) return {};
@@ -91,6 +86,15 @@ std::string finding_text(const AuditFinding& finding) {
     return fmt::format("  {:<15} {}\n     {} {}{}{}\n", name_of(finding.concern), extent_text(finding),
                        finding.values.empty() ? "" : inputs_text(finding) + ":", result_text(finding),
                        place.empty() ? "" : "\n      arises at " + place + loss_text(finding), witnesses);
+}
+
+// The worst result in half precision.
+std::string half_text(const AuditFinding& half) {
+    const std::string place = to_text(half.place);
+    if (std::isinf(half.lost)) return fmt::format("overflows{} at {}", inputs_text(half), place);
+    if (half.lost < half_noise) return "loses little beyond its rounding";
+    return fmt::format("{:.4g} instead of {:.4g}{} ({:.1f} of {} digits lost, most at {})", half.value,
+                       half.exact, inputs_text(half), std::min(half.lost, half_digits), half_digits, place);
 }
 
 std::string rewrite_text(const AuditRewrite& rewrite) {
@@ -162,20 +166,24 @@ std::string to_text(const AuditMotion& motion) {
     }
 }
 
-std::string half_text(const AuditFinding& half) {
-    const std::string place = to_text(half.place);
-    if (std::isinf(half.lost)) return fmt::format("overflows{} at {}", inputs_text(half), place);
-    if (half.lost < half_noise) return "loses little beyond its rounding";
-    return fmt::format("{:.4g} instead of {:.4g}{} ({:.1f} of {} digits lost, most at {})", half.value,
-                       half.exact, inputs_text(half), std::min(half.lost, half_digits), half_digits, place);
-}
-
 std::vector<std::string> missed(const Coverage& coverage) {
     std::vector<std::string> all;
     for (const Coverage::Point& point : coverage.points)
         if (!point.reached)
             all.push_back(fmt::format("{}: {}{}", at(point.file, point.line),
                                       point.way.empty() ? "" : "never " + point.way + ": ", point.text));
+    return all;
+}
+
+std::vector<std::pair<std::string, std::string>> remarks_on(const Audit& audit) {
+    std::vector<std::pair<std::string, std::string>> all;
+    const bool several = std::ranges::any_of(audit.motions, &AuditMotion::output);
+    for (const AuditMotion& motion : audit.motions)
+        all.emplace_back("motion", fmt::format("{}{}: {}", motion.parameter,
+                                               several ? fmt::format(" (result {})", motion.output) : "",
+                                               to_text(motion)));
+    for (const std::string& way : missed(audit.coverage)) all.emplace_back("not reached", way);
+    if (audit.half) all.emplace_back("half precision", half_text(*audit.half));
     return all;
 }
 
@@ -197,13 +205,7 @@ std::string to_text(const Audit& audit) {
                                audit.inputs, most_audited_instructions));
     else if (audit.findings.empty())
         line("well", "no input gives NaN, infinity or an undefined result, and none loses digits");
-    for (const AuditMotion& motion : audit.motions)
-        line("motion",
-             fmt::format("{}{}: {}", motion.parameter,
-                         has_several_results(audit) ? fmt::format(" (result {})", motion.output) : "",
-                         to_text(motion)));
-    for (const std::string& way : missed(audit.coverage)) line("not reached", way);
-    if (audit.half) line("half precision", half_text(*audit.half));
+    for (const auto& [title, remark] : remarks_on(audit)) line(title, remark);
     for (const AuditRewrite& rewrite : audit.rewrites) text += rewrite_text(rewrite);
     return text;
 }

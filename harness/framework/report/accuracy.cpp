@@ -72,26 +72,29 @@ std::string column_title(const CheckReport& report, const std::vector<CheckRepor
 }
 
 // A table whose last columns are the devices.
-TextTable table_of(std::vector<std::string> titles, const std::vector<CheckReport>& reports) {
-    for (const CheckReport& report : reports) titles.push_back(column_title(report, reports));
-    return {std::move(titles)};
+Table table_of(std::vector<Column> columns, const std::vector<CheckReport>& reports,
+               const Column& of_a_device = {}) {
+    for (const CheckReport& report : reports) {
+        columns.push_back(of_a_device);
+        columns.back().title = column_title(report, reports);
+    }
+    return {std::move(columns)};
 }
 
 // A range of shares of the documented error, up to the upper end, for a row of the first table.
 struct Part {
-    std::string_view name;
+    const char* name;
     double most;
 };
 constexpr Part parts[] = {
     {"nothing: exact", 0.0}, {"up to a quarter", 0.25}, {"up to a half", 0.5}, {"up to all of it", 1.0}};
 
-TextTable parts_table(const std::vector<EquationAccuracy>& equations,
-                      const std::vector<CheckReport>& reports) {
-    TextTable table = table_of({"part of the documented error"}, reports);
-    const auto add = [&](std::string_view name, const auto& counts) {
-        std::vector<std::string>& line = table.emplace_back(1, std::string(name));
+Table parts_table(const std::vector<EquationAccuracy>& equations, const std::vector<CheckReport>& reports) {
+    Table table = table_of({{"part of the documented error"}}, reports);
+    const auto add = [&](const char* name, const auto& counts) {
+        std::vector<Cell>& row = table.rows.emplace_back(1, name);
         for (std::size_t i = 0; i < reports.size(); ++i)
-            line.push_back(std::to_string(std::ranges::count_if(
+            row.emplace_back(static_cast<std::size_t>(std::ranges::count_if(
                 equations, [&](const EquationAccuracy& e) { return counts(e.measured[i]); })));
     };
     double above = -1.0;
@@ -117,14 +120,14 @@ std::string guarantee_sentence(const std::vector<EquationAccuracy>& equations) {
         std::ranges::count_if(equations, documented), std::ranges::count_if(equations, kept));
 }
 
-TextTable nearest_table(std::vector<EquationAccuracy> equations, const std::vector<CheckReport>& reports) {
+Table nearest_table(std::vector<EquationAccuracy> equations, const std::vector<CheckReport>& reports) {
     std::ranges::stable_sort(equations, std::ranges::greater{}, most_used);
     equations.resize(std::min(equations.size(), most_listed));
     std::erase_if(equations, [](const EquationAccuracy& e) { return most_used(e) == 0.0; });
-    TextTable table = table_of({"equation", "documented", "any driver"}, reports);
+    Table table = table_of({{"equation"}, {"documented"}, {"any driver"}}, reports);
     for (const EquationAccuracy& e : equations) {
-        table.push_back({e.equation, e.documented, any_driver_text(e)});
-        for (const auto& measured : e.measured) table.back().push_back(measured_text(measured));
+        table.rows.push_back({e.equation, e.documented, any_driver_text(e)});
+        for (const auto& measured : e.measured) table.rows.back().emplace_back(measured_text(measured));
     }
     return table;
 }
@@ -136,14 +139,14 @@ std::string failure_text(const check::Answer& row) {
 
 // A row for each variant, in the order of the rows: how many of its checks passed on each driver, of those
 // that were judged.
-TextTable variants_table(const std::vector<CheckReport>& reports) {
+Table variants_table(const std::vector<CheckReport>& reports) {
     std::vector<std::string> variants;
     for (const CheckReport& report : reports)
         for (const check::Answer& row : report.rows)
             if (std::ranges::find(variants, row.variant) == variants.end()) variants.push_back(row.variant);
-    TextTable table = table_of({"checks passed in the variant"}, reports);
+    Table table = table_of({{"checks passed in the variant"}}, reports);
     for (const std::string& variant : variants) {
-        table.push_back({variant});
+        table.rows.push_back({variant});
         for (const CheckReport& report : reports) {
             const auto count = [&](check::Outcome outcome) {
                 return std::ranges::count_if(report.rows, [&](const check::Answer& row) {
@@ -151,31 +154,32 @@ TextTable variants_table(const std::vector<CheckReport>& reports) {
                 });
             };
             const auto passed = count(check::Outcome::ok);
-            table.back().push_back(fmt::format("{} of {}", passed, passed + count(check::Outcome::failed)));
+            table.rows.back().emplace_back(
+                fmt::format("{} of {}", passed, passed + count(check::Outcome::failed)));
         }
     }
     return table;
 }
 
 // A row for each equation and device.
-TextTable failures_table(const std::vector<CheckReport>& reports) {
-    TextTable table{{"equation", "device", "inputs outside"}};
+Table failures_table(const std::vector<CheckReport>& reports) {
+    Table table{{{"equation"}, {"device"}, {"inputs outside"}}};
     for (const CheckReport& report : reports) {
-        const std::size_t first = table.size();
+        const std::size_t first = table.rows.size();
         for (const check::Answer& row : report.rows) {
             if (!row.failed()) continue;
-            if (table.size() == first || table.back()[0] != row.equation)
-                table.push_back({row.equation, column_title(report, reports), failure_text(row)});
+            if (table.rows.size() == first || table.rows.back()[0].text != row.equation)
+                table.rows.push_back({row.equation, column_title(report, reports), failure_text(row)});
             else
-                table.back()[2] += ", " + failure_text(row);
+                table.rows.back()[2].text += ", " + failure_text(row);
         }
     }
     return table;
 }
 
-// Without lines: what is said instead.
-std::string text_of(const TextTable& table, const char* otherwise = "") {
-    return table.size() == 1 ? otherwise : "\n" + to_markdown(table);
+// Without rows: what is said instead.
+std::string text_of(const Table& table, const char* otherwise = "") {
+    return table.rows.empty() ? otherwise : "\n" + to_markdown(table);
 }
 
 }  // namespace
@@ -207,40 +211,33 @@ std::string to_accuracy_markdown(const std::vector<CheckReport>& reports) {
            to_markdown(variants_table(reports)) + text_of(failures_table(reports), "\nNo check failed.\n");
 }
 
-PageTable accuracy_table(const std::vector<CheckReport>& reports) {
-    PageTable table{
-        .columns = {{.title = "equation"},
-                    {.title = "documented",
-                     .meaning = "each output is within the ULP bound or within the absolute one"},
-                    {.title = "any driver, absolute",
-                     .meaning = "the largest error that Vulkan's rules leave any driver that runs "
-                                "the strict shader, over the ordinary inputs that were tried",
-                     .numeric = true},
-                    {.title = "any driver, ULP", .numeric = true},
-                    {.title = "open, %",
-                     .meaning = "share of all inputs, special ones included, for which the rules "
-                                "permit anything",
-                     .numeric = true}},
-        .rows = {}};
-    for (const CheckReport& report : reports) {
-        table.columns.push_back({.title = column_title(report, reports),
-                                 .meaning = "the largest measured error as a part of the documented one, and "
-                                            "the variant that had it",
-                                 .numeric = true});
-    }
+Table accuracy_table(const std::vector<CheckReport>& reports) {
+    Table table = table_of(
+        {{"equation"},
+         {.title = "documented", .meaning = "each output is within the ULP bound or within the absolute one"},
+         {.title = "any driver, absolute",
+          .meaning =
+              "the largest error that Vulkan's rules leave any driver that runs the strict shader, over "
+              "the ordinary inputs that were tried",
+          .numeric = true},
+         {.title = "any driver, ULP", .numeric = true},
+         {.title = "open, %",
+          .meaning = "share of all inputs, special ones included, for which the rules permit anything",
+          .numeric = true}},
+        reports,
+        {.meaning = "the largest measured error as a part of the documented one, and the variant that had it",
+         .numeric = true});
     for (const EquationAccuracy& e : accuracies(reports)) {
-        std::vector<PageCell> cells{{e.equation}, {e.documented.empty() ? "Vulkan's rules" : e.documented}};
-        if (e.any_driver) {
-            cells.push_back(
-                number_cell(e.any_driver->absolute, fmt::format("{:.1e}", e.any_driver->absolute)));
-            cells.push_back(number_cell(e.any_driver->ulp, fmt::format("{:.3g}", e.any_driver->ulp)));
-            cells.push_back(number_cell(e.open, fmt::format("{:.3g}", 100.0 * e.open)));
+        std::vector<Cell> cells{e.equation, e.documented.empty() ? "Vulkan's rules" : e.documented};
+        if (const auto& any = e.any_driver) {
+            cells.emplace_back(fmt::format("{:.1e}", any->absolute), any->absolute);
+            cells.emplace_back(fmt::format("{:.3g}", any->ulp), any->ulp);
+            cells.emplace_back(fmt::format("{:.3g}", 100.0 * e.open), e.open);
         } else {
-            cells.insert(cells.end(), 3, {"-"});
+            cells.insert(cells.end(), 3, "-");
         }
         for (const auto& measured : e.measured)
-            cells.push_back(measured ? number_cell(measured->fraction, measured_text(measured))
-                                     : PageCell{"-"});
+            cells.push_back(measured ? Cell(measured_text(measured), measured->fraction) : "-");
         table.rows.push_back(std::move(cells));
     }
     return table;

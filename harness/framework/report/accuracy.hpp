@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/check_report.hpp"
-#include "report/page.hpp"
+#include "report/table.hpp"
 
 namespace gloam::report {
 
@@ -35,6 +35,6 @@ struct EquationAccuracy {
 [[nodiscard]] std::string to_accuracy_markdown(const std::vector<CheckReport>& reports);
 
 // A row for each equation: documented error, error on any driver, and measured error of each driver.
-[[nodiscard]] PageTable accuracy_table(const std::vector<CheckReport>& reports);
+[[nodiscard]] Table accuracy_table(const std::vector<CheckReport>& reports);
 
 }  // namespace gloam::report

@@ -118,11 +118,10 @@ std::vector<PageLine> coloured_lines(const AuditReport& report) {
     return lines;
 }
 
-PageTable domain_table(const check::Audit& audit) {
-    PageTable table{.columns = {{.title = "parameter"}, {.title = "values"}, {.title = "because of"}},
-                    .rows = {}};
+Table domain_table(const check::Audit& audit) {
+    Table table{{{"parameter"}, {"values"}, {"because of"}}};
     for (const check::OrdinaryValues& values : audit.domain)
-        table.rows.push_back({{.text = values.parameter}, {.text = values.text}, {.text = values.reason}});
+        table.rows.push_back({values.parameter, values.text, values.reason});
     return table;
 }
 
@@ -133,21 +132,16 @@ std::string result_of(const check::AuditFinding& finding) {
     return text;
 }
 
-PageTable finding_table(const check::Audit& audit) {
-    PageTable table{.columns = {{.title = "concern"},
-                                {.title = "how much"},
-                                {.title = "at"},
-                                {.title = "input"},
-                                {.title = "result"}},
-                    .rows = {}};
-    for (const check::AuditFinding& finding : audit.findings)
-        table.rows.push_back(
-            {{.text = name_of(finding.concern),
-              .tone = finding.concern < check::Concern::unspecified ? Tone::bad : Tone::plain},
-             {.text = extent_text(finding)},
-             {.text = to_text(finding.place)},
-             {.text = finding.values},
-             {.text = result_of(finding)}});
+Table finding_table(const check::Audit& audit) {
+    Table table{{{"concern"}, {"how much"}, {"at"}, {"input"}, {"result"}}};
+    for (const check::AuditFinding& finding : audit.findings) {
+        const Tone tone = finding.concern < check::Concern::unspecified ? Tone::bad : Tone::plain;
+        table.rows.push_back({{name_of(finding.concern), {}, tone},
+                              extent_text(finding),
+                              to_text(finding.place),
+                              finding.values,
+                              result_of(finding)});
+    }
     return table;
 }
 
@@ -186,10 +180,7 @@ void add_function(Page& page, const AuditReport& report, const check::Audit& aud
     else
         page.table(finding_table(audit));
     std::string lines;
-    for (const check::AuditMotion& motion : audit.motions)
-        lines += fmt::format("{}, result {}: {}\n", motion.parameter, motion.output, to_text(motion));
-    for (const std::string& way : missed(audit.coverage)) lines += "not reached: " + way + "\n";
-    if (audit.half) lines += "half precision: " + half_text(*audit.half) + "\n";
+    for (const auto& [title, remark] : remarks_on(audit)) lines += fmt::format("{}: {}\n", title, remark);
     if (!lines.empty()) page.preformatted(lines);
     add_rewrites(page, audit);
     if (!audit.findings.empty()) page.preformatted(ready_to_paste(report, audit));

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "base/text.hpp"
-#include "numeric/numbers.hpp"
 #include "report/accuracy.hpp"
 
 namespace gloam::report {
@@ -15,8 +17,8 @@ constexpr std::size_t longest_story = 12'000;  // bytes of a failure's story
 constexpr std::size_t most_stories = 100;
 constexpr int device_column = 3;  // if there are several devices
 
-std::vector<PageColumn> columns(bool several_devices) {
-    std::vector<PageColumn> all{
+std::vector<Column> columns(bool several_devices) {
+    std::vector<Column> all{
         {.title = "verdict",
          .meaning = "ok, the number of inputs outside what is allowed, not judged, or why it did not run"},
         {.title = "equation"},
@@ -25,71 +27,45 @@ std::vector<PageColumn> columns(bool several_devices) {
         {.title = "judged by",
          .meaning =
              "rules: what Vulkan's precision rules permit. budget: the accuracy that the function documents",
-         .filter = true},
-        {.title = "judged", .meaning = "inputs for which some result would have failed", .numeric = true},
-        {.title = "worst ULP",
-         .meaning = "largest error in units in the last place of the printed equation in double precision",
-         .numeric = true},
-        {.title = "worst absolute", .numeric = true},
-        {.title = "of allowed",
-         .meaning = "the largest error as a fraction of what is allowed; more than 1 fails",
-         .numeric = true},
-        {.title = "remark", .meaning = "why it was not judged, or what the verdict says nothing of"},
-        {.title = "worst input", .meaning = "the input with the largest error"}};
+         .filter = true}};
+    all.insert(all.end(), error_columns().begin(), error_columns().end());
+    all.push_back(
+        {.title = "remark", .meaning = "why it was not judged, or what the verdict says nothing of"});
+    all.push_back({.title = "worst input", .meaning = "the input with the largest error"});
     if (several_devices) all.insert(all.begin() + device_column, {.title = "device", .filter = true});
     return all;
 }
 
-PageCell verdict_cell(const check::Answer& row) {
-    const Tone tone = row.passed() ? Tone::good : row.failed() ? Tone::bad : Tone::plain;
-    return {.text = verdict_of(row), .tone = tone};
-}
-
 // The cells of a row, without the device.
-std::vector<PageCell> cells_of(const check::Answer& row) {
-    std::vector<PageCell> cells{verdict_cell(row),
-                                {row.equation},
-                                {row.function},
-                                {row.variant},
-                                {row.ran() ? std::string(name_of(row.verdict)) : "-"}};
-    if (!row.ran()) {
-        cells.insert(cells.end(), 4, {"-"});
-        cells.push_back({base::shortened(remark_on(row), longest_value)});
-        cells.push_back({base::shortened(row.error, longest_value)});
-        return cells;
-    }
-    const double used = row.fraction_of_allowed();
-    cells.push_back(number_cell(static_cast<double>(row.judged()), fmt::format("{}", row.judged())));
-    cells.push_back(number_cell(row.max_ulp, fmt::format("{:.3g}", row.max_ulp)));
-    cells.push_back(number_cell(row.max_absolute, fmt::format("{:.2e}", row.max_absolute)));
-    cells.push_back(number_cell(used, numeric::to_short_text(used)));
-    cells.push_back({remark_on(row)});
-    cells.push_back({row.worst ? base::shortened(row.worst->values, longest_value) : "-"});
+std::vector<Cell> cells_of(const check::Answer& row) {
+    const Tone tone = row.passed() ? Tone::good : row.failed() ? Tone::bad : Tone::plain;
+    std::vector<Cell> cells{{verdict_of(row), {}, tone},
+                            row.equation,
+                            row.function,
+                            row.variant,
+                            row.ran() ? std::string(name_of(row.verdict)) : "-"};
+    std::ranges::copy(error_cells(row), std::back_inserter(cells));
+    cells.emplace_back(base::shortened(remark_on(row), longest_value));
+    const std::string worst = !row.ran() ? row.error : row.worst ? row.worst->values : "-";
+    cells.emplace_back(base::shortened(worst, longest_value));
     return cells;
 }
 
-PageTable device_table(const std::vector<CheckReport>& reports) {
-    PageTable table{.columns = {{.title = "device"},
-                                {.title = "interface"},
-                                {.title = "checks", .numeric = true},
-                                {.title = "failed", .numeric = true},
-                                {.title = "not judged", .numeric = true},
-                                {.title = "made by", .meaning = "versions of gloam and of the compilers"}},
-                    .rows = {}};
+Table device_table(const std::vector<CheckReport>& reports) {
+    Table table{{{.title = "device"},
+                 {.title = "interface"},
+                 {.title = "checks", .numeric = true},
+                 {.title = "failed", .numeric = true},
+                 {.title = "not judged", .numeric = true},
+                 {.title = "made by", .meaning = "versions of gloam and of the compilers"}}};
     for (const CheckReport& report : reports) {
-        const auto count = [&](check::Outcome outcome) {
-            return number_cell(static_cast<double>(report.count(outcome)),
-                               fmt::format("{}", report.count(outcome)));
-        };
-        PageCell failed = count(check::Outcome::failed);
-        failed.tone = report.count(check::Outcome::failed) == 0 ? Tone::good : Tone::bad;
-        table.rows.push_back(
-            {{name_of(report.device)},
-             {api_of(report.device)},
-             number_cell(static_cast<double>(report.rows.size()), fmt::format("{}", report.rows.size())),
-             failed,
-             count(check::Outcome::not_judged),
-             {report.versions}});
+        const std::size_t failed = report.count(check::Outcome::failed);
+        table.rows.push_back({name_of(report.device),
+                              api_of(report.device),
+                              report.rows.size(),
+                              {failed, failed == 0 ? Tone::good : Tone::bad},
+                              report.count(check::Outcome::not_judged),
+                              report.versions});
     }
     return table;
 }
@@ -111,16 +87,16 @@ void add_stories(Page& page, const std::vector<CheckReport>& reports) {
 
 }  // namespace
 
-PageTable check_table(const std::vector<CheckReport>& reports) {
+Table check_table(const std::vector<CheckReport>& reports) {
     const bool several = reports.size() > 1;
-    PageTable table{.columns = columns(several), .rows = {}};
+    Table table{columns(several)};
     for (const auto outcome : {check::Outcome::failed, check::Outcome::not_judged, check::Outcome::ok}) {
         for (const CheckReport& report : reports) {
             for (const check::Answer& row : report.rows) {
                 if (row.outcome() != outcome) continue;
                 table.rows.push_back(cells_of(row));
-                std::vector<PageCell>& cells = table.rows.back();
-                if (several) cells.insert(cells.begin() + device_column, {name_of(report.device)});
+                std::vector<Cell>& cells = table.rows.back();
+                if (several) cells.insert(cells.begin() + device_column, name_of(report.device));
             }
         }
     }

@@ -11,7 +11,7 @@ namespace gloam::report {
 
 // Every check of every device, failures first: a row each, with its results and its worst input. There is a
 // column for the device if there are several.
-[[nodiscard]] PageTable check_table(const std::vector<CheckReport>& reports);
+[[nodiscard]] Table check_table(const std::vector<CheckReport>& reports);
 
 // The results of `gloam check` as one HTML page: the devices with the number of failed checks, the story of
 // each failure, accuracy_table() and check_table(). `notes`: paragraphs below the title, for example

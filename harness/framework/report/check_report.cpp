@@ -12,6 +12,7 @@
 #include "base/version.hpp"
 #include "numeric/numbers.hpp"
 #include "report/answer_json.hpp"
+#include "report/page.hpp"
 
 namespace gloam::report {
 
@@ -40,14 +41,6 @@ std::string name_of(const DeviceSummary& device) {
 std::string api_of(const DeviceSummary& device) {
     const bool names_itself = device.type.starts_with("opengl") || device.type.starts_with("webg");
     return names_itself ? device.api_version : "Vulkan " + device.api_version;
-}
-
-std::string to_json(const DeviceSummary& device) {
-    return line_of(device);
-}
-
-DeviceSummary device_from_json(std::string_view text) {
-    return from_line<DeviceSummary>(text);
 }
 
 std::string to_json(const std::vector<CheckReport>& reports) {
@@ -80,32 +73,9 @@ std::vector<CheckReport> reports_from_json(std::string_view text) {
 
 namespace {
 
+// In an attribute of XML.
 std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '\n':
-                out += "&#10;";
-                break;
-            default:
-                // XML 1.0 does not allow other control characters, not even escaped; a driver's message may
-                // contain them.
-                out += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? '?' : c;
-        }
-    }
-    return out;
+    return base::replaced(escaped_html(text), "\n", "&#10;");
 }
 
 std::string test_case(const check::Answer& row) {
@@ -151,11 +121,10 @@ namespace {
 // Widths of the longest ID, function and variant.
 constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
 
-// An error as text. Where the rules alone are the verdict, an infinite one may be right: for an overflow,
-// say.
-std::string error_text(const check::Answer& row, double error, int digits) {
-    if (row.verdict == check::Verdict::rules && row.passed() && std::isinf(error)) return "permitted";
-    return digits > 0 ? fmt::format("{:.{}e}", error, digits) : fmt::format("{:.3g}", error);
+// Where the rules alone are the verdict, an infinite error may be right: for an overflow, say.
+Cell error_cell(const check::Answer& row, double error, const std::string& text) {
+    const bool permitted = row.verdict == check::Verdict::rules && row.passed() && std::isinf(error);
+    return {permitted ? "permitted" : text, error};
 }
 
 }  // namespace
@@ -190,16 +159,39 @@ std::string to_text(const OutcomeCounts& counts) {
     return counts.not_judged == 0 ? text : text + fmt::format(", {} not judged", counts.not_judged);
 }
 
+const std::vector<Column>& error_columns() {
+    static const std::vector<Column> columns{
+        {.title = "judged", .meaning = "inputs for which some result would have failed", .numeric = true},
+        {.title = "worst ulp",
+         .meaning = "largest error in units in the last place of the printed equation in double precision; "
+                    "permitted: it is infinite, and the rules permit that",
+         .numeric = true},
+        {.title = "worst abs", .meaning = "largest absolute error", .numeric = true},
+        {.title = "of allowed",
+         .meaning = "the largest error as a fraction of what is allowed; more than 1 fails",
+         .numeric = true}};
+    return columns;
+}
+
+std::vector<Cell> error_cells(const check::Answer& row) {
+    if (!row.ran()) return std::vector<Cell>(error_columns().size(), "-");
+    const double used = row.fraction_of_allowed();
+    return {row.judged(),
+            error_cell(row, row.max_ulp, fmt::format("{:.3g}", row.max_ulp)),
+            error_cell(row, row.max_absolute, fmt::format("{:.2e}", row.max_absolute)),
+            {numeric::to_short_text(used), used}};
+}
+
 std::string table_header() {
-    return fmt::format(line_format, "equation", "function", "variant", "judged", "worst ulp", "worst abs",
-                       "of allowed", "judged by", "verdict");
+    const std::vector<Column>& c = error_columns();
+    return fmt::format(line_format, "equation", "function", "variant", c[0].title, c[1].title, c[2].title,
+                       c[3].title, "judged by", "verdict");
 }
 
 std::string table_legend() {
-    return "judged: inputs for which some result would have failed\n"
-           "worst ulp, worst abs: largest error, in units in the last place and absolute; permitted: it is "
-           "infinite, and the rules permit that\n"
-           "of allowed: the largest error as a fraction of what is allowed; more than 1 fails\n"
+    std::string text;
+    for (const Column& column : error_columns()) text += column.title + ": " + column.meaning + "\n";
+    return text +
            "judged by: rules = what Vulkan's precision rules permit, budget = the accuracy that the function "
            "documents\n";
 }
@@ -234,19 +226,13 @@ std::string table_line(const check::Answer& row) {
 }
 
 std::string table_line(const check::Answer& row, const std::string& verdict) {
-    const std::string after = row.steps().empty() ? "" : "; after " + row.steps();
-    if (!row.ran()) {
-        const std::string why =
-            row.reason == check::Reason::unsupported ? "; " + base::one_line(row.error) : std::string();
-        return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), "-", "-", "-",
-                           "-", "-", verdict + why + after);
-    }
-    const double used = row.fraction_of_allowed();
-    const std::string remark = remark_on(row);
-    return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), row.judged(),
-                       error_text(row, row.max_ulp, 0), error_text(row, row.max_absolute, 2),
-                       numeric::to_short_text(used), name_of(row.verdict), verdict) +
-           (remark.empty() ? "" : "; " + remark) + after;
+    const std::vector<Cell> cells = error_cells(row);
+    const std::string why = row.reason == check::Reason::unsupported ? base::one_line(row.error) : "";
+    const std::string remark = row.ran() ? remark_on(row) : why;
+    return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), cells[0].text,
+                       cells[1].text, cells[2].text, cells[3].text, row.ran() ? name_of(row.verdict) : "-",
+                       verdict) +
+           (remark.empty() ? "" : "; " + remark) + (row.steps().empty() ? "" : "; after " + row.steps());
 }
 
 namespace {
@@ -300,10 +286,10 @@ MergedReports merge(const std::vector<ReportFile>& files) {
     MergedReports merged;
     std::vector<Rows> rows;  // of merged.reports
     for (const ReportFile& file : files) {
-        const std::string device = to_json(file.report.device);
+        const std::string device = line_of(file.report.device);
         const auto known = std::ranges::find_if(merged.reports, [&](const CheckReport& report) {
             return report.inputs == file.report.inputs && report.seed == file.report.seed &&
-                   to_json(report.device) == device;
+                   line_of(report.device) == device;
         });
         const auto index = static_cast<std::size_t>(known - merged.reports.begin());
         if (known == merged.reports.end()) {

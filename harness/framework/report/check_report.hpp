@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/answer.hpp"
+#include "report/table.hpp"
 
 namespace gloam::report {
 
@@ -28,10 +29,6 @@ struct DeviceSummary {
 
 // "Vulkan 1.3.230", "OpenGL ES 3.1", "WebGL 2.0 (OpenGL ES 3.0 Chromium)".
 [[nodiscard]] std::string api_of(const DeviceSummary& device);
-
-// One line of JSON, and back. Reading throws std::runtime_error with the field's name and what was expected.
-[[nodiscard]] std::string to_json(const DeviceSummary& device);
-[[nodiscard]] DeviceSummary device_from_json(std::string_view text);
 
 // The results of all checks of one device.
 struct CheckReport {
@@ -76,6 +73,10 @@ struct OutcomeCounts {
 // The same with another text in place of the verdict, for example in colour.
 [[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict);
 [[nodiscard]] std::string table_legend();
+
+// The columns from "judged" to "of allowed", and a row's cells in them.
+[[nodiscard]] const std::vector<Column>& error_columns();
+[[nodiscard]] std::vector<Cell> error_cells(const check::Answer& row);
 
 // {"gloam": "0.3.0", "device": {...}, "versions": "gloam 0.3.0, glslang ...", "inputs": 65536, "seed": 1,
 // "results":
@@ -125,11 +126,6 @@ struct MergedReports {
 // same device, inputs and seed: of the same driver if there is one, otherwise of another build.
 [[nodiscard]] std::vector<std::string> changes_since(const std::vector<CheckReport>& before,
                                                      const std::vector<CheckReport>& now);
-
-// Lines of cells, first the titles: in columns, and for a Markdown page.
-using TextTable = std::vector<std::vector<std::string>>;
-[[nodiscard]] std::string aligned(const TextTable& table);
-[[nodiscard]] std::string to_markdown(const TextTable& table);
 
 // A table of equation by driver and variant. A cell is "ok 0.85" with the worst error as a fraction of what
 // is allowed, "FAIL 3/100" with the inputs outside, or "not judged". It is the reason of a check that did not

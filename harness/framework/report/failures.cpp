@@ -7,11 +7,14 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace gloam::report {
 
 namespace {
+
+using Words = std::vector<std::uint32_t>;
 
 constexpr std::size_t words_in_a_line = 8;
 constexpr std::size_t fault_words = 5;
@@ -19,10 +22,9 @@ constexpr std::size_t fault_words = 5;
 constexpr std::uint32_t canary = 0x3f800000U;
 constexpr auto largest = std::numeric_limits<float>::max();
 
-std::string buffer_declaration(const std::string& name, const std::vector<std::uint32_t>& words) {
+std::string buffer_declaration(const std::string& name, const Words& words) {
     std::string text = fmt::format("BUFFER {} DATA_TYPE uint32 DATA\n", name);
-    const std::vector<std::uint32_t> one{0U};  // no buffer is empty
-    const std::vector<std::uint32_t>& all = words.empty() ? one : words;
+    const Words& all = words.empty() ? Words{0U} : words;  // no buffer is empty
     for (std::size_t i = 0; i < all.size(); ++i) {
         const bool last = i + 1 == all.size() || (i + 1) % words_in_a_line == 0;
         text += fmt::format("0x{:08x}{}", all[i], last ? "\n" : " ");
@@ -30,42 +32,8 @@ std::string buffer_declaration(const std::string& name, const std::vector<std::u
     return text + "END\n\n";
 }
 
-// Amber reads a number without a point as an integer.
-std::string number(float value) {
-    return fmt::format("{:#.9g}", value);
-}
-
-// The ends of a range as floats inside it.
-float lowest_inside(double low) {
-    auto value = static_cast<float>(low);
-    return static_cast<double>(value) < low ? std::nextafter(value, INFINITY) : value;
-}
-float highest_inside(double high) {
-    auto value = static_cast<float>(high);
-    return static_cast<double>(value) > high ? std::nextafter(value, -INFINITY) : value;
-}
-
-// Amber's comparisons are true for NaN, so NaN is excluded separately. Amber has no word for infinity.
-std::string expect_float(std::size_t byte, const numeric::Bounds& allowed) {
-    const auto expect = [byte](const std::string& condition) {
-        return fmt::format("EXPECT floats IDX {} {}\n", byte, condition);
-    };
-    if (allowed.low > allowed.high) return allowed.nan ? expect("EQ nan") : std::string{};
-    std::string text;
-    if (!allowed.nan) text += expect("NE nan");
-    const float low = lowest_inside(allowed.low);
-    const float high = highest_inside(allowed.high);
-    if (low > largest) {
-        text += expect("GT " + number(largest));
-    } else if (low >= -largest) {
-        text += expect("GE " + number(low));
-    }
-    if (high < -largest) {
-        text += expect("LT " + number(-largest));
-    } else if (high <= largest) {
-        text += expect("LE " + number(high));
-    }
-    return text;
+std::string image_comment(const KernelReplay::Image& image) {
+    return fmt::format("# {}: width, height, clamped, then the pixels row by row\n", image.name);
 }
 
 // The hull of an output's ranges, as it is expected where a script cannot say "or".
@@ -83,42 +51,68 @@ bool is_inside(const KernelReplay::Output& output, const numeric::Bounds& bounds
     return bounds.contains(static_cast<double>(number));
 }
 
-// Whether what was found is inside the hull, but in no outcome's range.
-bool is_between(const KernelReplay& replay, std::size_t i) {
-    const KernelReplay::Output& output = replay.outputs[i];
-    return is_inside(output, hull_at(replay, i)) &&
-           std::ranges::none_of(replay.outcomes,
-                                [&](const auto& outcome) { return is_inside(output, outcome.at(i)); });
-}
+// A comparison of an output, as the float or the word that it is, with a number.
+struct Comparison {
+    std::string_view sign;
+    std::string number;
+};
+using Comparisons = std::vector<Comparison>;
 
-// The comparisons of a word with a range of integers, as unsigned: in two's complement a range from below 0
-// to above it has none.
-std::vector<std::pair<const char*, std::uint32_t>> word_comparisons(const numeric::Bounds& allowed) {
-    const auto word = [](double x) {
-        return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(x, -0x1p31, 0x1p32 - 1.0)));
+// Amber reads a number without a point as an integer. Neither script has a word for infinity. Ends of a range
+// are floats inside it.
+void compare_float(const numeric::Bounds& allowed, Comparisons& all) {
+    const auto add = [&](std::string_view sign, float x) {
+        all.push_back({sign, fmt::format("{:#.9g}", x)});
     };
-    if (allowed.is_point()) return {{"==", word(allowed.low)}};
-    if (allowed.low < 0.0 && allowed.high >= 0.0) return {};
-    return {{">=", word(allowed.low)}, {"<=", word(allowed.high)}};
+    if (allowed.low > allowed.high) {
+        if (allowed.nan) all.push_back({"==", "nan"});
+        return;
+    }
+    if (!allowed.nan) all.push_back({"!=", "nan"});
+    auto low = static_cast<float>(allowed.low);
+    auto high = static_cast<float>(allowed.high);
+    if (static_cast<double>(low) < allowed.low) low = std::nextafter(low, INFINITY);
+    if (static_cast<double>(high) > allowed.high) high = std::nextafter(high, -INFINITY);
+    if (low >= -largest) add(low > largest ? ">" : ">=", std::min(low, largest));
+    if (high <= largest) add(high < -largest ? "<" : "<=", std::max(high, -largest));
 }
 
-// The same for Amber.
-std::string expect_word(std::size_t byte, const numeric::Bounds& allowed) {
-    std::string text;
-    for (const auto& [comparison, word] : word_comparisons(allowed))
-        text += fmt::format("EXPECT words IDX {} {} {}\n", byte,
-                            *comparison == '='   ? "EQ"
-                            : *comparison == '>' ? "GE"
-                                                 : "LE",
-                            word);
+// As unsigned: in two's complement a range from below 0 to above it has no comparison.
+void compare_word(const numeric::Bounds& allowed, Comparisons& all) {
+    const auto add = [&](std::string_view sign, double x) {
+        const auto number = static_cast<std::int64_t>(std::clamp(x, -0x1p31, 0x1p32 - 1.0));
+        all.push_back({sign, std::to_string(static_cast<std::uint32_t>(number))});
+    };
+    if (allowed.is_point()) return add("==", allowed.low);
+    if (allowed.low < 0.0 && allowed.high >= 0.0) return;
+    add(">=", allowed.low);
+    add("<=", allowed.high);
+}
+
+// Those with the hull, and with what was found where that is in the hull, but in no outcome's range.
+Comparisons comparisons_of(const KernelReplay& replay, std::size_t i) {
+    if (replay.outcomes.empty()) return {};
+    const KernelReplay::Output& output = replay.outputs[i];
+    const numeric::Bounds hull = hull_at(replay, i);
+    Comparisons all;
+    (output.is_float ? compare_float : compare_word)(hull, all);
+    const bool between =
+        is_inside(output, hull) && std::ranges::none_of(replay.outcomes, [&](const auto& outcome) {
+            return is_inside(output, outcome.at(i));
+        });
+    if (between)
+        all.push_back({"!=", output.is_float ? fmt::format("{:#.9g}", std::bit_cast<float>(output.found))
+                                             : std::to_string(output.found)});
+    return all;
+}
+
+// The comments above the comparisons of an output.
+std::string output_comments(const KernelReplay& replay, std::size_t i) {
+    std::string text = fmt::format("# output {}: {}\n", i, replay.outputs[i].comment);
+    if (replay.outcomes.size() > 1)
+        text += fmt::format("# one of {} outcomes is allowed (report.txt); this expects their hull\n",
+                            replay.outcomes.size());
     return text;
-}
-
-// A comment behind the one of an output.
-std::string several_outcomes(const KernelReplay& replay) {
-    if (replay.outcomes.size() < 2) return "";
-    return fmt::format("# one of {} outcomes is allowed (report.txt); this expects their hull\n",
-                       replay.outcomes.size());
 }
 
 std::string pipeline(const KernelReplay& replay, const std::string& view) {
@@ -150,18 +144,14 @@ std::string view_of(const KernelReplay& replay, bool floats) {
     text += "# the kernel ran to its end\n";
     text += fmt::format("EXPECT {} IDX {} EQ {}\n", view, 4 * replay.outputs.size(),
                         floats ? "1.0" : std::to_string(canary));
+    // Its comparisons are true for NaN, so NaN is excluded by one of them.
+    const std::map<std::string_view, const char*> words{{"==", "EQ"}, {"!=", "NE"}, {">", "GT"},
+                                                        {">=", "GE"}, {"<", "LT"},  {"<=", "LE"}};
     for (std::size_t i = 0; i < replay.outputs.size(); ++i) {
-        const KernelReplay::Output& output = replay.outputs[i];
-        if (output.is_float != floats) continue;
-        text += fmt::format("# output {}: {}\n", i, output.comment);
-        if (replay.outcomes.empty()) continue;
-        const numeric::Bounds allowed = hull_at(replay, i);
-        text += several_outcomes(replay);
-        text += floats ? expect_float(4 * i, allowed) : expect_word(4 * i, allowed);
-        if (is_between(replay, i))
-            text += fmt::format(
-                "EXPECT {} IDX {} NE {}\n", view, 4 * i,
-                floats ? number(std::bit_cast<float>(output.found)) : std::to_string(output.found));
+        if (replay.outputs[i].is_float != floats) continue;
+        text += output_comments(replay, i);
+        for (const auto& [sign, number] : comparisons_of(replay, i))
+            text += fmt::format("EXPECT {} IDX {} {} {}\n", view, 4 * i, words.at(sign), number);
     }
     return text + "\n";
 }
@@ -180,10 +170,9 @@ std::string to_amber(const KernelReplay& replay) {
     text += buffer_declaration("run", {1U, 64U, canary});
     text += buffer_declaration("inputs", replay.inputs);
     text += "# accesses outside an image: how many, and the first\n";
-    text += buffer_declaration("faults", std::vector<std::uint32_t>(fault_words));
+    text += buffer_declaration("faults", Words(fault_words));
     for (std::size_t i = 0; i < replay.images.size(); ++i) {
-        text +=
-            fmt::format("# {}: width, height, clamped, then the pixels row by row\n", replay.images[i].name);
+        text += image_comment(replay.images[i]);
         text += buffer_declaration(fmt::format("image{}", i), replay.images[i].words);
     }
     const auto is_float = [](const KernelReplay::Output& output) { return output.is_float; };
@@ -195,10 +184,6 @@ std::string to_amber(const KernelReplay& replay) {
 
 namespace {
 
-using Words = std::vector<std::uint32_t>;
-
-constexpr std::uint32_t end_mark = 0x3f800000U;
-constexpr std::size_t words_of_faults = 5;
 constexpr unsigned first_image = 3;
 
 std::string storage(unsigned binding, const Words& words, std::size_t count) {
@@ -209,53 +194,35 @@ std::string storage(unsigned binding, const Words& words, std::size_t count) {
     return text;
 }
 
-std::string probe_word(std::size_t word, const char* comparison, std::uint32_t value) {
-    return fmt::format("probe ssbo uint 1 {} {} 0x{:x}\n", 4 * word, comparison, value);
-}
-
-// NaN fails every comparison of a probe.
-std::string probe_float(std::size_t word, const numeric::Bounds& allowed) {
-    if (allowed.nan) return "";
-    const auto bound = [word](const char* comparison, double end) {
-        return std::isinf(end) ? ""
-                               : fmt::format("probe ssbo float 1 {} {} {:.9g}\n", 4 * word, comparison, end);
-    };
-    const bool anything = std::isinf(allowed.low) && std::isinf(allowed.high);
-    if (anything) return fmt::format("probe ssbo float 1 {0} >= -inf\n", 4 * word);
-    return bound(">=", allowed.low) + bound("<=", allowed.high);
-}
-
-std::string probe(const KernelReplay& kernel, std::size_t word) {
-    if (kernel.outcomes.empty()) return "";
-    const KernelReplay::Output& output = kernel.outputs[word];
-    const numeric::Bounds allowed = hull_at(kernel, word);
-    std::string text = several_outcomes(kernel);
-    if (output.is_float)
-        text += probe_float(word, allowed);
-    else
-        for (const auto& [comparison, value] : word_comparisons(allowed))
-            text += probe_word(word, comparison, value);
-    return is_between(kernel, word) ? text + probe_word(word, "!=", output.found) : text;
+// NaN fails every comparison of a probe but "!=": where it is allowed, no range can be told.
+std::string probes(const KernelReplay& kernel, std::size_t i) {
+    const bool is_float = kernel.outputs[i].is_float;
+    std::string text = output_comments(kernel, i);
+    for (auto [sign, number] : comparisons_of(kernel, i)) {
+        if (is_float && sign != "!=" && hull_at(kernel, i).nan) continue;
+        if (number == "nan") sign = ">=", number = "-inf";
+        text += fmt::format("probe ssbo {} 1 {} {} {}\n", is_float ? "float" : "uint", 4 * i, sign, number);
+    }
+    return text;
 }
 
 std::string run_compute(const KernelReplay& kernel) {
     std::string text = "# inputs; outputs and a canary; accesses outside an image\n";
     text += storage(0, kernel.inputs, kernel.inputs.size());
     text += storage(1, {}, kernel.outputs.size() + 1);
-    text += storage(2, Words(words_of_faults), words_of_faults);
+    text += storage(2, Words(fault_words), fault_words);
     for (std::size_t i = 0; i < kernel.images.size(); ++i) {
-        text +=
-            fmt::format("# {}: width, height, clamped, then the pixels row by row\n", kernel.images[i].name);
+        text += image_comment(kernel.images[i]);
         text += storage(first_image + static_cast<unsigned>(i), kernel.images[i].words,
                         kernel.images[i].words.size());
     }
     text += fmt::format(
         "uniform uint gloam_kernel_count 1\nuniform uint gloam_kernel_row_length 64\n"
         "uniform uint gloam_kernel_canary {}\ncompute 1 1 1\n",
-        end_mark);
-    text += "# the kernel ran to its end\n" + probe_word(kernel.outputs.size(), "==", end_mark);
-    for (std::size_t i = 0; i < kernel.outputs.size(); ++i)
-        text += fmt::format("# output {}: {}\n", i, kernel.outputs[i].comment) + probe(kernel, i);
+        canary);
+    text += fmt::format("# the kernel ran to its end\nprobe ssbo uint 1 {} == {}\n",
+                        4 * kernel.outputs.size(), canary);
+    for (std::size_t i = 0; i < kernel.outputs.size(); ++i) text += probes(kernel, i);
     if (!kernel.images.empty()) text += "# no access fell outside an image\nprobe ssbo uint 2 0 == 0x0\n";
     return text;
 }

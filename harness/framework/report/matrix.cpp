@@ -7,11 +7,10 @@
 #include <map>
 
 #include "numeric/numbers.hpp"
+#include "report/table.hpp"
 
 namespace gloam::report {
 namespace {
-
-using Line = std::vector<std::string>;
 
 // The driver; and what it was asked with, where another report is of the same driver.
 std::string title_of(const std::vector<CheckReport>& reports, std::size_t index) {
@@ -40,29 +39,30 @@ std::vector<std::string> variants_of(const CheckReport& report) {
     return variants;
 }
 
-// The column titles, then a line for each equation.
-TextTable lines_of(const std::vector<CheckReport>& reports) {
-    TextTable lines{{"equation"}};
-    std::map<std::string, Line> by_equation;
+// A row for each equation.
+Table table_of(const std::vector<CheckReport>& reports) {
+    Table table{{{.title = "equation"}}};
+    std::map<std::string, std::vector<Cell>> by_equation;
     for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::vector<std::string> variants = variants_of(reports[i]);
-        const std::size_t first = lines.front().size();
-        for (const std::string& variant : variants) {
-            lines.front().push_back(reports.size() == 1 ? variant : fmt::format("{} {}", i + 1, variant));
-        }
+        const std::size_t first = table.columns.size();
+        for (const std::string& variant : variants)
+            table.columns.push_back({reports.size() == 1 ? variant : fmt::format("{} {}", i + 1, variant)});
         for (const check::Answer& row : reports[i].rows) {
             if (row.variant.empty()) continue;  // the row of the device itself, which is in the summary
-            Line& line = by_equation.try_emplace(row.equation, Line{row.equation}).first->second;
-            const auto at = std::ranges::find(variants, row.variant) - variants.begin();
-            line.resize(std::max(line.size(), first + static_cast<std::size_t>(at) + 1), "-");
-            line[first + static_cast<std::size_t>(at)] = cell(row);
+            std::vector<Cell>& cells = by_equation[row.equation];
+            const auto at =
+                first + static_cast<std::size_t>(std::ranges::find(variants, row.variant) - variants.begin());
+            cells.resize(std::max(cells.size(), at + 1), "-");
+            cells[at] = cell(row);
         }
     }
-    for (auto& [equation, line] : by_equation) {
-        line.resize(lines.front().size(), "-");
-        lines.push_back(line);
+    for (auto& [equation, cells] : by_equation) {
+        cells.resize(table.columns.size(), "-");
+        cells.front() = equation;
+        table.rows.push_back(cells);
     }
-    return lines;
+    return table;
 }
 
 constexpr std::string_view legend =
@@ -104,7 +104,7 @@ std::string to_matrix(const std::vector<CheckReport>& reports) {
     for (std::size_t i = 0; i < reports.size(); ++i) {
         text += fmt::format("driver {}: {}\n", i + 1, title_of(reports, i));
     }
-    text += "\n" + aligned(lines_of(reports)) + "\n" + std::string(legend) + "\n";
+    text += "\n" + aligned(table_of(reports)) + "\n" + std::string(legend) + "\n";
     for (std::size_t i = 0; i < reports.size(); ++i) {
         text += fmt::format("driver {}: {}\n", i + 1, summary(reports[i]));
     }
@@ -112,41 +112,10 @@ std::string to_matrix(const std::vector<CheckReport>& reports) {
 }
 
 std::string to_matrix_markdown(const std::vector<CheckReport>& reports) {
-    TextTable drivers{{"driver", "", "result"}};
+    Table drivers{{{"driver"}, {""}, {"result"}}};
     for (std::size_t i = 0; i < reports.size(); ++i)
-        drivers.push_back({std::to_string(i + 1), title_of(reports, i), summary(reports[i])});
-    return "# Equations on drivers\n\n" + to_markdown(drivers) + "\n" + to_markdown(lines_of(reports));
-}
-
-std::string aligned(const TextTable& table) {
-    std::vector<std::size_t> widths(table.front().size(), 0);
-    for (const Line& line : table)
-        for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-    std::string text;
-    for (const Line& line : table) {
-        std::string row;
-        for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}  ", line[i], widths[i]);
-        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
-    }
-    return text;
-}
-
-std::string to_markdown(const TextTable& table) {
-    std::string text;
-    for (const Line& line : table) {
-        text += "|";
-        for (const std::string& cell : line) {
-            text += cell.empty() ? "" : " ";
-            for (const char c : cell) text += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
-            text += " |";
-        }
-        text += "\n";
-        if (&line != &table.front()) continue;
-        text += "|";
-        for (std::size_t i = 0; i < line.size(); ++i) text += " --- |";
-        text += "\n";
-    }
-    return text;
+        drivers.rows.push_back({i + 1, title_of(reports, i), summary(reports[i])});
+    return "# Equations on drivers\n\n" + to_markdown(drivers) + "\n" + to_markdown(table_of(reports));
 }
 
 }  // namespace gloam::report

@@ -10,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "report/table.hpp"
 
 namespace gloam::report {
 namespace {
@@ -84,20 +85,20 @@ std::size_t MutationReport::missed() const {
 
 std::string to_text(const MutationReport& report) {
     std::vector<Tally> tallies(report.files.size() + 1);
-    std::size_t widest = 4;
     for (const MutantRow& row : report.mutants)
         for (const std::size_t i : {row.file, report.files.size()}) tallies[i].add(row.fate);
-    for (const std::string& file : report.files) widest = std::max(widest, file.size());
-    std::string text = fmt::format("{:<{}}", "file", widest);
-    for (const char* name : fate_names) text += fmt::format("  {:>8}", name);
-    text += "     share\n";
+    Table table{{{"file"}}};
+    for (const char* name : fate_names) table.columns.push_back({name});
+    table.columns.push_back({"share"});
     for (std::size_t i = 0; i < tallies.size(); ++i) {
         const bool some = std::ranges::any_of(tallies[i].counts, [](std::size_t count) { return count > 0; });
         if (!some || (tallies.size() == 2 && i == 1)) continue;  // the only file is all
-        text += fmt::format("{:<{}}", i < report.files.size() ? report.files[i] : "all", widest);
-        for (const std::size_t count : tallies[i].counts) text += fmt::format("  {:>8}", count);
-        text += fmt::format("  {:>8}\n", tallies[i].share());
+        std::vector<Cell>& row =
+            table.rows.emplace_back(1, i < report.files.size() ? report.files[i] : "all");
+        row.insert(row.end(), tallies[i].counts.begin(), tallies[i].counts.end());
+        row.emplace_back(tallies[i].share());
     }
+    std::string text = aligned(table);
     for (const MutantRow* row : survivors(report)) {
         text += fmt::format("{}: {} in {}: {}\n", place_text(report, *row), change_text(row->mutation),
                             row->mutation.function.empty() ? "no function" : row->mutation.function,

@@ -50,7 +50,7 @@ const char* class_of(Tone tone) {
     return tone == Tone::good ? "good" : tone == Tone::bad ? "bad" : "";
 }
 
-std::string cell_html(const PageColumn& column, const PageCell& cell) {
+std::string cell_html(const Column& column, const Cell& cell) {
     std::string style = column.numeric ? "number" : "";
     if (cell.tone != Tone::plain) style += std::string(style.empty() ? "" : " ") + class_of(cell.tone);
     std::string html = "<td";
@@ -63,7 +63,7 @@ std::string cell_html(const PageColumn& column, const PageCell& cell) {
 }
 
 // A selection list of the distinct texts of a column.
-std::string choice_html(const PageTable& table, std::size_t column) {
+std::string choice_html(const Table& table, std::size_t column) {
     std::set<std::string> texts;
     for (const auto& row : table.rows) texts.insert(row[column].text);
     if (texts.size() < 2) return {};
@@ -73,9 +73,9 @@ std::string choice_html(const PageTable& table, std::size_t column) {
     return html + "</select></label>\n";
 }
 
-std::string meanings_html(const PageTable& table) {
+std::string meanings_html(const Table& table) {
     std::string html;
-    for (const PageColumn& column : table.columns) {
+    for (const Column& column : table.columns) {
         if (column.meaning.empty()) continue;
         html +=
             fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped_html(column.title), escaped_html(column.meaning));
@@ -83,9 +83,9 @@ std::string meanings_html(const PageTable& table) {
     return html.empty() ? html : "<dl>\n" + html + "</dl>\n";
 }
 
-std::string head_html(const PageTable& table) {
+std::string head_html(const Table& table) {
     std::string html = "<thead><tr>";
-    for (const PageColumn& column : table.columns)
+    for (const Column& column : table.columns)
         html += fmt::format("<th scope=\"col\"{}><button type=\"button\">{}</button></th>",
                             column.numeric ? " class=\"number\"" : "", escaped_html(column.title));
     return html + "</tr></thead>\n";
@@ -168,7 +168,7 @@ void Page::choose(const std::vector<PagePicture>& pictures, std::string_view cap
     body_ += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", escaped_html(caption));
 }
 
-void Page::table(const PageTable& table) {
+void Page::table(const Table& table) {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         if (table.rows[i].size() == table.columns.size()) continue;
         throw std::invalid_argument(fmt::format("page: row {} of a table has {} cells, expected {}", i,

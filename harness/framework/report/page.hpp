@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "report/table.hpp"
+
 namespace gloam::report {
-
-// The mark of a table cell.
-enum class Tone { plain, good, bad };
-
-// A cell of a table. Columns are sorted by the value if there is one, otherwise by the text.
-struct PageCell {
-    std::string text;
-    std::optional<double> value{};
-    Tone tone = Tone::plain;
-};
-
-// A cell that shows `text` and is sorted by `value`.
-[[nodiscard]] inline PageCell number_cell(double value, std::string text) {
-    return {.text = std::move(text), .value = value};
-}
-
-struct PageColumn {
-    std::string title;
-    std::string meaning{};  // one sentence, listed above the table; empty: the title suffices
-    bool numeric = false;   // right-aligned; the first click sorts the largest to the top
-    bool filter = false;    // has few distinct texts, one of which can be selected
-};
-
-// A table that a reader can sort by a click on a title; from eight rows on also filter by words and by the
-// columns' selections.
-struct PageTable {
-    std::vector<PageColumn> columns;
-    std::vector<std::vector<PageCell>> rows;  // each with a cell for each column
-};
 
 // A picture file beside the page, and its description.
 struct PagePicture {
@@ -73,8 +44,10 @@ class Page {
     // Pictures of one size with a button each: the chosen one is shown, at first the first. At most five.
     void choose(const std::vector<PagePicture>& pictures, std::string_view caption);
 
-    // Throws std::invalid_argument for a row with another number of cells than columns.
-    void table(const PageTable& table);
+    // A table that a reader can sort by a click on a title; from eight rows on also filter by words and by
+    // the columns' selections. Throws std::invalid_argument for a row with another number of cells than
+    // columns.
+    void table(const Table& table);
 
     // The complete file.
     [[nodiscard]] std::string html() const;

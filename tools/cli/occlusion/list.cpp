@@ -188,23 +188,17 @@ std::string equations_page() {
         "Occlusion is 1 where blocked, visibility 1 where open. View space is right-handed and looks down "
         "-z; depth d = -z is eye-linear. The error is what the function may differ from the exact "
         "mathematics.");
-    report::PageTable table{.columns = {{.title = "ID"},
-                                        {.title = "title"},
-                                        {.title = "function"},
-                                        {.title = "file", .filter = true},
-                                        {.title = "error"},
-                                        {.title = "source"},
-                                        {.title = "formula"}},
-                            .rows = {}};
+    report::Table table{{{"ID"},
+                         {"title"},
+                         {"function"},
+                         {.title = "file", .filter = true},
+                         {"error"},
+                         {"source"},
+                         {"formula"}}};
     for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
         const catalogue::Description& d = entry.description;
-        table.rows.push_back({{d.id},
-                              {d.title},
-                              {d.function},
-                              {d.file},
-                              {check::to_text(entry.question.budget)},
-                              {d.source},
-                              {d.formula}});
+        table.rows.push_back(
+            {d.id, d.title, d.function, d.file, check::to_text(entry.question.budget), d.source, d.formula});
     }
     page.table(table);
     return page.html();

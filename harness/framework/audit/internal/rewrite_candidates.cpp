@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <string>
 
 #include "audit/internal/search.hpp"
+#include "base/text.hpp"
 #include "source/tokens.hpp"
 
 namespace gloam::check::internal {
@@ -88,44 +89,41 @@ std::vector<Token> with_members(std::string_view text) {
     return all;
 }
 
-// What stands for the names of a rule.
-using Captured = std::map<std::string, std::string, std::less<>>;
-
-class Finder {
+// A text in which rules match.
+class Matcher {
   public:
-    explicit Finder(std::string_view text) : text_(text), tokens_(with_members(text)) {}
+    explicit Matcher(std::string_view text) : text_(text), tokens_(with_members(text)) {}
 
-    std::vector<Candidate> all() {
-        static const std::vector<std::vector<Token>> patterns = [] {
-            std::vector<std::vector<Token>> made;
-            for (const Rule& rule : rules) made.push_back(shader::tokens_of(rule.from));
-            return made;
-        }();
-        for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
-            for (std::size_t r = 0; r < rules.size(); ++r) add_rule(rules[r], patterns[r], i);
-            add_sum(i);
+    void add(const Rule& rule, std::vector<Candidate>& found) {
+        const std::vector<Token> pattern = shader::tokens_of(rule.from);
+        for (std::size_t first = 0; first + 2 < tokens_.size(); ++first) {
+            captured_.clear();
+            std::size_t end = first;
+            const bool matches =
+                std::ranges::all_of(pattern, [&](const Token& wanted) { return take(wanted, end); });
+            const bool declared = pattern[1] == "(" && first > 0 && tokens_[first - 1].is_word() &&
+                                  token(first - 1) != "return";
+            if (!matches || declared || (rule.is_summand && !is_summand(first, end))) continue;
+            std::string after = rule.to;
+            for (const auto& [name, text] : captured_) after = base::replaced(after, "{" + name + "}", text);
+            found.push_back(
+                {tokens_[first].begin, tokens_[end - 1].end(), std::move(after), rule.helper, rule.reason});
         }
-        return std::move(found_);
     }
 
   private:
     [[nodiscard]] std::string_view token(std::size_t i) const {
         return i < tokens_.size() ? std::string_view(tokens_[i].text) : std::string_view{};
     }
-    [[nodiscard]] bool is_name(std::size_t i) const { return i < tokens_.size() && tokens_[i].is_word(); }
 
-    // Whether an expression from `first` to `last` stands alone as a summand.
-    [[nodiscard]] bool is_summand(std::size_t first, std::size_t last) const {
+    // Whether an expression stands alone as a summand.
+    [[nodiscard]] bool is_summand(std::size_t first, std::size_t end) const {
         static constexpr std::string_view before = "(,=?:+{;<>&|!";
         static constexpr std::string_view behind = "),;?:+-<>&|=";
         const std::string_view left = first > 0 ? token(first - 1) : ";";
-        const std::string_view right = token(last + 1);
+        const std::string_view right = token(end);
         return (left == "return" || before.find(left.back()) != std::string_view::npos) && !right.empty() &&
                behind.find(right.front()) != std::string_view::npos;
-    }
-
-    [[nodiscard]] std::string text_of(std::size_t first, std::size_t last) const {
-        return std::string(text_.substr(tokens_[first].begin, tokens_[last].end() - tokens_[first].begin));
     }
 
     // Behind the argument that begins here; here if there is none.
@@ -140,87 +138,44 @@ class Finder {
         return begin;
     }
 
-    // The exponents 2 to 8 as they are written: "5.0", "5.", "5"; 0 for others.
-    static std::size_t small_exponent(std::string_view text) {
-        const bool is_whole =
-            text.size() == 1 || (!text.empty() && (text.substr(1) == "." || text.substr(1) == ".0"));
-        return is_whole && text[0] >= '2' && text[0] <= '8' ? static_cast<std::size_t>(text[0] - '0') : 0;
-    }
-
     // Whether a token, or the tokens of an argument, are what the pattern's one stands for; moves behind it.
-    bool take(const Token& wanted, std::size_t& at, Captured& captured) const {
+    bool take(const Token& wanted, std::size_t& at) {
         const std::size_t first = at++;
+        const std::string_view t = token(first);
         if (wanted == "E" || wanted == "F" || wanted == "G") {
             at = argument_end(first);
-            if (at > first) captured[wanted.text] = text_of(first, at - 1);
-            return at > first;
+            if (at == first) return false;
+            const std::size_t begin = tokens_[first].begin;
+            captured_[wanted.text] = text_.substr(begin, tokens_[at - 1].end() - begin);
+            return true;
         }
-        const std::string_view t = token(first);
         if (wanted == "X" || wanted == "Y")
-            return is_name(first) && captured.try_emplace(wanted.text, t).first->second == t;
+            return first < tokens_.size() && tokens_[first].is_word() &&
+                   captured_.try_emplace(wanted.text, t).first->second == t;
         if (wanted == "ONE") return t == "1.0" || t == "1." || t == "1.0f";
         if (wanted != "N") return wanted == t;
-        const std::vector<std::string> factors(small_exponent(t), "(" + captured["E"] + ")");
-        captured["P"] = fmt::format("{}", fmt::join(factors, " * "));
-        return !factors.empty();
-    }
-
-    void add_rule(const Rule& rule, const std::vector<Token>& pattern, std::size_t i) {
-        Captured c;
-        std::size_t end = i;
-        for (const Token& wanted : pattern)
-            if (!take(wanted, end, c)) return;
-        const bool declared = pattern[1] == "(" && i > 0 && is_name(i - 1) && token(i - 1) != "return";
-        if (declared || (rule.is_summand && !is_summand(i, end - 1))) return;
-        add(i, end - 1,
-            fmt::format(fmt::runtime(rule.to), fmt::arg("E", c["E"]), fmt::arg("F", c["F"]),
-                        fmt::arg("G", c["G"]), fmt::arg("X", c["X"]), fmt::arg("Y", c["Y"]),
-                        fmt::arg("P", c["P"])),
-            rule.reason, rule.helper);
-    }
-
-    void add(std::size_t first, std::size_t last, std::string after, std::string reason, std::string helper) {
-        found_.push_back({tokens_[first].begin, tokens_[last].end(), std::move(after), std::move(helper),
-                          std::move(reason)});
-    }
-
-    // float sum = 0.0; for (...) sum += x;
-    void add_sum(std::size_t i) {
-        static const std::set<std::string_view> types{"float", "vec2", "vec3", "vec4"};
-        static const std::set<std::string_view> loops{"for", "while", "do"};
-        if (!types.contains(token(i)) || !is_name(i + 1) || token(i + 2) != "=") return;
-        const std::string_view sum = token(i + 1);
-        bool looped = false;
-        int depth = 0;
-        for (std::size_t k = i + 3; k < tokens_.size() && depth >= 0; ++k) {
-            depth += token(k) == "{" ? 1 : token(k) == "}" ? -1 : 0;
-            looped = looped || loops.contains(token(k));
-            if (!looped || token(k) != sum || token(k + 1) != "+=") continue;
-            std::size_t last = k + 2;
-            while (last + 1 < tokens_.size() && token(last + 1) != ";") ++last;
-            add(k, last, fmt::format("{0} = add_with_rest({0}, {1}, {0}_rest)", sum, text_of(k + 2, last)),
-                "each addition drops the last digits of what it adds",
-                fmt::format(
-                    "{0} add_with_rest({0} sum, {0} term, inout {0} rest) {{ precise {0} all = term + rest; "
-                    "precise {0} next = sum + all; precise {0} added = next - sum; rest = all - added; "
-                    "return next; }}\n",
-                    token(i)));
-            found_.back().wide = true;
-            found_.back().declared_at = tokens_[i].begin;
-            found_.back().declaration = fmt::format("{0} {1}_rest = {0}(0.0); ", token(i), sum);
-            return;
-        }
+        if (t.empty() || t[0] < '2' || t[0] > '8' ||
+            !(t.size() == 1 || t.substr(1) == "." || t.substr(1) == ".0"))
+            return false;
+        const std::vector<std::string> factors(static_cast<std::size_t>(t[0] - '0'),
+                                               "(" + captured_["E"] + ")");
+        captured_["P"] = fmt::format("{}", fmt::join(factors, " * "));
+        return true;
     }
 
     std::string_view text_;
     std::vector<Token> tokens_;
-    std::vector<Candidate> found_;
+    std::map<std::string, std::string, std::less<>> captured_;  // what stands for the names of a rule
 };
 
 }  // namespace
 
 std::vector<Candidate> candidates_of(std::string_view text) {
-    return Finder(text).all();
+    Matcher matcher(text);
+    std::vector<Candidate> found;
+    for (const Rule& rule : rules) matcher.add(rule, found);
+    std::ranges::stable_sort(found, {}, &Candidate::begin);
+    return found;
 }
 
 }  // namespace gloam::check::internal

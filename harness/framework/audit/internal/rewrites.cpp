@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <tuple>
 
 #include "audit/internal/search.hpp"
 #include "module/compile.hpp"
@@ -80,29 +81,22 @@ bool saves(double before, double after) {
     return digits(before) - digits(after) >= least;
 }
 
-bool helps(const Score& before, const Score& after) {
-    if (after.change > same_meaning || after.broken > before.broken ||
-        after.loss > std::max(no_worse * before.loss, little_loss) ||
-        after.width > std::max(no_worse * before.width, little_loss))
-        return false;
-    return after.broken < before.broken || after.unspecified < before.unspecified ||
-           saves(before.loss, after.loss) || saves(before.width, after.width);
+bool harms(const Score& before, const Score& after) {
+    return after.change > same_meaning || after.broken > before.broken ||
+           after.loss > std::max(no_worse * before.loss, little_loss) ||
+           after.width > std::max(no_worse * before.width, little_loss);
 }
 
+// What is better; empty: nothing is.
 std::string gain_text(const Score& before, const Score& after, std::size_t inputs) {
     std::vector<std::string> gains;
-    if (after.broken < before.broken)
-        gains.push_back(
-            fmt::format("no proper result for {} -> {} of {} inputs", before.broken, after.broken, inputs));
-    if (after.unspecified < before.unspecified)
-        gains.push_back(fmt::format("no stated precision for {} -> {} of {} inputs", before.unspecified,
-                                    after.unspecified, inputs));
-    if (saves(before.loss, after.loss))
-        gains.push_back(
-            fmt::format("loses {:.1f} -> {:.1f} digits", digits(before.loss), digits(after.loss)));
-    if (saves(before.width, after.width))
-        gains.push_back(fmt::format("drivers differ by {:.1f} -> {:.1f} digits", digits(before.width),
-                                    digits(after.width)));
+    for (const auto& [what, a, b] : {std::tuple{"proper result", before.broken, after.broken},
+                                     {"stated precision", before.unspecified, after.unspecified}})
+        if (b < a) gains.push_back(fmt::format("no {} for {} -> {} of {} inputs", what, a, b, inputs));
+    for (const auto& [what, a, b] :
+         {std::tuple{"loses", before.loss, after.loss}, {"drivers differ by", before.width, after.width}})
+        if (saves(a, b))
+            gains.push_back(fmt::format("{} {:.1f} -> {:.1f} digits", what, digits(a), digits(b)));
     return fmt::format("{}", fmt::join(gains, ", "));
 }
 
@@ -124,10 +118,6 @@ std::pair<std::string, unsigned> place_at(std::string_view text, std::size_t at,
         begin = end + 1;
     }
     return {name, line};
-}
-
-std::string shown_declaration(const Candidate& candidate) {
-    return candidate.declaration.empty() ? "" : candidate.declaration + "// where the sum is declared\n";
 }
 
 std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
@@ -163,21 +153,20 @@ std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditS
         KernelSource changed = source;
         changed.text = source.text;
         changed.text.replace(candidate.begin, candidate.end - candidate.begin, candidate.after);
-        changed.text.insert(candidate.declared_at, candidate.declaration);
         changed.text.insert(0, candidate.helper);
         try {
             AuditRuns rewritten(lab, question, changed, runs);
-            Score after = score_on(rewritten, cases);
-            if (candidate.wide) after.width = before.width;
-            if (!helps(before, after)) continue;
+            const Score after = score_on(rewritten, cases);
+            const std::string gain = gain_text(before, after, cases.size());
+            if (gain.empty() || harms(before, after)) continue;
             const auto [file, line] = place_at(source.text, candidate.begin, question.file);
             all.push_back({.file = file,
                            .line = line,
                            .before = source.text.substr(candidate.begin, candidate.end - candidate.begin),
                            .after = candidate.after,
-                           .helper = candidate.helper + shown_declaration(candidate),
+                           .helper = candidate.helper,
                            .reason = candidate.reason,
-                           .gain = gain_text(before, after, cases.size())});
+                           .gain = gain});
         } catch (const shader::CompileError&) {
             continue;  // a type for which the change is not meant
         }

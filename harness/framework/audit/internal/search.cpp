@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "check/reproduction.hpp"
+
 namespace gloam::check::internal {
 namespace {
 
@@ -167,30 +169,6 @@ class Search {
     std::vector<Candidate> drivers_;
 };
 
-// The values that a person would try first, then the same number with fewer digits.
-std::vector<Word> simpler(Word word, shader::Scalar scalar) {
-    std::vector<Word> words;
-    if (!shader::is_float(scalar)) {
-        for (const Word simple : {0U, 1U, 2U})
-            if (simple < word) words.push_back(simple);
-        return words;
-    }
-    const float x = from_word<float>(word);
-    for (const float simple : {0.0F, 1.0F, 0.5F, 2.0F, -1.0F}) {
-        if (to_word(simple) == word) return words;  // already simple
-        words.push_back(to_word(simple));
-    }
-    if (!std::isfinite(x) || x == 0.0F) return words;
-    for (int digits = 1; digits <= 6; ++digits) {
-        const auto magnitude = static_cast<double>(std::abs(x));
-        const double unit = std::pow(10.0, std::floor(std::log10(magnitude)) - (digits - 1));
-        const auto rounded = static_cast<float>(std::round(x / unit) * unit);
-        if (rounded == x) return words;
-        words.push_back(to_word(rounded));
-    }
-    return words;
-}
-
 }  // namespace
 
 AuditSearch search(AuditRuns& runs, const AuditOptions& options) {
@@ -212,22 +190,13 @@ bool shows(Concern concern, const Reading& reading) {
     }
 }
 
-std::vector<Word> simplified(const AuditRuns& runs, std::vector<Word> words,
+std::vector<Word> simplified(const AuditRuns& runs, const std::vector<Word>& words,
                              const std::function<bool(const std::vector<Word>&)>& still) {
-    for (const Slot& slot : slots_of(runs.question())) {
-        const std::vector<shader::Scalar> scalars = scalars_of(slot.parameter->type);
-        for (std::size_t k = 0; k < slot.count; ++k) {
-            for (const Word simple : simpler(words[slot.first + k], scalars[k])) {
-                std::vector<Word> tried = words;
-                tried[slot.first + k] = simple;
-                if (!slot.values->admits(std::span(tried).subspan(slot.first, slot.count)) || !still(tried))
-                    continue;
-                words = std::move(tried);
-                break;
-            }
-        }
-    }
-    return words;
+    const auto first_still = [&](std::span<const std::vector<Word>> inputs) -> std::optional<Sample> {
+        const auto found = std::ranges::find_if(inputs, still);
+        return found == inputs.end() ? std::nullopt : std::optional(Sample{.inputs = *found});
+    };
+    return still(words) ? shrink(runs.question(), {.inputs = words}, first_still).inputs : words;
 }
 
 }  // namespace gloam::check::internal

@@ -56,8 +56,8 @@ struct AuditSearch {
 // Whether a reading shows a concern; an unspecified result is an undefined one of a reading with open gaps.
 [[nodiscard]] bool shows(Concern concern, const Reading& reading);
 
-// The same input with simpler numbers (0, 1, few digits) wherever `still` holds for them.
-[[nodiscard]] std::vector<Word> simplified(const AuditRuns& runs, std::vector<Word> words,
+// The simplest input, as shrink() has it, for which `still` holds.
+[[nodiscard]] std::vector<Word> simplified(const AuditRuns& runs, const std::vector<Word>& words,
                                            const std::function<bool(const std::vector<Word>&)>& still);
 
 // How each of the first results moves with each scalar float parameter, along lines through a few drawn
@@ -73,13 +73,10 @@ struct Candidate {
     std::string after;
     std::string helper;  // a function that stands before; may be empty
     std::string reason;
-    std::size_t declared_at = 0;  // in the text, at or before `begin`: where this comes to stand
-    std::string declaration;      // "float rest = 0.0; "; may be empty
-    bool wide = false;            // its intervals grow without need: two of its numbers cancel
 };
 
 // The well-known changes that a GLSL text without comments allows: 1 - cos, acos of a dot product, the
-// direction of a zero vector, a sum with what its roundings lost, and so on. None is tried.
+// direction of a zero vector, and so on. None is tried.
 [[nodiscard]] std::vector<Candidate> candidates_of(std::string_view text);
 
 // Those of the function's own excerpt that help on the inputs of a search, and harm on none of them. Empty if
