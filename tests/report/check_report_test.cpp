@@ -218,7 +218,7 @@ TEST(Matrix, HasALineForEachEquationAndAColumnForEachDriverAndVariant) {
               "\n"
               "ok 0.85: passed, the largest error is 0.85 of what is allowed. FAIL 3/100: 3 of 100 inputs "
               "are outside.\n"
-              "not judged, unsupported: no verdict. Another reason, \"hang\" say: the check did not end. "
+              "not judged, unsupported: no verdict. hang, crash and other words: the check did not end. "
               "-: it was not run.\n"
               "\n"
               "driver 1: 2 checks, 0 failed; worst error 0.5 of what is allowed: EQ-2 strict\n"

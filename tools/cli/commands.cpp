@@ -11,7 +11,7 @@ namespace {
 constexpr std::pair<const char*, const char*> examples[]{
     {"",
      "  gloam demo                                  pictures, a check, a page\n"
-     "  gloam check --device all --html check.html  every equation on every driver\n"
+     "  gloam check --device all --html check.html  every equation on every Vulkan device\n"
      "  gloam render mesh.obj                       a mesh in light, with and without\n"
      "  gloam site my-site                          checks for any browser\n"
      "  gloam COMMAND --help                        the options of a command\n"},
@@ -24,7 +24,7 @@ constexpr std::pair<const char*, const char*> examples[]{
     {"check",
      "  gloam check                                          every equation on the default device\n"
      "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
-     "  gloam check --device all --variant all --html r.html every driver, every compiler setting\n"
+     "  gloam check --device all --variant all --html r.html every device, every compiler setting\n"
      "  gloam check --quiet --junit results.xml              for continuous integration\n"
      "  gloam check --failures failures                      each failure ready to report\n"
      "  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own\n"},

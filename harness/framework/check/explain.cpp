@@ -208,10 +208,9 @@ std::string last_lines(const Explanation& explanation) {
     std::string text = "no operation adds an error\n";
     if (explanation.worst < steps.size()) {
         const ExplainedStep& worst = steps[explanation.worst];
-        const bool cancels = std::abs(worst.inherited()) > std::abs(worst.local);
-        text = fmt::format(
-            "the error in ULP grows most at {}, {}: {}\n", place_of(worst), worst.operation,
-            cancels ? "the result is small beside its operands, whose errors it keeps" : "its own rounding");
+        const bool inherits = std::abs(worst.inherited()) > std::abs(worst.local);
+        text = fmt::format("the error in ULP grows most at {}, {}: {}\n", place_of(worst), worst.operation,
+                           inherits ? "its operands bring errors, in ULP of its result" : "its own rounding");
     }
     // The result is a variable that no operation wrote, or that of an operation.
     for (const std::vector<ExplainedStep>* all : {&steps, &explanation.result}) {

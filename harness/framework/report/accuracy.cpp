@@ -114,6 +114,7 @@ std::string guarantee_sentence(const std::vector<EquationAccuracy>& equations) {
     const auto kept = [&](const EquationAccuracy& e) {
         return documented(e) && e.any_driver->fraction <= 1.0;
     };
+    if (std::ranges::none_of(equations, documented)) return "";
     return fmt::format(
         "\nOf {} functions with a documented error, {} keep it on any driver that keeps Vulkan's rules, by "
         "the\nrules alone, over the inputs that were tried.\n",

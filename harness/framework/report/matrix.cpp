@@ -68,7 +68,7 @@ Table table_of(const std::vector<CheckReport>& reports) {
 constexpr std::string_view legend =
     "ok 0.85: passed, the largest error is 0.85 of what is allowed. FAIL 3/100: 3 of 100 inputs are "
     "outside.\n"
-    "not judged, unsupported: no verdict. Another reason, \"hang\" say: the check did not end. -: it was not "
+    "not judged, unsupported: no verdict. hang, crash and other words: the check did not end. -: it was not "
     "run.\n";
 
 std::string summary(const CheckReport& report) {

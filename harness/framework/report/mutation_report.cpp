@@ -99,6 +99,9 @@ std::string to_text(const MutationReport& report) {
         row.emplace_back(tallies[i].share());
     }
     std::string text = aligned(table);
+    if (tallies.back().judged() > 0 && tallies.back().noticed() == 0)
+        text +=
+            "no fault was noticed: expected a command that reads the shaders in the folder GLOAM_SHADERS\n";
     for (const MutantRow* row : survivors(report)) {
         text += fmt::format("{}: {} in {}: {}\n", place_text(report, *row), change_text(row->mutation),
                             row->mutation.function.empty() ? "no function" : row->mutation.function,

@@ -91,6 +91,8 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
         return scene::make_scene(source);
     }
     std::error_code none;
+    if (fs::path(source).has_extension() && !fs::exists(source, none))
+        throw std::invalid_argument(source + ": no such file");
     if (!fs::is_regular_file(source, none)) {
         throw std::invalid_argument(
             fmt::format("\"{}\" is neither a scene ({}), a view (gloam list views) nor a mesh file", source,
