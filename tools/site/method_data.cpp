@@ -107,7 +107,7 @@ std::string card_of(const effect::MethodInfo& method, const std::vector<catalogu
     const std::string picture =
         with_picture ? fmt::format(
                            "<img src=\"method-{0}.png\" alt=\"occlusion of a room by {0}\" width=\"{1}\" "
-                           "height=\"{2}\" loading=\"lazy\">\n",
+                           "height=\"{2}\">\n",
                            method.name, method_picture_width, method_picture_height)
                      : "";
     return fmt::format(
