@@ -118,27 +118,24 @@ std::string card_of(const effect::MethodInfo& method, const std::vector<catalogu
 }
 
 // One row for each method, with its preset of the least error.
-report::PageTable table_of(const std::vector<effect::MethodInfo>& methods) {
-    report::PageTable table{.columns = {{.title = "method"},
-                                        {.title = "estimates", .filter = true},
-                                        {.title = "error", .numeric = true},
-                                        {.title = "time", .numeric = true},
-                                        {.title = "preset"},
-                                        {.title = "what it is"}},
-                            .rows = {}};
+report::Table table_of(const std::vector<effect::MethodInfo>& methods) {
+    report::Table table{.columns = {{.title = "method"},
+                                    {.title = "estimates", .filter = true},
+                                    {.title = "error", .numeric = true},
+                                    {.title = "time", .numeric = true},
+                                    {.title = "preset"},
+                                    {.title = "what it is"}},
+                        .rows = {}};
     for (const effect::MethodInfo& method : methods) {
         const std::vector<effect::Preset> own = presets_of(method);
         const auto number = [&](double effect::Preset::* value, int digits) {
-            return own.empty() ? report::PageCell{}
-                               : report::number_cell(own.front().*value,
-                                                     fmt::format("{:.{}f}", own.front().*value, digits));
+            return own.empty()
+                       ? report::Cell("")
+                       : report::Cell(fmt::format("{:.{}f}", own.front().*value, digits), own.front().*value);
         };
-        table.rows.push_back({{.text = method.name},
-                              {.text = to_string(method.measure)},
-                              number(&effect::Preset::error, 4),
-                              number(&effect::Preset::time, 2),
-                              {.text = own.empty() ? "" : own.front().name},
-                              {.text = method.description}});
+        table.rows.push_back({method.name, to_string(method.measure), number(&effect::Preset::error, 4),
+                              number(&effect::Preset::time, 2), own.empty() ? "" : own.front().name,
+                              method.description});
     }
     return table;
 }
