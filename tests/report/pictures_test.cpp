@@ -126,13 +126,14 @@ TEST(Sheet, HoldsItsPicturesInRows) {
     EXPECT_EQ(word_at(to_sheet_png(three, width, height, 9), 16), 3 * width + 4 * 6);  // no empty columns
 }
 
-TEST(Sheet, CaptionsAreDrawnAndCutAtThePicturesWidth) {
+TEST(Sheet, CaptionsTakeUpToThreeLines) {
     const auto png = [](const std::string& caption) {
         return to_sheet_png(std::vector{grey(caption)}, width, height, 1);
     };
     EXPECT_NE(png("gtao"), png(""));
     EXPECT_NE(png("gtao"), png("hbao"));
     EXPECT_EQ(png(std::string(500, 'x')), png(std::string(600, 'x')));
+    EXPECT_EQ(word_at(png(std::string(500, 'x')), 20), height + 3 * 13 + 3 * 6);
     EXPECT_NO_THROW((void)png("\xff\x01\x80"));
 }
 

@@ -39,6 +39,7 @@ namespace {
 
 constexpr std::uint8_t paper = 228;       // light grey: pictures of open surfaces are white
 constexpr std::uint32_t least_text = 13;  // pixels from line to line
+constexpr std::size_t most_lines = 3;     // of a caption
 
 struct Canvas {
     std::size_t width = 0;
@@ -71,27 +72,40 @@ class Font {
         return font;
     }
 
-    // Draws a line of Latin-1 text at the left end of a box of the canvas.
-    void draw(Canvas& canvas, std::string_view text, std::size_t left, std::size_t top, std::size_t width) {
+    // As much of a text as fits into a line, to the last space if there is one.
+    [[nodiscard]] std::string_view line_of(std::string_view text, std::size_t width) const {
+        float x = 0.0F;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            x += advance_of(text[i]);
+            if (x <= static_cast<float>(width)) continue;
+            const std::size_t space = text.rfind(' ', i);
+            return text.substr(0, space == std::string_view::npos ? i : space);
+        }
+        return text;
+    }
+
+    // Draws a line of Latin-1 text.
+    void draw(Canvas& canvas, std::string_view text, std::size_t left, std::size_t top) {
         int ascent = 0;
         stbtt_GetFontVMetrics(&info_, &ascent, nullptr, nullptr);
         const int baseline =
             static_cast<int>(top) + static_cast<int>(std::ceil(scale_ * static_cast<float>(ascent)));
         float x = static_cast<float>(left);
         for (const char c : text) {
-            const int code = static_cast<unsigned char>(c);
-            int advance = 0;
-            stbtt_GetCodepointHMetrics(&info_, code, &advance, nullptr);
-            const float next = x + scale_ * static_cast<float>(advance);
-            if (next > static_cast<float>(left + width)) return;
-            draw_glyph(canvas, code, x, baseline);
-            x = next;
+            draw_glyph(canvas, static_cast<unsigned char>(c), x, baseline);
+            x += advance_of(c);
         }
     }
 
   private:
     [[nodiscard]] const unsigned char* data() const {
         return reinterpret_cast<const unsigned char*>(file_.data());
+    }
+
+    [[nodiscard]] float advance_of(char c) const {
+        int advance = 0;
+        stbtt_GetCodepointHMetrics(&info_, static_cast<unsigned char>(c), &advance, nullptr);
+        return scale_ * static_cast<float>(advance);
     }
 
     void draw_glyph(Canvas& canvas, int code, float at, int baseline) {
@@ -146,6 +160,18 @@ void copy(Canvas& canvas, const SheetPicture& picture, std::size_t left, std::si
     }
 }
 
+// The lines of a caption; what does not fit is left out.
+std::vector<std::string_view> lines_of(const Font& font, std::string_view caption, std::size_t width) {
+    std::vector<std::string_view> lines;
+    while (!caption.empty() && lines.size() < most_lines) {
+        lines.push_back(font.line_of(caption, width));
+        if (lines.back().empty()) break;  // not even a letter fits
+        caption.remove_prefix(lines.back().size());
+        if (caption.starts_with(' ')) caption.remove_prefix(1);
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t width, std::uint32_t height,
@@ -155,14 +181,22 @@ std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t w
     const std::size_t rows = (pictures.size() + columns - 1) / columns;
     const std::size_t line = std::max(least_text, width / 26);
     const std::size_t gap = line / 2;
-    const std::size_t cell_height = height + line + 2 * gap;
-    Canvas canvas(columns * (width + gap) + gap, rows * cell_height + gap);
     std::optional<Font> font = Font::of_height(static_cast<float>(line));
+    std::size_t lines = 1;
+    for (const SheetPicture& picture : pictures)
+        if (font) lines = std::max(lines, lines_of(*font, picture.caption, width).size());
+    const std::size_t cell_height = height + lines * line + 2 * gap;
+    Canvas canvas(columns * (width + gap) + gap, rows * cell_height + gap);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const std::size_t left = gap + i % columns * (width + gap);
         const std::size_t top = gap + i / columns * cell_height;
         copy(canvas, pictures[i], left, top, width);
-        if (font) font->draw(canvas, pictures[i].caption, left, top + height + gap / 2, width);
+        if (!font) continue;
+        std::size_t below = top + height + gap / 2;
+        for (const std::string_view text : lines_of(*font, pictures[i].caption, width)) {
+            font->draw(canvas, text, left, below);
+            below += line;
+        }
     }
     return base::to_rgb_png(canvas.rgb, static_cast<std::uint32_t>(canvas.width),
                             static_cast<std::uint32_t>(canvas.height));

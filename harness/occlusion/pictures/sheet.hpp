@@ -22,7 +22,7 @@ namespace gloam::pictures {
 // A picture of a sheet, and the line below it.
 struct SheetPicture {
     std::vector<std::uint8_t> rgb;  // sRGB, three bytes for each pixel, rows from the top
-    std::string caption;            // ASCII and Latin-1; cut at the picture's width
+    std::string caption;            // ASCII and Latin-1; up to three lines of the picture's width
 };
 
 // PNG of pictures of one size on light grey, `columns` in a row, each with its caption below. There are no

@@ -14,6 +14,7 @@ gloam.checkPage = (() => {
         if (run.error !== "") return {...run, reason: "unsupported", seconds: 0};
         try {
             const scenarios = await Promise.all(check.scenarios.map(gloam.judge.decode));
+            if (state.stop) return null;  // meanwhile, and the runner has ended
             const results = await state.runner.evaluate(check, scenarios);
             results.forEach(({outputs, fault}, i) => {
                 gloam.judge.addScenario(run.tally, check, scenarios[i], outputs);

@@ -4,7 +4,7 @@
 
 gloam.live = (() => {
     const at = (id) => document.getElementById(id);
-    const state = {picture: null, orbit: null, scene: null, number: 0, step: 1, times: [], failed: false};
+    const state = {picture: null, orbit: null, scene: null, number: 0, step: 1, times: [], fence: null, failed: false};
     const mostWidth = 960;  // pixels of the picture
 
     async function applyScene() {
@@ -47,11 +47,21 @@ gloam.live = (() => {
             `${state.picture.occlusion.frames} frames since the last choice`;
     }
 
+    // Whether the GPU has ended the last frame. A queue of frames on a slow one would stop the whole page.
+    function isReady(gl) {
+        if (state.fence !== null && gl.clientWaitSync(state.fence, 0, 0) === gl.TIMEOUT_EXPIRED) return false;
+        gl.deleteSync(state.fence);
+        return true;
+    }
+
     function draw(now) {
         if (state.failed) return;
-        if (!document.hidden) {
+        const {gl} = state.picture.passes;
+        if (!document.hidden && isReady(gl)) {
             state.picture.frame(nextCamera());
             state.picture.show(at("show").selectedIndex);
+            state.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+            gl.flush();
             tellTime(now);
         }
         requestAnimationFrame(guarded(draw));
