@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/variants.hpp"
 #include "cli/occlusion/render.hpp"
@@ -116,6 +117,8 @@ void run_site(SiteCommand command) {
     command.options.files = site_directory();
     command.options.documents = documents_directory();
     command.pictures.methods = command.options.methods;
+    // An unknown name is told before the pictures, which take longest.
+    (void)catalogue::select(catalogue::all_entries(glsl_directory()), command.options.equations);
     command.options.pictures = write_site_pictures(command.pictures, folder);
     command.options.versions = versions();
     const check::Lab lab({.device = std::string(check::interpreter_name),
