@@ -57,7 +57,7 @@ TEST(Variants, StepsCombine) {
 
 class EveryFile : public testing::TestWithParam<std::string> {};
 
-// A module of all functions; prototypes get a body. What is decorated is a valid module.
+// A module of all functions; prototypes get a body. A decorated module is valid.
 TEST_P(EveryFile, OfTheLibraryCanBeMade) {
     const Source file{GetParam(), "#version 450\n#include \"" + GetParam() + "\"\n"};
     const std::string text = internal::preprocessed(file, Stage::compute, {GLOAM_GLSL_DIR});

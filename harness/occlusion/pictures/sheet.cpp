@@ -182,18 +182,20 @@ std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t w
     const std::size_t line = std::max(least_text, width / 26);
     const std::size_t gap = line / 2;
     std::optional<Font> font = Font::of_height(static_cast<float>(line));
+    std::vector<std::vector<std::string_view>> captions(pictures.size());
     std::size_t lines = 1;
-    for (const SheetPicture& picture : pictures)
-        if (font) lines = std::max(lines, lines_of(*font, picture.caption, width).size());
+    for (std::size_t i = 0; font && i < pictures.size(); ++i) {
+        captions[i] = lines_of(*font, pictures[i].caption, width);
+        lines = std::max(lines, captions[i].size());
+    }
     const std::size_t cell_height = height + lines * line + 2 * gap;
     Canvas canvas(columns * (width + gap) + gap, rows * cell_height + gap);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const std::size_t left = gap + i % columns * (width + gap);
         const std::size_t top = gap + i / columns * cell_height;
         copy(canvas, pictures[i], left, top, width);
-        if (!font) continue;
         std::size_t below = top + height + gap / 2;
-        for (const std::string_view text : lines_of(*font, pictures[i].caption, width)) {
+        for (const std::string_view text : captions[i]) {
             font->draw(canvas, text, left, below);
             below += line;
         }

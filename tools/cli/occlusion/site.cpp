@@ -117,7 +117,7 @@ void run_site(SiteCommand command) {
     command.options.files = site_directory();
     command.options.documents = documents_directory();
     command.pictures.methods = command.options.methods;
-    // An unknown name is told before the pictures, which take longest.
+    // An unknown name is reported before the pictures are drawn, which takes longest.
     (void)catalogue::select(catalogue::all_entries(glsl_directory()), command.options.equations);
     command.options.pictures = write_site_pictures(command.pictures, folder);
     command.options.versions = versions();

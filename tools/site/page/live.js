@@ -47,19 +47,16 @@ gloam.live = (() => {
             `${state.picture.occlusion.frames} frames since the last choice`;
     }
 
-    // Whether the GPU has ended the last frame. A queue of frames on a slow one would stop the whole page.
-    function isReady(gl) {
-        if (state.fence !== null && gl.clientWaitSync(state.fence, 0, 0) === gl.TIMEOUT_EXPIRED) return false;
-        gl.deleteSync(state.fence);
-        return true;
-    }
+    // Whether the GPU still draws the last frame. A queue of frames on a slow one would stop the whole page.
+    const isBusy = (gl) => state.fence !== null && gl.clientWaitSync(state.fence, 0, 0) === gl.TIMEOUT_EXPIRED;
 
     function draw(now) {
         if (state.failed) return;
         const {gl} = state.picture.passes;
-        if (!document.hidden && isReady(gl)) {
+        if (!document.hidden && !isBusy(gl)) {
             state.picture.frame(nextCamera());
             state.picture.show(at("show").selectedIndex);
+            gl.deleteSync(state.fence);
             state.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
             gl.flush();
             tellTime(now);
