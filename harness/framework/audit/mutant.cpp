@@ -122,6 +122,11 @@ MutantFile::MutantFile(std::filesystem::path path, std::string text, std::vector
       mutations_(shader::mutations({path_.string(), text_}, roots_)),
       conditional_(has_conditions(text_)),
       whole_(whole(text_)) {
+    try {
+        shader::require_valid({path_.string(), text_}, roots_);
+    } catch (const shader::CompileError& error) {
+        trouble_ = error.what();
+    }
     const LabOptions options{.device = std::string(interpreter_name),
                              .include_roots = roots_,
                              .excerpts = shader::excerpts({path_.string(), text_}, roots_).functions};
@@ -175,7 +180,7 @@ std::vector<std::pair<const MutantFile::Own*, std::string>> MutantFile::changed_
 Change MutantFile::change_of(const shader::Mutation& mutation) const {
     const std::string text = shader::mutated(text_, mutation);
     try {
-        (void)shader::mutations({path_.string(), text}, roots_);  // also of what no kernel holds
+        if (trouble_.empty()) shader::require_valid({path_.string(), text}, roots_);  // what no kernel holds
         bool all_same = !conditional_ && !mutation.function.empty();
         bool known = false;
         for (const auto& [own, changed] : changed_in(text)) {

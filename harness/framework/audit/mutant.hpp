@@ -47,12 +47,15 @@ struct MutantComparison {
 // shader as it is. Thread-safe.
 class MutantFile {
   public:
-    // Throws shader::CompileError for a text that the compiler rejects.
+    // Throws shader::CompileError for a text that the preprocessor rejects.
     MutantFile(std::filesystem::path path, std::string text, std::vector<std::filesystem::path> roots);
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] const std::string& text() const { return text_; }
     [[nodiscard]] const std::vector<shader::Mutation>& mutations() const { return mutations_; }
+    // What the compiler says of the text by itself; empty: it is valid. An include may need what stands before
+    // it: which of its faults compile is then not known.
+    [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
     // What other files make of a fault outside of functions, and what code is under other conditions of the
     // preprocessor, is not known: such a fault is never `same`.
@@ -78,6 +81,7 @@ class MutantFile {
     std::string text_;
     std::vector<std::filesystem::path> roots_;
     std::vector<shader::Mutation> mutations_;
+    std::string trouble_;
     bool conditional_ = false;
     std::optional<Lab> lab_;  // of the interpreter, with the excerpts of the file
     std::vector<Own> own_;

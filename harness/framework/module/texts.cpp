@@ -23,27 +23,6 @@ void check_as_it_is(const Source& source, Language language,
     check_compiles({source.name, text}, language, roots);
 }
 
-// Throws what the first stage says of a text that is valid in none, by no rules. A text without #version is
-// GLSL 4.50.
-void require_valid(const Source& source, const std::vector<std::filesystem::path>& roots) {
-    using internal::Client;
-    std::vector<Source> pieces{source};
-    if (source.text.find("#version") == std::string::npos)
-        pieces.insert(pieces.begin(), {.name = source.name, .text = preamble(Language::vulkan450)});
-    std::string why;
-    for (const Client client : {Client::vulkan, Client::none}) {
-        for (const Stage stage : {Stage::compute, Stage::fragment, Stage::vertex}) {
-            try {
-                const internal::Parse parse(stage, client, source.name, pieces, roots);
-                return;
-            } catch (const CompileError& error) {
-                if (why.empty()) why = error.what();
-            }
-        }
-    }
-    throw CompileError(why.substr(0, why.find('\n')));
-}
-
 }  // namespace
 
 std::string pack(const std::vector<Source>& sources, const PackRequest& request,
@@ -71,10 +50,27 @@ Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>
 }
 
 std::vector<Mutation> mutations(const Source& source, const std::vector<std::filesystem::path>& roots) {
-    const internal::ActiveText active =
-        internal::active_text({source}, Language::vulkan450, Stage::compute, roots);
-    require_valid(source, roots);
-    return mutations(active);
+    return mutations(internal::active_text({source}, Language::vulkan450, Stage::compute, roots));
+}
+
+// Throws what the first stage says.
+void require_valid(const Source& source, const std::vector<std::filesystem::path>& roots) {
+    using internal::Client;
+    std::vector<Source> pieces{source};
+    if (source.text.find("#version") == std::string::npos)
+        pieces.insert(pieces.begin(), {.name = source.name, .text = preamble(Language::vulkan450)});
+    std::string why;
+    for (const Client client : {Client::vulkan, Client::none}) {
+        for (const Stage stage : {Stage::compute, Stage::fragment, Stage::vertex}) {
+            try {
+                const internal::Parse parse(stage, client, source.name, pieces, roots);
+                return;
+            } catch (const CompileError& error) {
+                if (why.empty()) why = error.what();
+            }
+        }
+    }
+    throw CompileError(why.substr(0, why.find('\n')));
 }
 
 std::string pack(const std::vector<std::filesystem::path>& files, const PackRequest& request,

@@ -30,9 +30,13 @@ namespace gloam::shader {
 // The faults of a text, in its order, without those of its includes: other operators, comparisons, constants
 // and functions, conditions that always or never hold, and statements left out. Comments, directives,
 // structures and the interface are left alone, and so is what a condition of the preprocessor leaves out. A
-// fault may not compile. Throws CompileError for a text that the compiler rejects.
+// fault may not compile. Throws CompileError for what the preprocessor rejects.
 [[nodiscard]] std::vector<Mutation> mutations(const Source& source,
                                               const std::vector<std::filesystem::path>& roots);
+
+// Throws CompileError for a text that is valid in no stage, by the rules neither of Vulkan nor of OpenGL. A
+// text without #version is GLSL 4.50.
+void require_valid(const Source& source, const std::vector<std::filesystem::path>& roots);
 
 // Shading languages other than GLSL.
 enum class Target { hlsl, msl };

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdint>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -123,6 +124,19 @@ std::vector<fs::path> shaders_of(const std::vector<std::string>& paths) {
     return files;
 }
 
+// Whether a shader below the folder names the file in an #include.
+bool is_included(const fs::path& file, const fs::path& folder) {
+    static const std::regex include(R"((?:^|\n)[ \t]*#[ \t]*include[ \t]*["<]([^">\n]+)[">])");
+    for (const fs::path& other : shaders_of({folder.string()})) {
+        const std::string text = shader::read_text(other);
+        for (std::sregex_iterator one(text.begin(), text.end(), include), end; one != end; ++one) {
+            const std::string name = fs::path((*one)[1].str()).lexically_normal().filename().string();
+            if (name == file.filename() && fs::canonical(other) != file) return true;
+        }
+    }
+    return false;
+}
+
 fs::path common_folder(const std::vector<fs::path>& files) {
     fs::path folder = files.front().parent_path();
     for (const fs::path& file : files)
@@ -158,6 +172,9 @@ Trials::Trials(const MutateCommand& command)
 
 void Trials::read_files() {
     std::vector<fs::path> real;
+    std::vector<fs::path> named;
+    for (const std::string& path : command_.paths)
+        if (fs::exists(path)) named.push_back(fs::canonical(path));
     for (const fs::path& file : shaders_of(command_.paths)) {
         const std::string text = shader::read_text(file);
         real.push_back(fs::canonical(file));
@@ -172,6 +189,11 @@ void Trials::read_files() {
         if (std::ranges::mismatch(root_, real[i]).in1 != root_.end())
             throw std::runtime_error(fmt::format("{}: expected a file below --include {}", report_.files[i],
                                                  command_.includes.front()));
+    // Of folders all is taken: which file is read behind which is the engine's matter.
+    for (const check::MutantFile& file : files_)
+        if (std::ranges::find(named, file.path()) != named.end() && !file.trouble().empty() &&
+            !is_included(file.path(), root_))
+            throw shader::CompileError(file.trouble());
 }
 
 // All faults, or one at each of some places; by file and place, as the report has them.
