@@ -82,7 +82,8 @@ void print_comparison(const std::vector<Rendered>& rendered) {
 void add_view_options(CLI::App& command, RenderOptions& options) {
     command.add_option("source", options.source,
                        "scene (gloam list scenes) or mesh file, stood on a ground plane");
-    command.add_option("--gbuffer", options.gbuffer, "folder of G-buffers of an engine, instead of a scene");
+    CLI::Option* gbuffer = command.add_option("--gbuffer", options.gbuffer,
+                                              "folder of G-buffers of an engine, instead of a scene");
     command
         .add_option(
             "--depth", options.depth,
@@ -94,6 +95,7 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
             "how the G-buffers store them: view or world space, and behind it -octahedral, -unorm or both")
         ->capture_default_str();
     command.add_option("--size", options.size, "WIDTHxHEIGHT of a scene or mesh, pixels")
+        ->excludes(gbuffer)
         ->capture_default_str();
     command
         .add_option("--frames", options.frames,
