@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -128,12 +129,17 @@ class CheckRun {
                     .validation = options.validation},
                    options.resume),
           failures_(options.failures),
-          progress_("checks", tasks_.size() * devices, options.progress) {
+          left_(tasks_.size() * devices),
+          progress_(progress_bar("checks", options.progress)) {
         if (options.budget > 0.0)
             until_ = std::chrono::steady_clock::now() +
                      std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                          std::chrono::duration<double>(options.budget));
     }
+
+    ~CheckRun() { progress_(-1.0); }
+    CheckRun(const CheckRun&) = delete;
+    CheckRun& operator=(const CheckRun&) = delete;
 
     // Checks of a device that a run to its end would have, and this one has not.
     [[nodiscard]] std::size_t left_out_of(const report::CheckReport& report) const {
@@ -182,24 +188,31 @@ class CheckRun {
     }
 
     void begin(const report::DeviceSummary& on) {
-        progress_.wipe();
+        progress_(-1.0);
         if (options_.rows) print_device(on);
-        progress_.show();
+        show_progress();
     }
 
     void take(const report::DeviceSummary& on, const check::Answer& row) {
-        const bool is_known = journal_.add(on, row);
-        progress_.wipe();
+        const bool is_known = journal_.add(on, row);  // which took no time
+        progress_(-1.0);
         if (options_.rows) print_row(row);
-        progress_.step(is_known);
-        progress_.show();
+        if (left_ > 0) --left_;
+        if (!is_known) ++done_;
+        show_progress();
+    }
+
+    void show_progress() const {
+        progress_(static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(done_ + left_, 1)));
     }
 
     const CheckOptions& options_;
     std::vector<CheckTask> tasks_;
     CheckJournal journal_;
     FailureFolders failures_;
-    ProgressLine progress_;
+    std::size_t done_ = 0;  // checks, without those that are known
+    std::size_t left_;
+    std::function<void(double)> progress_;
     std::chrono::steady_clock::time_point until_ = std::chrono::steady_clock::time_point::max();
 };
 

@@ -74,6 +74,12 @@ struct CheckJournalSetup {
     bool validation = false;
 };
 
+template <class Io>
+void members(Io& io, CheckJournalSetup& setup) {
+    report::each(io, "check_journal", 1, "versions", setup.versions, "inputs", setup.inputs, "seed",
+                 setup.seed, "validation", setup.validation);
+}
+
 // The rows of a check, written to a file as they come, so that --resume can continue a run that was killed.
 class CheckJournal {
   public:

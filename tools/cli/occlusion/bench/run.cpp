@@ -92,7 +92,7 @@ int run_experiment(const ExperimentOptions& options) {
                             .truth_cache = truth_cache_directory(),
                             .meshes = meshes,
                             .preset_of = preset_settings,
-                            .progress = progress_bar};
+                            .progress = [](const std::string& what) { return progress_bar(what); }};
     require_possible(what, place);
     ExperimentFiles files(options.paths, what);
     experiment::Record record({.experiment = what.name,
