@@ -22,7 +22,6 @@
 #include "cli/framework/check/selection.hpp"
 #include "cli/framework/check/worker_session.hpp"
 #include "cli/framework/open_device.hpp"
-#include "cli/framework/variants.hpp"
 #include "cli/progress.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
@@ -98,10 +97,6 @@ void print_range_hint(const CheckOptions& options, const report::OutcomeCounts& 
         fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
 }
 
-std::chrono::milliseconds timeout_of(const CheckOptions& options) {
-    return std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
-}
-
 // One worker for each core, unless the work is too short for another worker's start.
 std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
     constexpr std::size_t checks_that_pay = 64;
@@ -138,8 +133,6 @@ class CheckRun {
     }
 
     ~CheckRun() { progress_(-1.0); }
-    CheckRun(const CheckRun&) = delete;
-    CheckRun& operator=(const CheckRun&) = delete;
 
     // Checks of a device that a run to its end would have, and this one has not.
     [[nodiscard]] std::size_t left_out_of(const report::CheckReport& report) const {
@@ -152,7 +145,8 @@ class CheckRun {
         DeviceRun run{.checker = {.equations = options_.named,
                                   .device = device,
                                   .validation = options_.validation,
-                                  .timeout = timeout_of(options_)},
+                                  .timeout = std::chrono::milliseconds(
+                                      std::max(1L, std::lround(options_.timeout * 1000.0)))},
                       .tasks = tasks_,
                       .jobs = jobs_of(options_, tasks_.size()),
                       .until = until_,

@@ -13,11 +13,7 @@
 #include <utility>
 
 #include "cli/framework/open_device.hpp"
-#include "cli/occlusion/arguments.hpp"
 #include "cli/occlusion/names.hpp"
-#include "cli/occlusion/render_input.hpp"
-#include "cli/occlusion/render_pictures.hpp"
-#include "cli/occlusion/renderer.hpp"
 #include "cli/occlusion/settings.hpp"
 
 namespace gloam::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/occlusion/renderer.hpp"
+#include "cli/occlusion/render.hpp"
 
 #include <algorithm>
 #include <cmath>

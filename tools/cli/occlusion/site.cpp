@@ -10,10 +10,7 @@
 
 #include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/variants.hpp"
 #include "cli/occlusion/render.hpp"
-#include "cli/occlusion/render_pictures.hpp"
-#include "cli/occlusion/renderer.hpp"
 #include "cli/progress.hpp"
 #include "effect/methods.hpp"
 #include "pictures/sheet.hpp"

@@ -12,8 +12,6 @@
 #include "base/files.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
-#include "cli/framework/variants.hpp"
-#include "cli/occlusion/arguments.hpp"
 #include "cli/occlusion/bench/files.hpp"
 #include "cli/occlusion/bench/options.hpp"
 #include "cli/occlusion/settings.hpp"
