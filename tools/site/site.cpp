@@ -187,11 +187,11 @@ std::string presets_plot() {
     std::vector<pictures::PlotPoint> points;
     for (const effect::Preset& preset : effect::presets())
         points.push_back({preset.name, preset.time, preset.error, !preset.published});
-    return "<figure>\n" +
+    return "<figure>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Time and error\">\n" +
            pictures::to_plot_svg(points, "time of a frame, in that of fast (llvmpipe)", "error") +
-           "<figcaption>gloam's own presets in blue, published ones in grey; error: root mean square against "
-           "ray-traced occlusion, of sequences on unseen views (gloam bench "
-           "presets).</figcaption>\n</figure>\n";
+           "</div>\n<figcaption>gloam's own presets in blue, published ones in grey; error: root mean square "
+           "against ray-traced occlusion, of sequences on unseen views (gloam bench presets).</figcaption>\n"
+           "</figure>\n";
 }
 
 void write_guides(const fs::path& documents, report::OutputFolder& folder) {
