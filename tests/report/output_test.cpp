@@ -126,8 +126,8 @@ TEST_F(OutputFolderTest, NothingIsLeftWhereTheProcessIsKilled) {
     for (const int signal : {SIGTERM, SIGKILL}) {
         const pid_t child = fork();
         if (child == 0) {
-            OutputFolder folder(this->folder.path() / "a" / "b");
-            folder.write("x", "one");
+            OutputFolder out(folder.path() / "a" / "b");
+            out.write("x", "one");
             pause();
         }
         EXPECT_TRUE(waits_until(false)) << signal;
