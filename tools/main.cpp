@@ -21,9 +21,7 @@
 #include "cli/framework/check.hpp"
 #include "cli/framework/check/checker.hpp"
 #include "cli/framework/cost.hpp"
-#include "cli/framework/variants.hpp"
 #include "cli/occlusion/names.hpp"
-#include "cli/occlusion/render.hpp"
 
 namespace {
 

@@ -30,6 +30,7 @@ class File:
     and where there is no such device."""
 
     def __init__(self, path, include_roots=(), device="", variant=""):
+        open(path, "rb").close()  # raises what Python raises for a file that cannot be read
         self._file = _gloam.File(str(path), [str(root) for root in include_roots], device, variant)
         self.device = self._file.device
         self.left_out = self._file.left_out  # functions that cannot be called, each with the reason

@@ -51,18 +51,6 @@ TEST_F(WriteFile, MakesAndReplaces) {
     EXPECT_EQ(count_files(folder.path()), 1U);
 }
 
-TEST_F(WriteFile, TheFileIsAsItWasUntilPut) {
-    const fs::path path = folder.path() / "a";
-    write_file(path, "old");
-    {
-        const WrittenAside aside(path, "new");
-        EXPECT_EQ(test::read_file(path), "old");
-        EXPECT_EQ(count_files(folder.path()), 2U);
-    }
-    EXPECT_EQ(test::read_file(path), "old");
-    EXPECT_EQ(count_files(folder.path()), 1U);
-}
-
 TEST_F(WriteFile, ALinkIsReplacedAndNotFollowed) {
     const fs::path victim = folder.path() / "victim";
     const fs::path path = folder.path() / "a";

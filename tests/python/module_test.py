@@ -113,7 +113,7 @@ class Module(unittest.TestCase):
         self.assertIn("which is no input", message(ValueError, lambda: self.tone.check_rules({"y": (0, 1)})))
         self.assertIn("(LOW, HIGH)", message(ValueError, lambda: self.tone.check_rules({"x": (1, 0)})))
         self.assertIn("division by zero", message(RuntimeError, lambda: self.tone.compare(lambda x: 1 / 0, inputs=16)))
-        self.assertIn("missing.glsl", message(RuntimeError, lambda: gloam.File("missing.glsl")))
+        self.assertIn("missing.glsl", message(FileNotFoundError, lambda: gloam.File("missing.glsl")))
         self.assertIn("no Vulkan device", message(RuntimeError, lambda: gloam.File(
             GUIDE / "tone.glsl", device="none")))
         both = message(RuntimeError, lambda: self.tone.compare(lambda x: (x, x), inputs=16))

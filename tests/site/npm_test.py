@@ -62,17 +62,6 @@ class NpmTest(BrowserCase):
         names = self.browser.evaluate("Object.keys(window.page).join()")
         return self.browser.evaluate(f"(() => {{ const {{{names}}} = window.page; {script} }})()")
 
-    def test_the_package(self):
-        package = json.loads((FOLDER / "gloam" / "package.json").read_text(encoding="utf-8"))
-        self.assertEqual(("gloam", "module", "MIT"), (package["name"], package["type"], package["license"]))
-        self.assertNotIn("dependencies", package)
-        sizes = {file.name: file.stat().st_size for file in (FOLDER / "gloam").iterdir()}
-        self.assertLess(sizes["index.js"], 60_000)
-        self.assertLess(sum(sizes.values()), 1_500_000)
-        for entry in package["exports"].values():
-            for name in entry.values():
-                self.assertTrue(list((FOLDER / "gloam").glob(name)), name)
-
     def test_the_types(self):
         done = subprocess.run(["npx", "tsc", "--noEmit", "--strict", "--module", "nodenext", "--target", "es2022",
                                "--types", "@webgpu/types", "types.ts"], cwd=FOLDER, capture_output=True, text=True,
@@ -116,29 +105,19 @@ class NpmTest(BrowserCase):
         self.assertLess(got["mean"], 1e-3)
         self.assertEqual(0, got["most"])
 
-    def test_a_camera_that_moves_gives_what_one_gives_that_stands_still(self):
-        """Of a jitter, the projection is moved by up to half a pixel, for antialiasing."""
+    def test_a_camera_that_zooms_gives_what_one_gives_that_stands_still(self):
         got = self.ask("""
             const view = made();
             const still = occlusion(frames(view, 24));
-            const after = (count, before) => {
-                view.occlusion.restart();
-                return apart(still, occlusion(frames(view, count, before)));
-            };
-            const jittered = after(24, (i) => { jitter(view, i); });
-            view.camera.clearViewOffset();
-            const zoomed = after(24, (i) => {
+            view.occlusion.restart();
+            const zoomed = apart(still, occlusion(frames(view, 24, (i) => {
                 view.camera.fov = 40 + 0.2 * (23 - i);
                 view.camera.updateProjectionMatrix();
-            });
-            const other = after(1, () => { view.look(0.06); });
+            })));
             closed(view);
-            return {jittered, zoomed, other};""")
-        for name, mean, most in (("jittered", 0.01, 0.02), ("zoomed", 0.008, 0.02)):
-            with self.subTest(name):
-                self.assertLess(got[name]["mean"], mean)
-                self.assertLess(got[name]["most"], most)
-        self.assertGreater(got["other"]["mean"], 2 * got["jittered"]["mean"])
+            return zoomed;""")
+        self.assertLess(got["mean"], 0.008)
+        self.assertLess(got["most"], 0.02)
 
     def test_a_camera_off_its_centre_shows_its_part(self):
         got = self.ask("""
@@ -170,35 +149,22 @@ class NpmTest(BrowserCase):
         got = self.ask("return lostAndRestored();")
         self.assertEqual((0, 0), (got["mean"], got["error"]))
 
-    def test_cuts_and_other_sizes_begin_a_new_history(self):
+    def test_other_options_begin_a_new_history(self):
+        """A cut and another size do so in test_the_occlusion_is_that_of_the_program()."""
         got = self.ask("""
             const view = made();
-            const counts = [];
-            const firsts = [];
-            const then = (change) => {
+            const {occlusion: pass} = view;
+            const counts = [() => {}, () => {}, () => { pass.radius = 0.5; }, () => {},
+                () => { pass.preset = "quality"; },
+                () => { pass.camera = view.camera.clone(); view.composer.passes[0].camera = pass.camera; }
+            ].map((change) => {
                 change();
                 view.draw();
-                counts.push(view.occlusion.occlusion.frames);
-                firsts.push(occlusion(view));
-            };
-            const {occlusion: pass} = view;
-            then(() => {});
-            then(() => {});
-            then(() => { pass.restart(); });
-            then(() => { pass.radius = 0.5; });
-            then(() => {});
-            then(() => { pass.preset = "quality"; });
-            then(() => { pass.camera = view.camera.clone(); view.composer.passes[0].camera = pass.camera; });
-            view.setSize(97, 55, 1);
-            view.draw();
-            const pixels = occlusion(view).length;
+                return pass.occlusion.frames;
+            });
             closed(view);
-            const [first, second, cut] = firsts;
-            return {counts, cut: apart(first, cut).mean, second: apart(first, second).mean, pixels};""")
-        self.assertEqual([1, 2, 1, 1, 2, 1, 1], got["counts"])
-        self.assertLess(got["cut"], 1e-5)
-        self.assertGreater(got["second"], 0.002)
-        self.assertEqual(97 * 55, got["pixels"])
+            return counts;""")
+        self.assertEqual([1, 2, 1, 2, 1, 1], got)
 
     def test_what_cannot_be_is_refused(self):
         messages = self.ask("""

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""pages_test.py GLOAM DOCS: the pages of the site in headless Chromium, and their pictures.
+"""pages_test.py GLOAM DOCS: the pages of the site in headless Chromium, and their pictures;
+and a page with a table.
 
 Left with status 77 where there is no Chromium."""
 import json
@@ -9,11 +10,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-from site_case import GLOAM, SiteCase, main
+from site_case import GLOAM, BrowserCase, SiteCase, main
 
 DOCS = Path(sys.argv[2])
 PAGES = ["index", "check", "methods"]
 METHODS = ["gtao", "sweep"]
+SHOWN = "[...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden).map((row) => row.cells[0].textContent)"
 
 
 class PagesTest(SiteCase):
@@ -121,6 +123,48 @@ class PagesTest(SiteCase):
         self.browser.open(folder / "index.html")
         self.assertEqual(0, self.count(".choose"))
         self.assertEqual([], list(folder.glob("*.png")))
+
+
+class TablePageTest(BrowserCase):
+    """The page of `gloam list equations --html`, used as a reader would."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.file = cls.folder / "equations.html"
+        subprocess.run([GLOAM, "list", "equations", "--html", cls.file], check=True)
+        listed = subprocess.run([GLOAM, "list", "equations"], check=True, capture_output=True, text=True)
+        cls.names = [line.split()[0] for line in listed.stdout.splitlines()]
+
+    def setUp(self):
+        self.browser.open(self.file)
+
+    def after(self, script):
+        """The first cells of the rows that are shown once a reader has done that."""
+        return self.browser.evaluate(f"{script}; {SHOWN}")
+
+    def count(self):
+        return self.browser.evaluate("document.querySelector('output').textContent")
+
+    def test_its_own_script_runs_and_no_other(self):
+        page = self.file.with_name("foreign.html")
+        foreign = "<script>document.body.textContent = 'foreign'</script></body>"
+        page.write_text(self.file.read_text(encoding="utf-8").replace("</body>", foreign), encoding="utf-8")
+        self.browser.open(page)
+        self.assertEqual(self.count(), f"{len(self.names)} of {len(self.names)} rows")
+        self.assertEqual(self.after(""), self.names)
+
+    def test_words_and_a_choice_filter(self):
+        shown = self.after("const text = document.querySelector('input[type=search]'); text.value = 'halton BASE';"
+                           "text.dispatchEvent(new Event('input'))")
+        self.assertTrue(shown)
+        self.assertTrue(all("halton" in name.lower() for name in shown), shown)
+        self.assertEqual(self.count(), f"{len(shown)} of {len(self.names)} rows")
+        self.browser.open(self.file)
+        of_the_file = [name for name in self.names if name.startswith(("SINCOS", "TURNS"))]
+        self.assertEqual(self.after("const choice = document.querySelector('select');"
+                                    "choice.value = 'gloam/numeric/sincos.glsl';"
+                                    "choice.dispatchEvent(new Event('input'))"), of_the_file)
 
 
 if __name__ == "__main__":

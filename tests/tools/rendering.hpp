@@ -12,7 +12,8 @@ class Rendering : public InFolder {
     [[nodiscard]] CommandResult render(const std::string& out, std::vector<std::string> arguments,
                                        std::vector<std::string> environment = {}) const {
         arguments.insert(arguments.begin(), "render");
-        arguments.insert(arguments.end(), always_.begin(), always_.end());
+        if (std::ranges::count(arguments, "--gbuffer") == 0)
+            arguments.insert(arguments.end(), always_.begin(), always_.end());
         arguments.insert(arguments.end(), {"--out", path(out).string()});
         environment.insert(environment.end(), environment_.begin(), environment_.end());
         return run_command(arguments, {.environment = std::move(environment)});
@@ -39,7 +40,7 @@ class Rendering : public InFolder {
         return base::read_pfm(path(out) / name).texels;
     }
 
-    std::vector<std::string> always_{};       // further words of each command
+    std::vector<std::string> always_{};       // further words of each that draws a scene
     std::vector<std::string> environment_{};  // of each command
 };
 

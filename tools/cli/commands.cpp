@@ -4,7 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "module/compile.hpp"
+
 namespace gloam::cli {
+
+std::string versions() {
+    return "gloam " + base::version() + ", " + base::one_line(shader::compiler_version());
+}
+
 namespace {
 
 // Examples by command; the program itself has the empty name.

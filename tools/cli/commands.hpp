@@ -21,6 +21,10 @@ struct PresetFrame;
 using EquationsNamed = std::vector<check::Question>(const std::vector<std::string>& names);
 using FrameOf = PresetFrame(const std::string& preset, const std::vector<std::string>& set);
 
+// "gloam 0.3.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": the versions on which
+// a result depends, besides the device and its driver.
+[[nodiscard]] std::string versions();
+
 // Each adds a subcommand of that name, whose help says what it does. `status` receives its exit status: 0, or
 // 1 where it ran and found something wrong.
 void add_demo(CLI::App& app, int& status);
@@ -29,6 +33,7 @@ void add_list(CLI::App& app);
 void add_explain(CLI::App& app, EquationsNamed* equations);
 void add_audit(CLI::App& app, int& status);
 void add_cost(CLI::App& app, FrameOf* frame, int& status);
+void add_render(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
 void add_stress(CLI::App& app, int& status);
 void add_pack(CLI::App& app);

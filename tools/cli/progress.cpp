@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -25,48 +26,24 @@ std::string rough_duration(std::chrono::duration<double> duration) {
 
 }  // namespace
 
-std::function<void(double)> progress_bar(std::string what) {
-    if (!on_terminal()) return [](double) {};
+std::function<void(double)> progress_bar(std::string what, bool watched) {
+    if (!watched || !on_terminal()) return [](double) {};
     return [what = std::move(what), shown = -1,
             begin = std::chrono::steady_clock::now()](double part) mutable {
         constexpr int steps = 40;
         constexpr double enough = 0.02;  // completed part of the work from which the time left is estimated
-        const int percent = static_cast<int>(100.0 * part);
+        const int percent = part < 0.0 ? -1 : static_cast<int>(100.0 * part);
         if (percent == shown) return;
         shown = percent;
-        const int done = static_cast<int>(steps * part);
-        fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {} %", what, "", done, "", steps - done, percent);
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-        if (part > enough) fmt::print(stderr, ", {} left", rough_duration(spent * ((1.0 - part) / part)));
-        fmt::print(stderr, "\033[K");
-        if (percent >= 100) fmt::print(stderr, "\r\033[K");
+        fmt::print(stderr, "\r\033[K");
+        if (percent >= 0 && percent < 100) {
+            const int done = static_cast<int>(steps * part);
+            fmt::print(stderr, "{} [{:#<{}}{:.<{}}] {} %", what, "", done, "", steps - done, percent);
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+            if (part > enough) fmt::print(stderr, ", {} left", rough_duration(spent * ((1.0 - part) / part)));
+        }
         std::fflush(stderr);
     };
-}
-
-ProgressLine::ProgressLine(std::string what, std::size_t total, bool watched)
-    : what_(std::move(what)), total_(total), watched_(watched && on_terminal()) {}
-
-void ProgressLine::step(bool free) {
-    ++done_;
-    if (!free) ++timed_;
-}
-
-void ProgressLine::show() const {
-    if (!watched_ || done_ >= total_) return;
-    fmt::print(stderr, "{} [{}/{}]", what_, done_, total_);
-    const std::chrono::duration<double> spent = Clock::now() - begin_;
-    if (timed_ > 0) {
-        const double steps_left = static_cast<double>(total_ - done_);
-        fmt::print(stderr, ", {} left", rough_duration(spent * (steps_left / static_cast<double>(timed_))));
-    }
-    std::fflush(stderr);
-}
-
-void ProgressLine::wipe() const {
-    if (!watched_) return;
-    fmt::print(stderr, "\r\033[K");
-    std::fflush(stderr);
 }
 
 namespace {

@@ -82,15 +82,14 @@ struct Written {
 // Prepares the checks, one after another: the compiler runs in a forked copy of this process, and a copy of a
 // process with several threads may inherit locks that nobody opens.
 std::vector<Written> prepare_all(const check::Lab& lab, const SiteOptions& options,
-                                 const catalogue::Entries& entries,
-                                 const std::function<void(std::size_t, std::size_t)>& told) {
+                                 const catalogue::Entries& entries, const std::function<void(double)>& told) {
     std::vector<Written> all;
     for (const catalogue::Entry& entry : entries) {
         const check::PreparedCheck prepared =
             check::prepare(lab, entry.question, {.inputs = options.inputs, .seed = options.seed});
         all.push_back(
             {check_json(entry.description, entry.question, prepared), prepared.unsupported.empty()});
-        told(all.size(), entries.size());
+        told(static_cast<double>(all.size()) / static_cast<double>(entries.size()));
     }
     return all;
 }
@@ -113,14 +112,6 @@ std::string worker_text(const fs::path& files) {
     return nlohmann::ordered_json(text).dump();
 }
 
-// The methods that the page of methods shows, in the order of all.
-std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
-    if (options.methods.empty()) return effect::methods();
-    std::vector<effect::MethodInfo> methods;
-    for (const std::string& name : options.methods) methods.push_back(effect::method_named(name));
-    return methods;
-}
-
 // What stands in the pages in the place of a word in capitals. The picture of a room stands only where there
 // is one.
 std::string filled(std::string page, const SiteOptions& options, const std::filesystem::path& library) {
@@ -133,7 +124,7 @@ std::string filled(std::string page, const SiteOptions& options, const std::file
     if (page.find("METHODS\n") == std::string::npos) return page;
     const std::string failures = base::read_file(options.documents / "methods.md");
     return base::replaced(page, "METHODS\n",
-                          methods_html(methods_of(options), library, failures, pictures.methods));
+                          methods_html(options.methods, library, failures, pictures.methods));
 }
 
 void write_pages(const SiteOptions& options, const fs::path& library, report::OutputFolder& folder) {
@@ -196,11 +187,11 @@ std::string presets_plot() {
     std::vector<pictures::PlotPoint> points;
     for (const effect::Preset& preset : effect::presets())
         points.push_back({preset.name, preset.time, preset.error, !preset.published});
-    return "<figure>\n" +
+    return "<figure>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Time and error\">\n" +
            pictures::to_plot_svg(points, "time of a frame, in that of fast (llvmpipe)", "error") +
-           "<figcaption>gloam's own presets in blue, published ones in grey; error: root mean square against "
-           "ray-traced occlusion, of sequences on unseen views (gloam bench "
-           "presets).</figcaption>\n</figure>\n";
+           "</div>\n<figcaption>gloam's own presets in blue, published ones in grey; error: root mean square "
+           "against ray-traced occlusion, of sequences on unseen views (gloam bench presets).</figcaption>\n"
+           "</figure>\n";
 }
 
 void write_guides(const fs::path& documents, report::OutputFolder& folder) {
@@ -210,7 +201,7 @@ void write_guides(const fs::path& documents, report::OutputFolder& folder) {
 }
 
 SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
-                       const std::function<void(std::size_t, std::size_t)>& told) {
+                       const std::function<void(double)>& told) {
     const std::filesystem::path& glsl = lab.options().include_roots.front();
     catalogue::Entries entries = catalogue::select(catalogue::all_entries(glsl), options.equations);
     SiteSummary summary;

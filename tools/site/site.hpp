@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/lab.hpp"
+#include "effect/methods.hpp"
 #include "report/output.hpp"
 
 namespace gloam::site {
@@ -25,9 +26,9 @@ struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
     std::size_t inputs = 128;            // of each check
     std::uint64_t seed = 1;
-    std::filesystem::path files;       // folder of the pages and the shaders
-    std::filesystem::path documents;   // folder of methods.md
-    std::vector<std::string> methods;  // that the page of methods shows; empty: all
+    std::filesystem::path files;              // folder of the pages and the shaders
+    std::filesystem::path documents;          // folder of methods.md
+    std::vector<effect::MethodInfo> methods;  // that the page of methods shows
     SitePictures pictures;
     std::string address;   // of the published site, for previews of its pages; can be empty
     std::string versions;  // of this program, for the results file
@@ -58,9 +59,9 @@ struct SiteSummary {
     std::size_t unsupported = 0;  // functions that are no GLSL ES 3.00
 };
 
-// Writes the files of the site. `told` is called with the number of finished and of all checks. Throws
+// Writes the files of the site. `told` is called with the part of the checks that is prepared. Throws
 // std::runtime_error with the file's name for one that cannot be read or written.
 SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
-                       const std::function<void(std::size_t, std::size_t)>& told);
+                       const std::function<void(double)>& told);
 
 }  // namespace gloam::site

@@ -194,7 +194,8 @@ std::string to_text(const Audit& audit) {
     };
     for (const OrdinaryValues& values : audit.domain)
         line(values.parameter, fmt::format("{} ({})", values.text, values.reason));
-    line("inputs", fmt::format("{}, of these {} random", audit.inputs, audit.random));
+    line("inputs", fmt::format("{}: {} at random, the others with special values or by search", audit.inputs,
+                               audit.random));
     for (const AuditFinding& finding : audit.findings) text += finding_text(finding);
     if (!audit.was_run())
         line("not audited",

@@ -104,61 +104,52 @@ void fail_to_write(const fs::path& path, int error) {
     throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
 }
 
-int write_all(int file, std::string_view bytes) {
+int write_all(FileDescriptor file, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t count = ::write(file, bytes.data(), bytes.size());
+        const ssize_t count = ::write(file.get(), bytes.data(), bytes.size());
         if (count >= 0) {
             bytes.remove_prefix(static_cast<std::size_t>(count));
         } else if (errno != EINTR) {
             return errno;
         }
     }
-    return 0;
-}
-
-WrittenAside::WrittenAside(fs::path path, std::string_view bytes) : path_(std::move(path)) {
-    auto [name, file] = new_neighbour_of(path_);
-    int error = write_all(file.get(), bytes);
     // A full disk may be reported as late as here.
     const int number = dup(file.get());
-    if (number < 0 || close(number) != 0) error = error == 0 ? errno : error;
-    if (error != 0) {
-        unlink(name.c_str());
-        fail_to_write(path_, error);
-    }
-    aside_ = std::move(name);
+    return number >= 0 && close(number) == 0 ? 0 : errno;
 }
 
-WrittenAside::WrittenAside(WrittenAside&& other) noexcept
-    : path_(std::move(other.path_)), aside_(std::exchange(other.aside_, {})) {}
-
-WrittenAside::~WrittenAside() {
-    if (!aside_.empty()) unlink(aside_.c_str());
+void write_file(const fs::path& path, std::string_view bytes) {
+    auto [name, file] = new_neighbour_of(path);
+    int error = write_all(std::move(file), bytes);
+    if (error == 0 && rename(name.c_str(), path.c_str()) != 0) error = errno;
+    if (error == 0) return;
+    unlink(name.c_str());
+    fail_to_write(path, error);
 }
 
-void WrittenAside::put() {
-    if (aside_.empty()) return;
-    if (rename(aside_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
-    aside_.clear();
-}
+TemporaryFolder::TemporaryFolder(std::string_view purpose)
+    : TemporaryFolder((fs::temp_directory_path() / fmt::format("gloam-{}-XXXXXX", purpose)).string(), {}) {}
 
-TemporaryFolder::TemporaryFolder(std::string_view purpose) {
-    std::string name =
-        (std::filesystem::temp_directory_path() / fmt::format("gloam-{}-XXXXXX", purpose)).string();
+TemporaryFolder::TemporaryFolder(const fs::path& parent, const std::vector<fs::path>& around)
+    : TemporaryFolder((parent / ".gloam-part-XXXXXX").string(), around) {}
+
+TemporaryFolder::TemporaryFolder(std::string name, const std::vector<fs::path>& around) {
     leave_a_guard();  // before the folder, which is then never without one
     if (mkdtemp(name.data()) == nullptr)
         throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
     path_ = name;
-    (void)!send(alive_.get(), (name + '\n').data(), name.size() + 1, MSG_NOSIGNAL);
+    for (const fs::path& folder : around) name += '\0' + folder.string();
+    (void)!send(alive_.get(), name.data(), name.size() + 1, MSG_NOSIGNAL);
 }
 
-// It reads the folder's name from its input. It leads a session of its own: what ends this process's
-// group, or its terminal's, does not end it.
+// It reads the folders' names from its input, which ends with this process. It leads a session of its own:
+// what ends this process's group, or its terminal's, does not end it.
 void TemporaryFolder::leave_a_guard() {
     auto [end, alive] = connected_pair();
     alive_ = std::move(alive);
     std::array<std::string, 3> words{
-        "sh", "-c", "trap '' HUP INT TERM; IFS= read -r name && { read -r _; rm -rf -- \"$name\"; }"};
+        "sh", "-c",
+        "trap '' HUP INT TERM; exec xargs -0 -r sh -c 'rm -rf -- \"$1\"; shift; rmdir -- \"$@\"' -"};
     std::array<char*, 4> command{words[0].data(), words[1].data(), words[2].data(), nullptr};
     posix_spawn_file_actions_t streams{};
     posix_spawn_file_actions_init(&streams);
@@ -177,10 +168,6 @@ TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
     if (guard_ > 0 && kill(guard_, SIGKILL) == 0) waitpid(guard_, nullptr, 0);
-}
-
-void write_file(const fs::path& path, std::string_view bytes) {
-    WrittenAside(path, bytes).put();
 }
 
 }  // namespace gloam::base

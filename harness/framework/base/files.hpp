@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace gloam::base {
 
@@ -49,31 +50,8 @@ constexpr std::size_t largest_text = std::size_t{64} << 20;  // bytes
 // Throws std::runtime_error: "cannot write PATH: REASON", with the reason of this error number.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
 
-// Writes all bytes to an open file. Returns 0, or the error number.
-[[nodiscard]] int write_all(int file, std::string_view bytes);
-
-// The future content of a file, written completely to a file of a unique name beside it. put() renames it;
-// otherwise it is removed with the object.
-class WrittenAside {
-  public:
-    // Throws std::runtime_error with `path` and the reason why it cannot be written, for example a full disk;
-    // then nothing is left behind.
-    WrittenAside(std::filesystem::path path, std::string_view bytes);
-    ~WrittenAside();
-    WrittenAside(WrittenAside&& other) noexcept;
-    WrittenAside& operator=(WrittenAside&&) = delete;
-    WrittenAside(const WrittenAside&) = delete;
-    WrittenAside& operator=(const WrittenAside&) = delete;
-
-    // Replaces the file of that name. A link is replaced, not followed. Throws std::runtime_error.
-    void put();
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-    std::filesystem::path aside_;  // empty: put, or moved from
-};
+// Writes all bytes to an open file and closes it. Returns 0, or the error number.
+[[nodiscard]] int write_all(FileDescriptor file, std::string_view bytes);
 
 // A new empty folder for files of this process. It is removed with the object, and all that it holds; if the
 // process is killed before, by a program that outlives it.
@@ -81,6 +59,9 @@ class TemporaryFolder {
   public:
     // `purpose`: a part of its name. Throws std::system_error.
     explicit TemporaryFolder(std::string_view purpose);
+    // In another folder, with a hidden name. `around`: folders that are removed, too, where the process is
+    // killed, as far as they are empty then; the innermost first.
+    TemporaryFolder(const std::filesystem::path& parent, const std::vector<std::filesystem::path>& around);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -88,6 +69,7 @@ class TemporaryFolder {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   private:
+    TemporaryFolder(std::string name, const std::vector<std::filesystem::path>& around);
     void leave_a_guard();
 
     std::filesystem::path path_;

@@ -133,18 +133,13 @@ std::size_t CheckReport::count(check::Outcome outcome) const {
     return static_cast<std::size_t>(std::ranges::count(rows, outcome, &check::Answer::outcome));
 }
 
-void OutcomeCounts::add(const OutcomeCounts& more) {
-    checks += more.checks;
-    failed += more.failed;
-    not_judged += more.not_judged;
-}
-
 OutcomeCounts counts_of(const std::vector<CheckReport>& reports) {
     OutcomeCounts all;
-    for (const CheckReport& report : reports)
-        all.add({.checks = report.rows.size(),
-                 .failed = report.count(check::Outcome::failed),
-                 .not_judged = report.count(check::Outcome::not_judged)});
+    for (const CheckReport& report : reports) {
+        all.checks += report.rows.size();
+        all.failed += report.count(check::Outcome::failed);
+        all.not_judged += report.count(check::Outcome::not_judged);
+    }
     return all;
 }
 
@@ -221,17 +216,13 @@ std::string remark_on(const check::Answer& row) {
     return remark;
 }
 
-std::string table_line(const check::Answer& row) {
-    return table_line(row, verdict_of(row));
-}
-
 std::string table_line(const check::Answer& row, const std::string& verdict) {
     const std::vector<Cell> cells = error_cells(row);
     const std::string why = row.reason == check::Reason::unsupported ? base::one_line(row.error) : "";
     const std::string remark = row.ran() ? remark_on(row) : why;
     return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), cells[0].text,
                        cells[1].text, cells[2].text, cells[3].text, row.ran() ? name_of(row.verdict) : "-",
-                       verdict) +
+                       verdict.empty() ? verdict_of(row) : verdict) +
            (remark.empty() ? "" : "; " + remark) + (row.steps().empty() ? "" : "; after " + row.steps());
 }
 

@@ -47,7 +47,6 @@ struct OutcomeCounts {
     std::size_t failed = 0;
     std::size_t not_judged = 0;
 
-    void add(const OutcomeCounts& more);
     // Of a command: 1 if a check failed; 2 if there were some and none was judged; 0
     // otherwise.
     [[nodiscard]] int exit_status() const;
@@ -69,9 +68,8 @@ struct OutcomeCounts {
 // absolute error, worst error as a part of what is allowed, by what it was judged ("budget" or "rules"),
 // verdict_of() and remark_on() at the end. The legend explains the titles in a few lines.
 [[nodiscard]] std::string table_header();
-[[nodiscard]] std::string table_line(const check::Answer& row);
-// The same with another text in place of the verdict, for example in colour.
-[[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict);
+// `verdict`: another text in its place, for example in colour.
+[[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict = {});
 [[nodiscard]] std::string table_legend();
 
 // The columns from "judged" to "of allowed", and a row's cells in them.

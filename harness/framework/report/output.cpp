@@ -44,10 +44,11 @@ bool is_written_in_place(const fs::path& path) {
     return false;
 }
 
-void write_in_place(const fs::path& path, std::string_view text) {
-    const base::FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (!file.is_open()) base::fail_to_write(path, errno);
-    if (const int error = base::write_all(file.get(), text)) base::fail_to_write(path, error);
+// named: in the message of an error.
+void write_in_place(const fs::path& path, std::string_view text, const fs::path& named) {
+    base::FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!file.is_open()) base::fail_to_write(named, errno);
+    if (const int error = base::write_all(std::move(file), text)) base::fail_to_write(named, error);
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
 void OutputFile::write(std::string_view text) const {
     if (path_.empty()) return;
     if (is_written_in_place(path_)) {
-        write_in_place(path_, text);
+        write_in_place(path_, text, path_);
     } else {
         base::write_file(end_of_links(path_), text);
     }
@@ -71,7 +72,6 @@ void OutputFile::write(std::string_view text) const {
 
 namespace {
 
-namespace fs = std::filesystem;
 using base::fail_to_write;
 
 // Names can come from data, and must not lead out of the folder.
@@ -101,16 +101,11 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
     if (folder_.empty()) folder_ = ".";
     std::error_code error;
     for (fs::path missing = folder_; !missing.empty() && !fs::exists(missing, error);
-         missing = missing.parent_path()) {
-        made_.insert(made_.begin(), missing);
-    }
-    for (std::size_t i = 0; i < made_.size(); ++i) {
-        fs::create_directory(made_[i], error);
-        if (!error) continue;
-        for (std::size_t j = i; j-- > 0;) {
-            std::error_code ignored;
-            fs::remove(made_[j], ignored);
-        }
+         missing = missing.parent_path())
+        made_.push_back(missing);
+    fs::create_directories(folder_, error);
+    if (error) {
+        for (const fs::path& made : made_) rmdir(made.c_str());
         fail_to_write(folder_, error.value());
     }
     if (!fs::is_directory(folder_, error)) fail_to_write(folder_, ENOTDIR);
@@ -118,9 +113,8 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
 }
 
 OutputFolder::~OutputFolder() {
-    waiting_.clear();
-    std::error_code ignored;  // a destructor cannot report it
-    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
+    waiting_.reset();
+    for (const fs::path& made : made_) rmdir(made.c_str());
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
@@ -129,20 +123,19 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
     std::error_code none;
     if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
     fs::create_directories(folder_, none);  // another run that had made it may have removed it
-    base::WrittenAside aside(file, bytes);
-    const auto known =
-        std::ranges::find(waiting_, file, [](const base::WrittenAside& other) { return other.path(); });
-    if (known != waiting_.end()) waiting_.erase(known);
-    waiting_.push_back(std::move(aside));
+    if (!waiting_) waiting_.emplace(folder_, made_);
+    names_.insert(name);
+    write_in_place(waiting_->path() / name, bytes, file);
 }
 
 void OutputFolder::keep() {
     made_.clear();
     const FolderLock lock(folder_);
-    while (!waiting_.empty()) {
-        waiting_.front().put();
-        waiting_.pop_front();
-    }
+    for (const std::string& name : names_)
+        if (rename((waiting_->path() / name).c_str(), (folder_ / name).c_str()) != 0)
+            fail_to_write(folder_ / name, errno);
+    names_.clear();
+    waiting_.reset();
 }
 
 namespace {
@@ -184,11 +177,10 @@ void LineJournal::take_over(std::string_view text, const std::string& heading) {
 
 void LineJournal::add(std::string_view line) const {
     if (path_.empty()) return;
-    const base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
+    base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
     if (!file.is_open()) base::fail_to_write(path_, errno);
-    std::string text(line);
-    text += '\n';
-    if (const int error = base::write_all(file.get(), text)) base::fail_to_write(path_, error);
+    const std::string text = std::string(line) + "\n";
+    if (const int error = base::write_all(std::move(file), text)) base::fail_to_write(path_, error);
 }
 
 }  // namespace gloam::report

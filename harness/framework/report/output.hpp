@@ -2,7 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <list>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,9 +28,10 @@ class OutputFile {
     std::filesystem::path path_;
 };
 
-// A folder that receives the files of one run: all of them, or none. Files get their names when keep() is
-// called. Until then they have unique temporary names beside these, and are removed with the object, as are
-// folders that it created. If several runs use one folder, each keeps all of its files at once.
+// A folder that receives the files of one run: all of them, or none. They come into it when keep() is called.
+// Until then they are in a hidden folder below it, which is removed with the object, as are folders that it
+// created, and also where the process is killed. If several runs use one folder, each keeps all of its files
+// at once.
 class OutputFolder {
   public:
     // Creates the folder if it is missing. Throws std::runtime_error with its name if it cannot be created or
@@ -50,8 +52,9 @@ class OutputFolder {
 
   private:
     std::filesystem::path folder_;
-    std::vector<std::filesystem::path> made_;  // folders, outermost first
-    std::list<base::WrittenAside> waiting_;
+    std::vector<std::filesystem::path> made_;  // folders, innermost first
+    std::optional<base::TemporaryFolder> waiting_;
+    std::set<std::string> names_;  // of the files in it
 };
 
 // A file of lines that is written as results come, so that an interruption loses none of them. Its first line

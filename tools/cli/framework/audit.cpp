@@ -104,7 +104,9 @@ void add_audit(CLI::App& app, int& status) {
     audit->add_option("function", command->functions, "functions that it defines (all when none is given)");
     audit->add_option("--range", command->ranges, "NAME=LOW:HIGH: what a parameter is drawn from");
     add_include_option(*audit, command->includes);
-    audit->add_option("--inputs", command->options.inputs, "inputs for each function, half of them by search")
+    audit
+        ->add_option("--inputs", command->options.inputs,
+                     "inputs for each function: a part at random, others with special values or by search")
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}))
         ->capture_default_str();
     audit->add_option("--seed", command->options.seed, "seed of the inputs")->capture_default_str();

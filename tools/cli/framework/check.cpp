@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -21,7 +22,6 @@
 #include "cli/framework/check/selection.hpp"
 #include "cli/framework/check/worker_session.hpp"
 #include "cli/framework/open_device.hpp"
-#include "cli/framework/variants.hpp"
 #include "cli/progress.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
@@ -97,10 +97,6 @@ void print_range_hint(const CheckOptions& options, const report::OutcomeCounts& 
         fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
 }
 
-std::chrono::milliseconds timeout_of(const CheckOptions& options) {
-    return std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
-}
-
 // One worker for each core, unless the work is too short for another worker's start.
 std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
     constexpr std::size_t checks_that_pay = 64;
@@ -128,12 +124,15 @@ class CheckRun {
                     .validation = options.validation},
                    options.resume),
           failures_(options.failures),
-          progress_("checks", tasks_.size() * devices, options.progress) {
+          left_(tasks_.size() * devices),
+          progress_(progress_bar("checks", options.progress)) {
         if (options.budget > 0.0)
             until_ = std::chrono::steady_clock::now() +
                      std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                          std::chrono::duration<double>(options.budget));
     }
+
+    ~CheckRun() { progress_(-1.0); }
 
     // Checks of a device that a run to its end would have, and this one has not.
     [[nodiscard]] std::size_t left_out_of(const report::CheckReport& report) const {
@@ -146,7 +145,8 @@ class CheckRun {
         DeviceRun run{.checker = {.equations = options_.named,
                                   .device = device,
                                   .validation = options_.validation,
-                                  .timeout = timeout_of(options_)},
+                                  .timeout = std::chrono::milliseconds(
+                                      std::max(1L, std::lround(options_.timeout * 1000.0)))},
                       .tasks = tasks_,
                       .jobs = jobs_of(options_, tasks_.size()),
                       .until = until_,
@@ -182,24 +182,31 @@ class CheckRun {
     }
 
     void begin(const report::DeviceSummary& on) {
-        progress_.wipe();
+        progress_(-1.0);
         if (options_.rows) print_device(on);
-        progress_.show();
+        show_progress();
     }
 
     void take(const report::DeviceSummary& on, const check::Answer& row) {
-        const bool is_known = journal_.add(on, row);
-        progress_.wipe();
+        const bool is_known = journal_.add(on, row);  // which took no time
+        progress_(-1.0);
         if (options_.rows) print_row(row);
-        progress_.step(is_known);
-        progress_.show();
+        if (left_ > 0) --left_;
+        if (!is_known) ++done_;
+        show_progress();
+    }
+
+    void show_progress() const {
+        progress_(static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(done_ + left_, 1)));
     }
 
     const CheckOptions& options_;
     std::vector<CheckTask> tasks_;
     CheckJournal journal_;
     FailureFolders failures_;
-    ProgressLine progress_;
+    std::size_t done_ = 0;  // checks, without those that are known
+    std::size_t left_;
+    std::function<void(double)> progress_;
     std::chrono::steady_clock::time_point until_ = std::chrono::steady_clock::time_point::max();
 };
 

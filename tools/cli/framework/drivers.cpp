@@ -21,7 +21,6 @@
 #include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
-#include "cli/framework/check/task.hpp"
 
 namespace gloam::cli {
 

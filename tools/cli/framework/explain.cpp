@@ -7,10 +7,12 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/number.hpp"
 #include "check/explain.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
@@ -29,39 +31,37 @@ struct ExplainOptions {
     std::vector<std::string> includes;  // further include roots
 };
 
-template <class T>
-T parsed(const std::string& text, int base) {
-    T value{};
-    const char* const first = text.data() + (base == 16 ? 2 : 0);
-    const char* const last = text.data() + text.size();
-    std::from_chars_result end{};
-    if constexpr (std::is_floating_point_v<T>) {
-        end = std::from_chars(first, last, value);
-    } else {
-        end = std::from_chars(first, last, value, base);
-    }
-    if (end.ec != std::errc() || end.ptr != last)
-        throw std::invalid_argument(fmt::format("\"{}\" is no value of this parameter", text));
-    return value;
+// What a scalar's value is, in words.
+const char* expected_of(Scalar scalar) {
+    if (shader::is_float(scalar)) return "a number";
+    return scalar == Scalar::bool_  ? "true or false"
+           : scalar == Scalar::int_ ? "a whole number"
+                                    : "a whole number, 0 or more";
 }
 
-// Appends the words of a number, true or false, or bits in hexadecimal.
-void append_value(Scalar scalar, const std::string& text, std::vector<Word>& words) {
-    constexpr int hexadecimal = 16;
-    constexpr int decimal = 10;
-    const bool is_bits = text.starts_with("0x");
-    if (shader::is_float(scalar) && !is_bits)
-        return words.push_back(check::float_word(scalar, parsed<double>(text, decimal)));
-    if (scalar == Scalar::bool_ && (text == "true" || text == "false"))
-        return words.push_back(text == "true" ? 1U : 0U);
-    words.push_back(scalar == Scalar::int_ && !is_bits ? static_cast<Word>(parsed<int>(text, decimal))
-                                                       : parsed<Word>(text, is_bits ? hexadecimal : decimal));
+// The word of a number, true or false, or bits in hexadecimal; nothing for other text.
+std::optional<Word> word_from(Scalar scalar, const std::string& text) {
+    if (text.starts_with("0x")) {
+        Word bits = 0;
+        const char* const end = text.data() + text.size();
+        const auto [at, error] = std::from_chars(text.data() + 2, end, bits, 16);
+        return error == std::errc() && at == end ? std::optional(bits) : std::nullopt;
+    }
+    if (shader::is_float(scalar)) {
+        const auto number = base::number_from<double>(text);
+        return number ? std::optional(check::float_word(scalar, *number)) : std::nullopt;
+    }
+    if (scalar == Scalar::bool_ && (text == "true" || text == "false")) return text == "true" ? 1U : 0U;
+    if (scalar != Scalar::int_) return base::number_from<Word>(text);
+    const auto number = base::number_from<int>(text);
+    return number ? std::optional(static_cast<Word>(*number)) : std::nullopt;
 }
 
 // The words of an input. A function of a quad or a work group takes the values of all its invocations, one
 // after another for each parameter, or those of one invocation, which all have then.
 std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<std::string>& given) {
     struct Part {
+        const shader::Parameter& parameter;
         std::vector<Scalar> scalars;
         std::size_t invocations;
     };
@@ -72,8 +72,8 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
     for (const shader::Parameter& p : own.function.parameters) {
         if (p.direction == shader::Direction::out) continue;
         const bool alone = own.team.count() == 1 || !check::is_of_each(p);
-        parts.push_back(
-            {check::scalars_of(alone ? p.type : shader::element_of(p.type)), alone ? 1 : own.team.count()});
+        parts.push_back({p, check::scalars_of(alone ? p.type : shader::element_of(p.type)),
+                         alone ? 1 : own.team.count()});
         of_one += parts.back().scalars.size();
         all += parts.back().scalars.size() * parts.back().invocations;
         if (!p.image.empty()) pixels += parts.back().scalars.size();
@@ -85,7 +85,7 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
     }
     if (given.size() != all && given.size() != of_one)
         throw std::invalid_argument(fmt::format(
-            "{} takes {} values{}{}, got {}", own.name, all,
+            "{} takes {} values{}{}, got {}", shader::to_glsl(own.function), all,
             pixels == 0 ? "" : fmt::format(" (or {}, where pixels are 1, 2, 3 ...)", all - pixels),
             all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), given.size()));
     std::vector<Word> input;
@@ -94,7 +94,16 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
         const std::size_t first = next;
         for (std::size_t k = 0; k < part.invocations; ++k) {
             if (given.size() == of_one) next = first;
-            for (const Scalar scalar : part.scalars) append_value(scalar, given[next++], input);
+            for (const Scalar scalar : part.scalars) {
+                const std::string& text = given[next++];
+                const std::optional<Word> word = word_from(scalar, text);
+                if (!word)
+                    throw std::invalid_argument(
+                        fmt::format("{} {}: expected {}, or bits as 0x..., found \"{}\"",
+                                    shader::to_glsl(part.parameter.type), part.parameter.name,
+                                    expected_of(scalar), text));
+                input.push_back(*word);
+            }
         }
     }
     return input;

@@ -15,8 +15,6 @@
 #include "cli/framework/open_device.hpp"
 #include "cli/occlusion/names.hpp"
 #include "cli/occlusion/render.hpp"
-#include "cli/occlusion/render_pictures.hpp"
-#include "cli/occlusion/renderer.hpp"
 #include "cli/progress.hpp"
 #include "report/check_page.hpp"
 #include "report/page.hpp"
@@ -86,7 +84,7 @@ report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out
     }
     page.heading("Time and error");
     page.markup(site::presets_plot());
-    page.heading("Three doors");
+    page.heading("Guides");
     site::write_guides(documents_directory(), out);
     for (const site::Guide& guide : site::guides)
         page.markup(fmt::format("<p><a href=\"{}.txt\">{}</a></p>\n", guide.name, guide.title));

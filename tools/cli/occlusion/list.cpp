@@ -140,9 +140,12 @@ nlohmann::ordered_json one_of(const std::string& kind, const std::vector<Named>&
                               const std::string& name) {
     if (kind == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
     const auto named = std::ranges::find(all, name, &Named::name);
-    if (named == all.end())
+    if (named == all.end()) {
+        std::vector<std::string> known;
+        for (const Named& one : all) known.push_back(one.name);
         throw std::invalid_argument(
-            fmt::format("{} \"{}\": expected a name of `gloam list {}`", kind, name, kind));
+            fmt::format("{} \"{}\": expected {}", kind, name, fmt::join(known, ", ")));
+    }
     return kind == "settings"  ? json_of(effect::setting_named(name))
            : kind == "presets" ? preset_json(*named)
            : kind == "methods" ? method_json(*named)

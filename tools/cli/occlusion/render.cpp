@@ -13,11 +13,7 @@
 #include <utility>
 
 #include "cli/framework/open_device.hpp"
-#include "cli/occlusion/arguments.hpp"
 #include "cli/occlusion/names.hpp"
-#include "cli/occlusion/render_input.hpp"
-#include "cli/occlusion/render_pictures.hpp"
-#include "cli/occlusion/renderer.hpp"
 #include "cli/occlusion/settings.hpp"
 
 namespace gloam::cli {
@@ -82,7 +78,8 @@ void print_comparison(const std::vector<Rendered>& rendered) {
 void add_view_options(CLI::App& command, RenderOptions& options) {
     command.add_option("source", options.source,
                        "scene (gloam list scenes) or mesh file, stood on a ground plane");
-    command.add_option("--gbuffer", options.gbuffer, "folder of G-buffers of an engine, instead of a scene");
+    CLI::Option* gbuffer = command.add_option("--gbuffer", options.gbuffer,
+                                              "folder of G-buffers of an engine, instead of a scene");
     command
         .add_option(
             "--depth", options.depth,
@@ -94,6 +91,7 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
             "how the G-buffers store them: view or world space, and behind it -octahedral, -unorm or both")
         ->capture_default_str();
     command.add_option("--size", options.size, "WIDTHxHEIGHT of a scene or mesh, pixels")
+        ->excludes(gbuffer)
         ->capture_default_str();
     command
         .add_option("--frames", options.frames,

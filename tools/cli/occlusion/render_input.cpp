@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/occlusion/render_input.hpp"
+#include "cli/occlusion/render.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -10,7 +10,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"
-#include "cli/occlusion/arguments.hpp"
 #include "cli/occlusion/names.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "cli/progress.hpp"

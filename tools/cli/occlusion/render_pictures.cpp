@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/occlusion/render_pictures.hpp"
+#include "cli/occlusion/render.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/occlusion/render_pictures.hpp"
+#include "cli/occlusion/render.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/version.hpp"
-#include "cli/framework/variants.hpp"
+#include "cli/commands.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/occlusion/renderer.hpp"
+#include "cli/occlusion/render.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -163,7 +163,7 @@ class Renderer {
           bench_(bench),
           output_(output),
           truth_(options, input_),
-          progress_(options.quiet ? [](double) {} : progress_bar(input_.name + ": frames")) {
+          progress_(progress_bar(input_.name + ": frames", !options.quiet)) {
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
         report_ = {.source = input_.name,
                    .name = name_of(options),

@@ -5,10 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "cli/occlusion/render.hpp"
+#include "backend/vulkan/resources.hpp"
+#include "effect/methods.hpp"
 #include "effect/settings.hpp"
 
 namespace gloam::cli {
+
+struct RenderOptions;
 
 // true or false, a number with the digits of single precision, or a name; infinity is "inf".
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::SettingValue& value);
@@ -41,5 +44,12 @@ void apply(effect::Settings& settings, const std::string& assignment);
 // and if there is no radius.
 [[nodiscard]] effect::Settings settings_for(const RenderOptions& options,
                                             const std::optional<double>& view_radius);
+
+// The value of --size: "640x360". Throws std::invalid_argument that names --size.
+[[nodiscard]] gpu::Extent parse_size(const std::string& text);
+
+// The value of --size for images that are judged: each side 16 to 4096 pixels, so that a kernel, a window and
+// a pixel's neighbours fit.
+[[nodiscard]] gpu::Extent judged_size(const std::string& text);
 
 }  // namespace gloam::cli

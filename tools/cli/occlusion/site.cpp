@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <cstddef>
 #include <exception>
 #include <memory>
 #include <string>
@@ -11,10 +10,7 @@
 
 #include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/variants.hpp"
 #include "cli/occlusion/render.hpp"
-#include "cli/occlusion/render_pictures.hpp"
-#include "cli/occlusion/renderer.hpp"
 #include "cli/progress.hpp"
 #include "effect/methods.hpp"
 #include "pictures/sheet.hpp"
@@ -24,111 +20,82 @@
 namespace gloam::cli {
 namespace {
 
-// Which pictures of a site to render.
-struct PictureOptions {
+struct SiteCommand {
+    std::filesystem::path folder;
+    site::SiteOptions options;
+    std::vector<std::string> methods;  // that are shown; empty: all
     bool pictures = true;
-    std::string device;                // name or index; empty: the default
-    std::vector<std::string> methods;  // each gets a picture; empty: all
+    std::string device;  // name or index; empty: the default
+    bool quiet = false;
 };
 
-// The device, or null where there is none.
-std::unique_ptr<RenderBench> open_bench(const PictureOptions& options) {
+// The device that renders the pictures, or null where there is none.
+std::unique_ptr<RenderBench> open_bench(const SiteCommand& command) {
+    if (!command.pictures) return nullptr;
     try {
-        return std::make_unique<RenderBench>(RenderOptions{.device = options.device});
+        return std::make_unique<RenderBench>(RenderOptions{.device = command.device});
     } catch (const std::exception&) {
-        if (!options.device.empty()) throw;  // it was asked for
+        if (!command.device.empty()) throw;  // it was asked for
         return nullptr;
     }
 }
 
-// The room without and with occlusion, and with the true one (page/index.html). Returns their caption.
-std::string render_room(const PictureOptions& options, RenderBench& bench, report::OutputFolder& folder) {
-    const RenderOptions render_options{.source = "room",
-                                       .frames = 16,
-                                       .still = true,
-                                       .size = "960x540",
-                                       .device = options.device,
-                                       .trace_truth = true,
-                                       .truth_rays = 64,
-                                       .quiet = true};
-    bench.forget_light();
-    const Rendered run = render(render_options, open_input(render_options), bench, {});
-    const auto [width, height] = run.last.extent;
-    folder.write("room-with.png", base::to_rgb_png(run.last.shaded, width, height));
-    folder.write("room-without.png", base::to_rgb_png(run.last.plain, width, height));
-    folder.write("room-occlusion.png", base::to_rgb_png(run.last.visibility, width, height));
-    folder.write("room-truth.png", base::to_rgb_png(run.last.truth_lit, width, height));
-    return fmt::format("A room, rendered on {}: {}", bench.device.info().name, caption_of(run.report));
+// The same view of the room each time.
+Rendered render_room(RenderOptions options, RenderBench& bench) {
+    options.source = "room";
+    options.still = options.quiet = true;
+    return render(options, open_input(options), bench, {});
 }
 
-// What a method makes of the room, in the preset that the page begins with. Returns the caption of any
-// method.
-std::string render_method(const std::string& name, const PictureOptions& options, RenderBench& bench,
-                          report::OutputFolder& folder) {
-    const RenderOptions render_options{
-        .source = "room",
-        .method = name,
-        .frames = 4,
-        .still = true,
-        .size = fmt::format("{}x{}", site::method_picture_width, site::method_picture_height),
-        .device = options.device,
-        .quiet = true};
-    const Rendered run = render(render_options, open_input(render_options), bench, {});
-    const Pictures& last = run.last;
-    folder.write("method-" + name + ".png",
-                 base::to_rgb_png(last.visibility, last.extent.width, last.extent.height));
-    return fmt::format(
-        "The room, {}x{} pixels: visibility after {} frames of the preset {} with this method, on {}.",
-        last.extent.width, last.extent.height, run.report.frames.size(), run.report.preset,
-        bench.device.info().name);
-}
-
-// The names of the methods that get a picture.
-std::vector<std::string> methods_of(const PictureOptions& options) {
-    std::vector<std::string> names = options.methods;
-    if (names.empty())
-        for (const effect::MethodInfo& method : effect::methods()) names.push_back(method.name);
-    for (const std::string& name : names) (void)effect::method_named(name);
-    return names;
-}
-
-// Renders the pictures of the room and of the methods into the folder. Without a Vulkan device there are
-// none. Throws std::invalid_argument for an unknown method.
-site::SitePictures write_site_pictures(const PictureOptions& options, report::OutputFolder& folder) {
-    site::SitePictures pictures;
-    const std::vector<std::string> methods = methods_of(options);
-    const std::unique_ptr<RenderBench> bench = options.pictures ? open_bench(options) : nullptr;
-    if (!bench) return pictures;
-    pictures.room = render_room(options, *bench, folder);
+// Renders the pictures of the room (page/index.html) and of the methods, in the preset that the page begins
+// with, into the folder. Without a Vulkan device there are none.
+site::SitePictures write_site_pictures(const SiteCommand& command, report::OutputFolder& folder) {
+    site::SitePictures captions;
+    const std::unique_ptr<RenderBench> bench = open_bench(command);
+    if (!bench) return captions;
+    const std::string device = bench->device.info().name;
+    const auto write = [&folder](const std::string& name, const Pictures& of, const base::RgbBytes& picture) {
+        folder.write(name + ".png", base::to_rgb_png(picture, of.extent.width, of.extent.height));
+    };
+    const Rendered room =
+        render_room({.frames = 16, .size = "960x540", .trace_truth = true, .truth_rays = 64}, *bench);
+    write("room-with", room.last, room.last.shaded);
+    write("room-without", room.last, room.last.plain);
+    write("room-occlusion", room.last, room.last.visibility);
+    write("room-truth", room.last, room.last.truth_lit);
+    captions.room = fmt::format("A room, rendered on {}: {}", device, caption_of(room.report));
     bench->forget_light();
-    for (const std::string& name : methods) pictures.methods = render_method(name, options, *bench, folder);
-    return pictures;
+    for (const effect::MethodInfo& method : command.options.methods) {
+        const Rendered run = render_room(
+            {.method = method.name,
+             .frames = 4,
+             .size = fmt::format("{}x{}", site::method_picture_width, site::method_picture_height)},
+            *bench);
+        write("method-" + method.name, run.last, run.last.visibility);
+        captions.methods = fmt::format(
+            "The room, {}x{} pixels: visibility after {} frames of the preset {} with this method, on {}.",
+            run.last.extent.width, run.last.extent.height, run.report.frames.size(), run.report.preset,
+            device);
+    }
+    return captions;
 }
-
-struct SiteCommand {
-    std::filesystem::path folder;
-    site::SiteOptions options;
-    PictureOptions pictures;
-    bool quiet = false;
-};
 
 void run_site(SiteCommand command) {
     report::OutputFolder folder(command.folder);
     command.options.files = site_directory();
     command.options.documents = documents_directory();
-    command.pictures.methods = command.options.methods;
+    for (const std::string& name : command.methods)
+        command.options.methods.push_back(effect::method_named(name));
+    if (command.methods.empty()) command.options.methods = effect::methods();
     // An unknown name is reported before the pictures are drawn, which takes longest.
     (void)catalogue::select(catalogue::all_entries(glsl_directory()), command.options.equations);
-    command.options.pictures = write_site_pictures(command.pictures, folder);
+    command.options.pictures = write_site_pictures(command, folder);
     command.options.versions = versions();
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},
                           .cache_directory = cache_directory()});
-    const std::function<void(double)> bar = command.quiet ? [](double) {} : progress_bar("checks");
     const site::SiteSummary written =
-        site::write_site(lab, command.options, folder, [&bar](std::size_t done, std::size_t all) {
-            bar(static_cast<double>(done) / static_cast<double>(all));
-        });
+        site::write_site(lab, command.options, folder, progress_bar("checks", !command.quiet));
     folder.keep();
     if (command.quiet) return;
     fmt::print("{}: {} checks\n", (folder.path() / "index.html").string(), written.checks);
@@ -157,13 +124,12 @@ void add_site(CLI::App& app) {
         ->check(CLI::Range(1, 65'536))
         ->capture_default_str();
     site->add_option("--seed", command->options.seed, "of the inputs")->capture_default_str();
-    site->add_option("--method", command->options.methods,
-                     "methods that the page of methods shows; none: all");
+    site->add_option("--method", command->methods, "methods that the page of methods shows; none: all");
     site->add_option("--address", command->options.address,
                      "address of the published site, ending in /: previews of its pages need it")
         ->check(is_address);
-    site->add_flag("!--no-pictures", command->pictures.pictures, "render no pictures");
-    site->add_option("--device", command->pictures.device,
+    site->add_flag("!--no-pictures", command->pictures, "render no pictures");
+    site->add_option("--device", command->device,
                      "name or index of the device that renders the pictures (gloam devices)");
     site->add_flag("--quiet", command->quiet, "print nothing");
     site->callback([command] { run_site(*command); });

@@ -11,7 +11,6 @@
 #include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
-#include "cli/framework/variants.hpp"
 #include "effect/method_functions.hpp"
 #include "report/output.hpp"
 #include "stress/run.hpp"

@@ -5,7 +5,7 @@
 gloam.checkTable = (() => {
     const asNumber = (value) => value === "inf" ? Infinity : value === "nan" ? NaN : value;
     const tones = {ok: "good", failed: "bad", "not judged": "soft"};
-    const titles = ["equation", "function", "verdict", "of allowed", "worst ulp", "worst absolute", "inputs", "judged",
+    const titles = ["verdict", "equation", "function", "of allowed", "worst ulp", "worst absolute", "inputs", "judged",
         "ms", "details"];
     const isNumber = (column) => column > 2 && column < 9;
 
@@ -65,8 +65,8 @@ gloam.checkTable = (() => {
         const numbers = [row.budget_fraction, row.max_ulp, row.max_abs, row.inputs, row.judged,
             Math.round(row.seconds * 1000)].map(asNumber);
         const cell = (...children) => gloam.element("td", {}, ...children);
-        return gloam.element("tr", {}, cell(row.equation), cell(row.function),
-            cell(gloam.element("span", {class: tones[row.outcome]}, verdictOf(row))),
+        return gloam.element("tr", {}, cell(gloam.element("span", {class: tones[row.outcome]}, verdictOf(row))),
+            cell(row.equation), cell(row.function),
             ...numbers.map((value) => gloam.element("td", {class: "number", "data-value": value},
                 Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "infinite")),
             cell(gloam.element("span", {class: "reason"}, row.error || row.fault || row.not_judged_because), details));

@@ -36,19 +36,6 @@ gloam.element = (tag, attributes = {}, ...children) => {
     return element;
 };
 
-// The pages of the site, as every page links them.
-gloam.pages = [
-    ["index.html", "gloam"],
-    ["check.html", "Check this browser"],
-    ["methods.html", "Methods"],
-];
-
-// Fills the navigation. The scripts are deferred: the page is there.
-gloam.navigate = () => {
-    const here = location.pathname.split("/").pop() || "index.html";
-    for (const [file, title] of gloam.pages)
-        document.querySelector("nav").append(
-            gloam.element("a", {href: file, ...(file === here ? {"aria-current": "page"} : {})}, title), "\n");
-};
-
-gloam.navigate();
+// Marks this page in the navigation. The scripts are deferred: the page is there.
+document.querySelector(`nav a[href="${location.pathname.split("/").pop() || "index.html"}"]`)
+    .setAttribute("aria-current", "page");

@@ -136,21 +136,24 @@ void Selection::want(const std::vector<std::string>& functions) {
         const bool there = std::ranges::any_of(pieces_, [&](const Piece& piece) {
             return piece.kind == Kind::function && piece.names.front() == name;
         });
-        if (!there) throw std::invalid_argument("there is no function \"" + name + "\"");
+        if (!there)
+            throw std::invalid_argument("no function " + name + "; it defines: " + listed(given_functions()));
         want_name(name);
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         if (pieces_[i].names.empty() && pieces_[i].kind != Kind::comment) keep(i);
 }
 
-std::vector<std::string> Selection::usual() const {
+std::vector<std::string> Selection::given_functions() const {
     std::vector<std::string> own;
-    for (const Piece& piece : pieces_) {
-        if (piece.kind != Kind::function) continue;
-        if (piece.names.front() == "main") return {"main"};
-        if (piece.file < given_) own.push_back(piece.names.front());
-    }
+    for (const Piece& piece : pieces_)
+        if (piece.kind == Kind::function && piece.file < given_) own.push_back(piece.names.front());
     return own;
+}
+
+std::vector<std::string> Selection::usual() const {
+    const bool has_main = std::ranges::any_of(pieces_, [](const Piece& p) { return is_function(p, "main"); });
+    return has_main ? std::vector<std::string>{"main"} : given_functions();
 }
 
 void Selection::want_all_given() {

@@ -33,6 +33,7 @@ class Selection {
     [[nodiscard]] std::vector<const Piece*> ordered();
 
   private:
+    [[nodiscard]] std::vector<std::string> given_functions() const;
     void want_name(const std::string& name);
     // A macro that gives a declaration another name belongs to it.
     [[nodiscard]] std::set<std::string> uses_of(std::size_t i) const;

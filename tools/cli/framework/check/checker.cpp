@@ -15,7 +15,6 @@
 #include "base/text.hpp"
 #include "check/reproduction.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/variants.hpp"
 #include "interpreter/program.hpp"
 #include "module/include.hpp"
 #include "module/spirv.hpp"
@@ -174,7 +173,7 @@ const check::Lab& Checker::lab(const std::string& variant, const std::vector<std
                                const std::filesystem::path& file) {
     if (!lab_ || variant != variant_ || roots != roots_ || file != file_) {
         const std::shared_ptr<backend::Backend> device = lab_ ? lab_->backend() : nullptr;
-        lab_ = make_lab(options_, select_variants(variant).front(), roots, file, device);
+        lab_ = make_lab(options_, shader::variant(variant), roots, file, device);
         variant_ = variant;
         roots_ = roots;
         file_ = file;

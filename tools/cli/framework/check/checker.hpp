@@ -15,7 +15,6 @@
 #include "check/question.hpp"
 #include "cli/commands.hpp"
 #include "cli/framework/check/hand_over.hpp"
-#include "cli/framework/check/task.hpp"
 #include "report/check_report.hpp"
 
 // The check of a user's shader file: no reference, no C++.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -21,8 +20,6 @@
 
 namespace gloam::cli {
 namespace {
-
-using nlohmann::json;
 
 std::string output_comment(const check::Reproduction& all, std::size_t i) {
     if (!all.failure) return "not judged";
@@ -65,14 +62,15 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
     return replay;
 }
 
-// What a script has to require, and the shader; without its inputs.
-report::ShaderReplay shader_replay_of(const gl::Version& version, const check::Reproduction& all) {
+// What a script has to require, and the shader.
+report::ShaderReplay shader_replay_of(const gl::Version& version, const check::Reproduction& all,
+                                      report::KernelReplay kernel) {
     const bool es = version.api == gl::Api::es;
     return {.glsl = all.opengl_replay,
             .compute = gl::has_compute(version),
             .version = fmt::format("GL{} >= {}.{}", es ? " ES" : "", version.major, version.minor),
             .glsl_version = fmt::format("GLSL{} >= {}.{}0", es ? " ES" : "", version.major, version.minor),
-            .kernel = {}};
+            .kernel = std::move(kernel)};
 }
 
 // The module that failed, then the one before the steps, if it is another.
@@ -107,24 +105,22 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
     const bool has_others = std::ranges::any_of(all.images, [](const auto& image) {  // layers
         return image.bound && image.words.empty();
     });
+    const auto replay = [&](const std::string& how) {
+        return replay_of(all, question, request.task, device, how);
+    };
     HandOver hand_over;
-    if (const auto opengl = gl::device_name_from(lab.info().name)) {
-        const report::ShaderReplay replay = shader_replay_of(opengl->version, all);
-        const std::string how =
-            fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
-                        replay.version.starts_with("GL ES") ? "_gles3" : "");
+    if (const auto opengl = gl::device_name_from(device.name)) {
+        const gl::Version& version = opengl->version;
         hand_over.glsl = all.opengl;
         if (!has_images)
-            hand_over.shader_test =
-                report::to_shader_test({replay.glsl, replay.compute, replay.version, replay.glsl_version,
-                                        replay_of(all, question, request.task, device, how)});
+            hand_over.shader_test = report::to_shader_test(shader_replay_of(
+                version, all,
+                replay(fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
+                                   version.api == gl::Api::es ? "_gles3" : ""))));
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
         // They run compute shaders and ask for no features.
         if (all.team.kind != backend::Team::Kind::quad && !shader::has_float16(all.spirv)) {
-            const auto replay = [&](const std::string& how) {
-                return replay_of(all, question, request.task, device, how);
-            };
             if (!has_images) hand_over.amber = report::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
             if (!has_others)
                 hand_over.c_program = report::to_c_program(
@@ -140,41 +136,29 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
 
 namespace {
 
-using nlohmann::json;
-using nlohmann::ordered_json;
-
-std::string heading_of(const CheckJournalSetup& setup) {
-    return ordered_json{{"check_journal", 1},
-                        {"versions", setup.versions},
-                        {"inputs", setup.inputs},
-                        {"seed", setup.seed},
-                        {"validation", setup.validation}}
-        .dump();
-}
-
+// A line of the journal.
 struct Kept {
     std::string device;
-    check::Answer row;
+    std::string row;  // as JSON
 };
 
-Kept kept_from(const std::string& line) {
-    const ordered_json object = report::parse_json(line);
-    const report::JsonReader kept(object, "");
-    return {.device = kept.member("device").text(),
-            .row = report::answer_from_json(kept.member("row").text())};
+template <class Io>
+void members(Io& io, Kept& kept) {
+    report::each(io, "device", kept.device, "row", kept.row);
 }
 
 }  // namespace
 
 CheckJournal::CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume)
-    : file_(std::move(path), heading_of(setup), resume) {
+    : file_(std::move(path), report::line_of(setup), resume) {
     std::size_t number = 1;
     for (const std::string& line : file_.lines()) {
         ++number;
         try {
-            Kept kept = kept_from(line);
-            Key key{kept.device, kept.row.equation, kept.row.variant};
-            if (kept.row.ran()) known_[std::move(key)] = std::move(kept.row);
+            const Kept kept = report::from_line<Kept>(line);
+            check::Answer row = report::answer_from_json(kept.row);
+            const Key key{kept.device, row.equation, row.variant};
+            if (row.ran()) known_[key] = std::move(row);
         } catch (const std::runtime_error& error) {
             throw std::runtime_error(
                 fmt::format("{}, line {}: {}", file_.path().string(), number, error.what()));
@@ -191,8 +175,7 @@ std::optional<check::Answer> CheckJournal::known(const report::DeviceSummary& de
 bool CheckJournal::add(const report::DeviceSummary& device, const check::Answer& row) const {
     const std::string name = report::name_of(device);
     if (known_.contains({name, row.equation, row.variant})) return true;
-    file_.add(json{{"device", name}, {"row", report::to_json(row)}}.dump(-1, ' ', false,
-                                                                         json::error_handler_t::replace));
+    file_.add(report::line_of(Kept{name, report::to_json(row)}));
     return false;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -11,12 +12,44 @@
 #include <vector>
 
 #include "check/run.hpp"
-#include "cli/framework/check/task.hpp"
+#include "report/answer_json.hpp"
 #include "report/check_report.hpp"
 #include "report/failures.hpp"
 #include "report/output.hpp"
 
 namespace gloam::cli {
+
+// One check for a worker. The messages between workers and their parent are one line of JSON each:
+// report::line_of(), and report::from_line(), which throws std::runtime_error with the missing or invalid
+// part.
+struct CheckTask {
+    std::string equation;  // its ID; or a function of `file`
+    std::string variant;
+    std::size_t inputs = 0;
+    std::uint64_t seed = 0;
+    bool coverage = false;
+    std::string file;                   // a user's file, with its folder; empty: an equation of the catalogue
+    std::vector<std::string> ranges;    // of its parameters: see check::range_from()
+    std::vector<std::string> includes;  // its further include roots
+};
+
+template <class Io>
+void members(Io& io, CheckTask& task) {
+    report::each(io, "equation", task.equation, "variant", task.variant, "inputs", task.inputs, "seed",
+                 task.seed, "coverage", task.coverage, "file", task.file, "ranges", task.ranges, "includes",
+                 task.includes);
+}
+
+// A worker's greeting: its device, or all those that it was to list, or why there are none.
+struct Greeting {
+    std::vector<report::DeviceSummary> devices;
+    std::string error;  // empty: there is a device
+};
+
+template <class Io>
+void members(Io& io, Greeting& greeting) {
+    report::each(io, "devices", greeting.devices, "error", greeting.error);
+}
 
 // A request to a worker about a failed check.
 struct HandOverRequest {
@@ -73,6 +106,12 @@ struct CheckJournalSetup {
     std::uint64_t seed = 0;
     bool validation = false;
 };
+
+template <class Io>
+void members(Io& io, CheckJournalSetup& setup) {
+    report::each(io, "check_journal", 1, "versions", setup.versions, "inputs", setup.inputs, "seed",
+                 setup.seed, "validation", setup.validation);
+}
 
 // The rows of a check, written to a file as they come, so that --resume can continue a run that was killed.
 class CheckJournal {

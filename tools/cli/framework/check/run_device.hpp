@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "cli/framework/check/checker.hpp"
-#include "cli/framework/check/task.hpp"
 #include "report/check_report.hpp"
 
 namespace gloam::cli {

@@ -10,11 +10,21 @@
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
 #include "cli/framework/check/worker_session.hpp"
-#include "cli/framework/variants.hpp"
 #include "module/steps.hpp"
 
 namespace gloam::cli {
 namespace {
+
+// The variant with this name; all variants for "all".
+std::vector<shader::Variant> select_variants(const std::string& name) {
+    if (name == "all") return shader::variants();
+    try {
+        return {shader::variant(name)};
+    } catch (const std::invalid_argument& error) {
+        if (name.find(shader::step_separator) != std::string::npos) throw;
+        throw std::invalid_argument(std::string(error.what()) + ", or all");
+    }
+}
 
 std::vector<std::string> divided(const std::string& chain) {
     std::vector<std::string> steps;

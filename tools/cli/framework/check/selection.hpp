@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/framework/check.hpp"
-#include "cli/framework/check/task.hpp"
+#include "cli/framework/check/hand_over.hpp"
 
 namespace gloam::cli {
 

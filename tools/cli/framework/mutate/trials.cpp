@@ -81,20 +81,19 @@ std::vector<std::string> Overlay::environment(const fs::path& file) const {
 }
 
 Overlays::Overlays(const fs::path& original, unsigned jobs) {
-    for (unsigned i = 0; i < jobs; ++i) all_.push_back(std::make_unique<Overlay>(original));
-    for (const auto& overlay : all_) free_.push_back(overlay.get());
+    for (unsigned i = 0; i < jobs; ++i) free_.push_back(std::make_unique<Overlay>(original));
 }
 
-const Overlay& Overlays::take() {
+std::unique_ptr<Overlay> Overlays::take() {
     const std::lock_guard lock(mutex_);
-    const Overlay* const overlay = free_.back();  // there are as many as threads
+    std::unique_ptr<Overlay> overlay = std::move(free_.back());  // there are as many as threads
     free_.pop_back();
-    return *overlay;
+    return overlay;
 }
 
-void Overlays::give_back(const Overlay& overlay) {
+void Overlays::give_back(std::unique_ptr<Overlay> overlay) {
     const std::lock_guard lock(mutex_);
-    free_.push_back(&overlay);
+    free_.push_back(std::move(overlay));
 }
 
 namespace {
@@ -278,13 +277,13 @@ void Trials::run_unchanged(Overlays& overlays) {
     for (const std::size_t i : left()) files.insert(report_.mutants[i].file);
     const std::vector<std::size_t> numbers(files.begin(), files.end());
     base::for_each_index(numbers.size(), jobs_, [&](std::size_t k) {
-        const Overlay& overlay = overlays.take();
+        std::unique_ptr<Overlay> overlay = overlays.take();
         base::ProcessLimits limits{.patience = std::chrono::hours(24), .group = true};
-        limits.environment = overlay.environment(relative(numbers[k]));
+        limits.environment = overlay->environment(relative(numbers[k]));
         const auto begin = Clock::now();
         const base::ProcessResult result = base::run_process(command_.command, "", limits);
         const std::chrono::duration<double> took = Clock::now() - begin;
-        overlays.give_back(overlay);
+        overlays.give_back(std::move(overlay));
         if (!result.succeeded())
             throw std::runtime_error(fmt::format("{}: the command {} without a fault; expected status 0",
                                                  report_.files[numbers[k]], result.how()));
@@ -294,19 +293,19 @@ void Trials::run_unchanged(Overlays& overlays) {
 }
 
 void Trials::try_one(MutantRow& row, Overlays& overlays) {
-    const Overlay& overlay = overlays.take();
+    std::unique_ptr<Overlay> overlay = overlays.take();
     const fs::path file = relative(row.file);
     const double patience =
         command_.patience.value_or(least_patience + patience_factor * unchanged_.at(row.file));
     base::ProcessLimits limits{.patience = std::chrono::milliseconds(static_cast<long>(1000.0 * patience)),
                                .group = true};
-    limits.environment = overlay.environment(file);
-    overlay.change(file, shader::mutated(by_number_[row.file]->text(), row.mutation));
+    limits.environment = overlay->environment(file);
+    overlay->change(file, shader::mutated(by_number_[row.file]->text(), row.mutation));
     const auto begin = Clock::now();
     const base::ProcessResult result = base::run_process(command_.command, "", limits);
     row.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    overlay.restore(file);
-    overlays.give_back(overlay);
+    overlay->restore(file);
+    overlays.give_back(std::move(overlay));
     using End = base::ProcessResult::End;
     row.fate = result.succeeded() ? Fate::survived : result.end == End::time ? Fate::too_long : Fate::killed;
 }

@@ -43,13 +43,12 @@ class Overlays {
   public:
     Overlays(const std::filesystem::path& original, unsigned jobs);
 
-    [[nodiscard]] const Overlay& take();
-    void give_back(const Overlay& overlay);
+    [[nodiscard]] std::unique_ptr<Overlay> take();
+    void give_back(std::unique_ptr<Overlay> overlay);
 
   private:
     std::mutex mutex_;
-    std::vector<std::unique_ptr<Overlay>> all_;
-    std::vector<const Overlay*> free_;
+    std::vector<std::unique_ptr<Overlay>> free_;
 };
 
 // What `gloam mutate` was asked.

@@ -12,8 +12,6 @@
 #include "base/files.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
-#include "cli/framework/variants.hpp"
-#include "cli/occlusion/arguments.hpp"
 #include "cli/occlusion/bench/files.hpp"
 #include "cli/occlusion/bench/options.hpp"
 #include "cli/occlusion/settings.hpp"
@@ -92,7 +90,7 @@ int run_experiment(const ExperimentOptions& options) {
                             .truth_cache = truth_cache_directory(),
                             .meshes = meshes,
                             .preset_of = preset_settings,
-                            .progress = progress_bar};
+                            .progress = [](const std::string& what) { return progress_bar(what); }};
     require_possible(what, place);
     ExperimentFiles files(options.paths, what);
     experiment::Record record({.experiment = what.name,

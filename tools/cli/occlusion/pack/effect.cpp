@@ -11,6 +11,7 @@
 #include "base/version.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/pack.hpp"
+#include "cli/occlusion/render.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "effect/methods.hpp"
 #include "module/include.hpp"
