@@ -91,7 +91,7 @@ TEST_F(Relatives, ACrossSeesThePixelsOfItsArms) {
 }
 
 // Each setting that a method's descriptor lists changes its result on a rough surface, and no other setting
-// does. Methods with preparation passes are tested by the effect (tests/effect/setting_table_test.cpp).
+// does. Methods with preparation passes are tested by the effect (tests/effect/settings_test.cpp).
 class RelativesSettings : public testing::TestWithParam<std::string> {};
 
 TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {

@@ -11,8 +11,7 @@
 //   again WORDS               gloam with these words has the output of the last run
 //   < FILE                    what follows is about this file, which is not empty
 //   = A && B, - A && B        it holds the texts, or none of them; ~ REGEX: it matches; ^ TEXT: it begins so
-//   same A B, differ A B      two files have the same bytes, or others; gone A: there is no such file or
-//   folder
+//   same A B, differ A B      two files have the same bytes, or others; gone A: there is none of that name
 //
 // A line that begins with four blanks goes on with the one before. {a,b} stands for a, then for b. 'a b' is
 // one word. @glsl, @examples and @fixtures are folders of the repository, @here is the story's own,
@@ -170,25 +169,34 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
             for (const std::string& row :
                  parts_of(colon == std::string::npos ? rest : rest.substr(colon + 3), " || "))
                 for (const std::string& choice : choices_of(row)) expect_refused(before, choice);
-        } else if (mark == "<") {
-            output_.clear();
-            for (const std::string& file : choices_of(text)) {
-                const std::string read = read_file(path(file));
-                EXPECT_FALSE(read.empty()) << file;
-                output_ += read;
-            }
         } else if (mark == "again") {
             const std::string before = output_;
             for (const std::string& choice : choices_of(rest)) {
                 (void)run(choice);
                 EXPECT_EQ(output_, before);
             }
+        } else if (mark.starts_with('$')) {
+            for (const std::string& choice : choices_of(rest))
+                expect_runs(choice, mark == "$" ? std::nullopt : std::optional(std::stoi(mark.substr(1))));
+        } else {
+            look(mark, text);
+        }
+    }
+
+    // What a line says of files and of the last output.
+    void look(const std::string& mark, const std::string& text) {
+        const std::vector<std::string> files = quoted_words(text);
+        if (mark == "<") {
+            output_.clear();
+            for (const std::string& file : choices_of(text)) {
+                output_ += read_file(path(file));
+                EXPECT_GT(fs::file_size(path(file)), 0U) << file;
+            }
         } else if (mark == "same" || mark == "differ") {
-            const std::vector<std::string> files = quoted_words(rest);
             EXPECT_EQ(read_file(path(files.at(0))) == read_file(path(files.at(1))), mark == "same");
             EXPECT_FALSE(read_file(path(files.at(1))).empty());
         } else if (mark == "gone") {
-            for (const std::string& file : quoted_words(rest)) EXPECT_FALSE(fs::exists(path(file))) << file;
+            for (const std::string& file : files) EXPECT_FALSE(fs::exists(path(file))) << file;
         } else if (mark == "=" || mark == "-") {
             expect_texts(text, mark == "=");
         } else if (mark == "^") {
@@ -196,8 +204,7 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
         } else if (mark == "~") {
             EXPECT_THAT(output_, testing::ContainsRegex(text));
         } else {
-            for (const std::string& choice : choices_of(rest))
-                expect_runs(choice, mark == "$" ? std::nullopt : std::optional(std::stoi(mark.substr(1))));
+            FAIL() << "no mark: " << mark;
         }
     }
 
