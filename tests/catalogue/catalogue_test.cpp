@@ -113,18 +113,6 @@ TEST(Catalogue, EveryNumberHasAFunctionOrSaysWhatStandsForIt) {
     }
 }
 
-TEST(Catalogue, FilesAndFunctionsAndIdsAreNamesAlike) {
-    for (const char* name : {"TSSAO-11", "gloam_shrink", "GLOAM_SHRINK"})
-        EXPECT_EQ(found_by(name), std::vector<std::string>{"gloam_shrink"}) << name;
-    for (const char* file : {"gloam/filter/weights.glsl", "filter/weights.glsl",
-                             "glsl/gloam/filter/weights.glsl", "gloam/filter/wei*"})
-        EXPECT_THAT(found_by(file), testing::Contains("gloam_shrink")) << file;
-    EXPECT_EQ(found_by("gloam_shrin?"), std::vector<std::string>{"gloam_shrink"});
-    EXPECT_GT(found_by("tssao-*").size(), 10U);
-    EXPECT_EQ(select(test::entries(), {}).size(), test::entries().size());
-    EXPECT_EQ(select(test::entries(), {"tssao-5", "TSSAO-5"}).size(), 1U);
-}
-
 TEST(Catalogue, ThePageOfNumbersHasARowForEach) {
     const std::string page = printed_page(test::entries());
     for (const PrintedEquation& printed : printed_equations())

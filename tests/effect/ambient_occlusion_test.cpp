@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "effect/ambient_occlusion.hpp"
 
-#include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/analytic_scene.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::ambient_occlusion_test {
 
-// Opens the device with validation, and fails on any message.
-class Effect : public OnDevice<testing::Test> {
-  protected:
-    [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const { return drawn("corner", extent); }
-};
+using Effect = OnDevice<testing::Test>;
 
 Settings settings_for(float radius) {
     return with_radius(preset_named("tssao-paper").settings, radius);
@@ -21,7 +15,7 @@ Settings settings_for(float radius) {
 
 // The background around a window of geometry, and the radius below a pixel far behind it.
 TEST_F(Effect, SkippingLeavesTheOtherPixelsAsTheyWere) {
-    scene::GBuffer view = corner({64, 36});
+    scene::GBuffer view = drawn("corner", {64, 36});
     for (std::size_t i = 0; i < view.depth.size(); ++i) {
         if (i % 64 < 20) view.depth[i] = infinity;
         if (i % 64 >= 44) view.depth[i] = 1e5F;
@@ -40,36 +34,6 @@ TEST_F(Effect, SkippingLeavesTheOtherPixelsAsTheyWere) {
         EXPECT_EQ(with.occlusion[i], without.occlusion[i]) << i;
         EXPECT_EQ(with.filtered[i], without.filtered[i]) << i;
     }
-}
-
-TEST_F(Effect, OneFrameOrManyOfTheSameSamples) {
-    const scene::GBuffer view = corner({64, 36});
-    Settings settings = settings_for(1.0F);
-    settings.c_rot = 0.0F;
-    settings.samples = 64;
-    const Frame one = run(view, settings, 1);
-    settings.samples = 8;
-    const Frame many = run(view, settings, 8);
-    for (std::size_t i = 0; i < one.occlusion.size(); ++i) {
-        ASSERT_NEAR(one.occlusion[i], many.occlusion[i], 1e-6) << i;
-        ASSERT_EQ(one.convergence[i], many.convergence[i]) << i;
-    }
-}
-
-// An estimate of n yes-or-no samples has a standard deviation of at most 1 / (2 sqrt(n)); Halton points do
-// better. More samples help, and so does the filter.
-TEST_F(Effect, TheCornerComesCloseToItsClosedForm) {
-    const scene::GBuffer view = corner({160, 90});
-    const Truth truth = truth_of(view, 1.0, scene::corner_occlusion_at);
-    Settings settings = settings_for(1.0F);
-    const Frame one = run(view, settings, 1);
-    const Frame many = run(view, settings, 16);
-    const Errors rough = errors_of(one.occlusion, truth);
-    EXPECT_GT(rough.compared, 3000U);
-    EXPECT_LT(rough.rmse, 0.5 / std::sqrt(32.0));
-    EXPECT_LT(errors_of(one.filtered, truth).rmse, 0.75 * rough.rmse);
-    EXPECT_LT(errors_of(many.occlusion, truth).rmse, 0.5 / std::sqrt(512.0));
-    EXPECT_LT(std::abs(errors_of(many.occlusion, truth).bias), 0.01);
 }
 
 TEST_F(Effect, WhatCannotBeIsRefused) {

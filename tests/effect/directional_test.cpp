@@ -16,14 +16,6 @@ double degrees_between(const glm::vec3& a, const glm::vec3& b) {
     return std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)) * 180.0 / pi;
 }
 
-TEST_F(Directions, AnOpenPlaneBendsNothing) {
-    const BentNormals bent = directional_.bent_normals(step(3.0F, 3.0F), many());
-    for (std::size_t i = 0; i < bent.direction.size(); ++i) {
-        ASSERT_LT(degrees_between(bent.direction[i], {0, 0, 1}), 0.5) << i;
-        ASSERT_NEAR(bent.half_angle[i], 0.5 * pi, 0.02) << i;  // L = 1/2
-    }
-}
-
 // An engine's depth buffer and encoded normals are converted before.
 TEST_F(Directions, WhatAnEngineStoresIsReadAsDepth) {
     scene::GBuffer view = step(1.5F, 3.0F, close);
@@ -93,14 +85,6 @@ TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
         ASSERT_LT(degrees_between(bent.direction[i], view.normal[i]), 0.1) << i;
     }
     EXPECT_GT(closed, bent.direction.size() / 2);
-}
-
-TEST_F(Directions, WhiteLightOnAnOpenPlaneIsWhite) {
-    const DirectionalLight light = directional_.light(step(3.0F, 3.0F), many(), Sky{});
-    for (std::size_t i = 0; i < light.direct.size(); ++i) {
-        ASSERT_NEAR(light.direct[i].x, 1.0F, 5e-3) << i;
-        ASSERT_EQ(light.bounced[i], glm::vec3(0)) << i;
-    }
 }
 
 // Albedo times light times visibility, whichever directions it is estimated by.

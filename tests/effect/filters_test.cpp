@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filters that the setting `filter` chooses from: the pass beside the references, pixel by pixel. What
-// these functions do is shown in tests/glsl/filter_test.cpp. And the filters in the effect.
+// The filters that the setting `filter` chooses from: the pass beside the references, pixel by pixel, and the
+// filters in the effect.
 #include <fmt/format.h>
 
 #include "effect/errors.hpp"

@@ -4,7 +4,6 @@
 #include "directions.hpp"
 #include "effect/errors.hpp"
 #include "reference/shading.hpp"
-#include "support/poison.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::frame_test {
@@ -93,20 +92,6 @@ TEST_P(Frames, AnOffCentreViewIsAPartOfACentredOne) {
             if (cut) part[i] = std::numeric_limits<float>::quiet_NaN();
         }
         EXPECT_LT(errors_of(shown, part).rmse, 0.002) << engine.depth << ' ' << engine.normals;
-    }
-}
-
-TEST_P(Frames, PoisonedDepthStaysInRange) {
-    scene::GBuffer view = drawn("columns", odd);
-    test::poison(view);
-    const Frame poisoned = frame(view, 1.0);
-    const std::vector<float>& shown = poisoned.filtered;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        ASSERT_TRUE(shown[i] >= 0.0F && shown[i] <= 1.0F) << i << ": " << shown[i];
-        ASSERT_LE(glm::length(poisoned.bent[i]), i % 7 == 0 ? 0.01F : 1.6F) << i;
-        if (i % 7 == 0) {
-            EXPECT_EQ(shown[i], 0.0F) << i;
-        }
     }
 }
 

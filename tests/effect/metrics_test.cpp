@@ -15,14 +15,6 @@ Image noise(std::size_t pixels, std::uint64_t seed) {
     return image;
 }
 
-// Without variance only the means count: visibilities 0.5 and 0.75, then 1 and 0.5.
-TEST(Similarity, OfConstantsByHand) {
-    EXPECT_NEAR(structural_similarity(Image(300, 0.5F), Image(300, 0.25F), {20, 15}),
-                (2.0 * 0.5 * 0.75 + 1e-4) / (0.25 + 0.5625 + 1e-4), 1e-9);
-    EXPECT_NEAR(structural_similarity(Image{0.0F}, Image{0.5F}, {1, 1}),
-                (2.0 * 1.0 * 0.5 + 1e-4) / (1.0 + 0.25 + 1e-4), 1e-9);
-}
-
 // Two pixels, 0 and 1 against 1 and 0: seen from either, the weights of both are 1 and g = exp(-1 / 4.5).
 TEST(Similarity, OfTwoPixelsByHand) {
     const double g = std::exp(-0.5 / (1.5 * 1.5));
@@ -74,39 +66,6 @@ TEST(Remap, IsFound) {
     }
 }
 
-TEST(Remap, IsNeverWorseThanNoneAndAlwaysTheSame) {
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const Image occlusion = noise(500, seed);
-        const Image truth = noise(500, seed + 100);
-        const Remap fit = best_remap(occlusion, truth);
-        EXPECT_LE(errors_of(remapped(occlusion, fit), truth).rmse, errors_of(occlusion, truth).rmse);
-        const Remap again = best_remap(occlusion, truth);
-        EXPECT_EQ(fit.a, again.a);
-        EXPECT_EQ(fit.b, again.b);
-        EXPECT_EQ(fit.c, again.c);
-    }
-    EXPECT_EQ(best_remap(Image{0.5F}, Image{nan}).b, 1.0);
-    EXPECT_THROW((void)best_remap(Image(2), Image(3)), std::invalid_argument);
-}
-
-// Images in parts: the bins of all together give the remap and the error of the whole.
-TEST(Remap, IsFoundFromTheBinsOfSeveralImages) {
-    const Image occlusion = noise(6000, 4);
-    const Remap made{0.1, 0.8, 1.7};
-    const Image truth = remapped(occlusion, made);
-    const auto part = [](const Image& image, bool first) {
-        return first ? Image(image.begin(), image.begin() + 2000) : Image(image.begin() + 2000, image.end());
-    };
-    std::vector<RemapBin> bins(128);
-    for (const bool first : {true, false}) add_to_bins(bins, part(occlusion, first), part(truth, first));
-    EXPECT_NEAR(remapped_rmse(bins, {}), errors_of(occlusion, truth).rmse, 2e-3);
-    const Remap fit = best_remap(bins);
-    EXPECT_LT(errors_of(remapped(occlusion, fit), truth).rmse, 4e-3);
-    EXPECT_NEAR(remapped_rmse(bins, fit), 0.0, 4e-3);
-    EXPECT_EQ(best_remap(std::vector<RemapBin>(128)).b, 1.0);
-    EXPECT_TRUE(std::isnan(remapped_rmse(std::vector<RemapBin>(128), {})));
-}
-
 // Orthographic, 10 pixels a world unit.
 scene::GBuffer places_view(const std::function<float(std::size_t, std::size_t)>& depth) {
     constexpr gpu::Extent extent{60, 50};
@@ -152,16 +111,6 @@ TEST(HardPlaces, ThinIsWhatFallsOffToBothSides) {
     const HardPlaces places =
         hard_places(places_view([=](std::size_t x, auto) { return x == 20 ? 2.0F : none; }), 1.0);
     for (std::size_t x = 0; x < 60; ++x) EXPECT_EQ(places.thin[25 * 60 + x], x == 20) << "no background";
-}
-
-TEST(Metrics, PutTheirPartsTogether) {
-    const Image truth = noise(400, 7);
-    const Image image = remapped(truth, {0.05, 0.9, 1.1});
-    const Metrics metrics = metrics_of(image, truth, {20, 20});
-    EXPECT_EQ(metrics.raw.rmse, errors_of(image, truth).rmse);
-    EXPECT_EQ(metrics.similarity, structural_similarity(image, truth, {20, 20}));
-    EXPECT_LT(metrics.after_remap.rmse, 0.2 * metrics.raw.rmse);
-    EXPECT_GT(metrics.similarity_after_remap, metrics.similarity);
 }
 
 TEST(Metrics, OfAMask) {

@@ -13,13 +13,6 @@
 
 namespace gloam::effect {
 
-// For comparisons in which NaN is itself and -0 is not 0.
-inline std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
-    std::vector<std::uint32_t> bits;
-    for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
-    return bits;
-}
-
 // Whether two images have the same bits; otherwise the first pixel that differs, of rows of that many.
 inline testing::AssertionResult same_bits(const std::vector<float>& left, const std::vector<float>& right,
                                           std::size_t width) {

@@ -41,20 +41,6 @@ scene::GBuffer square_view(int square, int camera, int square_before, int camera
     return view;
 }
 
-TEST(HistoryMap, OfAStillViewIsTheViewItself) {
-    const scene::GBuffer view = square_view(10, 0, 10, 0);
-    const HistoryMap history(view, view);
-    std::vector<float> image(width * height);
-    std::iota(image.begin(), image.end(), 0.0F);
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        ASSERT_TRUE(history.seen(i));
-        EXPECT_EQ(history.nearest(i), i);
-        EXPECT_NEAR(history.sample(i, image), image[i], 1e-2);
-        EXPECT_FALSE(history.moved(i));
-    }
-    EXPECT_NEAR(mean_change(history, image, image).value(), 0.0, 1e-2);
-}
-
 // The camera moves three pixels to the right: three columns come in, and three that the square had hidden.
 TEST(HistoryMap, OfAMovingCamera) {
     const scene::GBuffer before = square_view(10, 0, 10, 0);
@@ -148,19 +134,6 @@ int count(const PixelClasses& classes, PixelClass one) {
     return count(classes.mask(one));
 }
 
-TEST(PixelClasses, OfAStillViewSettle) {
-    const scene::GBuffer view = square_view(10, 0, 10, 0);
-    PixelClasses classes({.radius = 1.0, .settled_frames = 3});
-    classes.advance(view, std::nullopt);
-    EXPECT_EQ(count(classes, PixelClass::disoccluded), static_cast<int>(width * height));
-    for (int frame = 1; frame <= 3; ++frame) {
-        EXPECT_EQ(count(classes, PixelClass::settled), 0) << frame;
-        classes.advance(view, HistoryMap(view, view));
-        EXPECT_EQ(count(classes, frame < 3 ? PixelClass::young : PixelClass::settled),
-                  static_cast<int>(width * height));
-    }
-}
-
 // A square of 8 x 8 pixels, columns 10 to 17 of rows 10 to 17, moves right by two in one frame, then stands
 // still. World radius 4 is 8 pixels.
 TEST(PixelClasses, OfAMovingObject) {
@@ -188,12 +161,6 @@ TEST(PixelClasses, OfAMovingObject) {
     }
     classes.advance(rest, HistoryMap(rest, rest));
     EXPECT_EQ(count(classes, PixelClass::settled), static_cast<int>(width * height));
-}
-
-TEST(PixelClasses, OfAnotherSizeNeedACut) {
-    const scene::GBuffer view = square_view(10, 0, 10, 0);
-    PixelClasses classes({});
-    EXPECT_THROW(classes.advance(view, HistoryMap(view, view)), std::invalid_argument);
 }
 
 }  // namespace gloam::effect::pixel_classes_test

@@ -132,8 +132,7 @@ TEST_P(HoistedLoops, ChangeNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, HoistedLoops,
-                         testing::Values("hemisphere", "alchemy", "sao", "gtao", "hbao", "volumetric",
-                                         "poisson", "disc_proxy", "curvature"),
+                         testing::Values("hemisphere", "gtao", "poisson", "disc_proxy"),
                          [](const auto& asked) { return asked.param; });
 
 }  // namespace gloam::effect::plain_slices_test

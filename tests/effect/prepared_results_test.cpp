@@ -34,7 +34,7 @@ TEST_F(PreparedResults, AreasHoldTheBallOfAGroove) {
     const scene::GBuffer view = groove({129, 129});
     const std::size_t middle = 129 * 64 + 64;
     for (const std::uint32_t samples : {2U, 8U, 32U, 2048U}) {
-        const int frames = samples < 100 ? 256 : 1;
+        const int frames = samples < 100 ? 64 : 1;
         const auto found = estimate(view, settings_for("volumetric_area", 0.4F, samples), frames);
         EXPECT_NEAR(double{found[middle]}, 0.625,
                     samples == 2    ? 0.07

@@ -161,17 +161,6 @@ TEST_F(SampleSettings, RejectedTapsDoNotCount) {
     }
 }
 
-// A slice has its weight for all results of its steps: a rejected step is open.
-TEST_F(SampleSettings, RejectedStepsAreOpen) {
-    Settings settings = plain("gtao");
-    const Frame all = frame_of(settings);
-    settings.reject_taps = true;
-    settings.own.range = 0.02F;
-    const Frame some = frame_of(settings);
-    EXPECT_EQ(some.convergence, all.convergence);
-    EXPECT_LT(mean_of(some.occlusion), 0.9 * mean_of(all.occlusion));
-}
-
 // The slices of neighbouring pixels are spread evenly over all directions and jitters.
 TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     const scene::GBuffer view = groove({96, 64});

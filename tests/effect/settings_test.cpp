@@ -82,22 +82,7 @@ TEST(Presets, PublishedOnesRunWhatTheirSourceRan) {
         EXPECT_EQ(origin_of(preset_named(silent), "samples"), "ours") << silent;
 }
 
-TEST(Presets, HaveNamesOfTheirOwn) {
-    std::set<std::string> names;
-    for (const Preset& preset : presets()) EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
-    expect_error<std::invalid_argument>([] { (void)preset_named("magic"); }, {"expected fast, balanced"});
-}
-
 // The table of settings: complete, in range, and every line of it changes what is shown.
-
-TEST(SettingTable, HasEachDefaultInItsRange) {
-    std::set<std::string> names;
-    for (const Setting& setting : setting_table()) {
-        EXPECT_TRUE(names.insert(setting.name).second) << setting.name;
-        EXPECT_FALSE(setting.meaning.empty()) << setting.name;
-        EXPECT_NO_THROW(check(setting, setting.get(Settings{}))) << setting.name;
-    }
-}
 
 TEST(SettingTable, DefaultsAreThePaperPreset) {
     const Settings paper = preset_named("tssao-paper").settings;
@@ -182,14 +167,6 @@ TEST(SettingTable, WhatCannotBeNamesTheSetting) {
             ThrowsMessage<std::invalid_argument>(HasSubstr(message)))
             << preset << ' ' << name << ' ' << value;
     }
-}
-
-TEST(SettingTable, AFilterIsOnOrOffAsWell) {
-    Settings settings;
-    set(settings, "filter", "off");
-    EXPECT_EQ(settings.filter, Filter::none);
-    set(settings, "filter", "on");
-    EXPECT_EQ(settings.filter, Filter::convergence);
 }
 
 // Settings by name, on top of those of the test.

@@ -56,16 +56,6 @@ TEST_F(Temporal, HistoryFollowsAPanningCamera) {
     EXPECT_GT(mean_of(moving.convergence), 0.8 * 8 * 32 / 500.0);
 }
 
-TEST_F(Temporal, WhatComesIntoViewStartsAfresh) {
-    const scene::Scene scene = panned(floor_and_wall(false), 0.1);
-    const std::vector<Frame> frames = sequence(scene, paper(), 3);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const float* last_row = frames[i].kept.data() + extent.width * (extent.height - 1);
-        EXPECT_EQ(frames[i].kept[extent.width - 1], 0.0F) << "frame " << i << ": the right edge is new";
-        EXPECT_EQ(last_row[extent.width / 2] > 0.0F, i > 0) << "frame " << i;
-    }
-}
-
 TEST_F(Temporal, DisoccludedPixelsHaveNoHistory) {
     const scene::Scene scene = floor_and_wall(true, 0.15);
     const std::vector<Frame> frames = sequence(scene, paper(), 4);
@@ -224,36 +214,6 @@ TEST_F(Temporal, WithoutSamplesTheHistoryStays) {
         }
         EXPECT_GT(darkest, 0.1F);
     }
-}
-
-// An object that jumps by 3 radii: every probe at its old place sees surfaces that stand still, so its
-// occlusion stays there until the mean has forgotten it (eq. 5), and no longer.
-TEST_F(Temporal, WhatJumpsLeavesItsOcclusionForAsLongAsTheMean) {
-    constexpr int jump = 8;
-    scene::Scene scene = floor_and_wall(true);
-    scene.objects.front().transform = [](int frame) {
-        glm::dmat4 move(1.0);
-        move[3] = glm::dvec4(frame < jump ? -0.9 : 0.6, 0.0, -0.5, 1.0);
-        return move;
-    };
-    const Settings settings = paper();
-    const std::vector<float> before = converged(scene, jump - 1, settings);
-    const std::vector<float> after = converged(scene, jump, settings);
-    const auto left_behind = [&](int frames) {
-        const Frame frame = sequence(scene, settings, jump + frames).back();
-        double left = 0.0;
-        double all = 0.0;
-        for (std::size_t p = 0; p < after.size(); ++p) {
-            if (!(before[p] - after[p] > 0.1F) || !(frame.kept[p] > 0.0F)) continue;
-            left += double{frame.occlusion[p]} - double{after[p]};
-            all += double{before[p]} - double{after[p]};
-        }
-        RecordProperty("left_behind_" + std::to_string(frames), std::to_string(left / all));
-        return left / all;
-    };
-    EXPECT_LT(left_behind(1), 1.0);
-    EXPECT_LT(left_behind(24), 0.5);  // 208 samples of then in a mean of 500
-    EXPECT_LT(left_behind(72), 0.15);
 }
 
 TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {

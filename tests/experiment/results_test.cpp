@@ -156,15 +156,6 @@ TEST(ExperimentResults, TheRemapOfTheTuningHalfIsApplied) {
     EXPECT_NEAR(all[2], 0.0, 4e-3);
 }
 
-TEST(ExperimentResults, CsvHasALineForEachCandidateOfEachCase) {
-    const std::string text = to_csv(Database(everything()));
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
-    EXPECT_THAT(text, HasSubstr("width,height,case,what,candidate,ms,rmse,"));
-    EXPECT_THAT(text, HasSubstr("\n320,180,\"a\",\"\",\"m/4\",10,0.05,"));
-    EXPECT_THAT(text, HasSubstr("\n320,180,\"b\",\"25 %\",\"n/4\",,0.5,"));
-    EXPECT_EQ(text.find("nan"), std::string::npos);
-}
-
 // m is fast, n/8 errs least, n/4 is beaten by it.
 TEST(ExperimentResults, TheFrontIsWhatNoOtherBeats) {
     const Record record = make_record({{"a", "m/4", 10, 0.08},
@@ -179,27 +170,6 @@ TEST(ExperimentResults, TheFrontIsWhatNoOtherBeats) {
               "| m/4 | 2.00 |\n| n/8 | 1.00 |\n");
     EXPECT_EQ(rows_of(record, "SELECT mark || candidate || mark FROM overall"),
               "| **m/4** |\n| **n/8** |\n| n/4 |\n");
-}
-
-// Of equal points the first is in the front; what was not judged or not timed is not.
-TEST(ExperimentResults, TheFrontHoldsOnManyPoints) {
-    std::vector<Row> rows;
-    for (unsigned i = 0; i < 300; ++i)
-        rows.push_back({"a", fmt::format("m{}", i), 1.0 + (i * 7919U) % 101U, 1.0 + (i * 104'729U) % 97U});
-    rows.push_back({"a", "same", rows[0].ms, rows[0].error});
-    Record record = make_record(rows);
-    record.add(make_visit("a", "untimed", 0, 1, 0.5));
-    record.add(make_visit("a", "not judged", 1, 0.1, 0));
-    const auto front = Database(record).select("SELECT candidate, ms, rmse FROM result WHERE on_front").all;
-    for (const Row& row : rows) {
-        const bool held = std::ranges::any_of(front, [&](const auto& point) {
-            return std::get<double>(point[1]) <= row.ms + 1e-9 && std::get<double>(point[2]) <= row.error;
-        });
-        EXPECT_TRUE(held) << row.candidate;
-    }
-    EXPECT_LT(front.size(), 20U);
-    for (const auto& point : front)
-        EXPECT_THAT(text_of(point[0]), Not(AnyOf("same", "untimed", "not judged")));
 }
 
 }  // namespace results_test
@@ -244,35 +214,24 @@ Record scored() {
     return read_record("", text);
 }
 
-// sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), and the mean of 0.4, 0.2, 0.4 / 3 and 0.1; then sqrt(0.07 / 2), and
-// 0.07 / 0.2.
-TEST(ExperimentTable, ClassesAreAddedAsSquares) {
-    const char* const select =
-        "SELECT pixels, against, fixed(rmse, 4), fixed(bias_raw, 4), fixed(share, 2), flicker FROM "
-        "class_errors ORDER BY pixels, against";
-    EXPECT_EQ(rows_of(scored(), select),
-              "| all | geometry | 0.1581 | 0.0000 | 1.00 | 0.25 |\n"
-              "| all | limit | 0.1193 | 0.2083 | 1.00 | 0.25 |\n"
-              "| settled | geometry | 0.1871 | 0.0000 | 0.35 | - |\n"
-              "| settled | limit | - | - | 0.00 | - |\n");
-}
-
-// The square falls with the square of the samples, as long as all of them count: in frames 1 and 2.
-TEST(ExperimentTable, TheExponentIsThatOfTheMeanSquareError) {
-    EXPECT_EQ(rows_of(scored(),
-                      "SELECT fixed(exponent(samples, rmse_raw * rmse_raw), 2), count(*) FROM class_frames "
-                      "WHERE against = 'limit' AND all_count"),
-              "| -2.00 | 2 |\n");
-}
-
-TEST(ExperimentTable, FramesHaveRows) {
-    EXPECT_EQ(rows_of(scored(),
-                      "SELECT frame, samples, fixed(rmse_raw, 2), signed(bias_raw, 2) FROM class_frames "
-                      "WHERE against = 'limit' AND frame <> 3"),
-              "| 1 | 8 | 0.40 | +0.40 |\n| 2 | 16 | 0.20 | +0.20 |\n| 4 | 32 | 0.10 | +0.10 |\n");
-}
-
-TEST(ExperimentTable, ATargetIsMetOrMissed) {
+// Of classes sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), and the mean of 0.4, 0.2, 0.4 / 3 and 0.1; then
+// sqrt(0.07 / 2), and 0.07 / 0.2. The square falls with the square of the samples, as long as all of them
+// count: in frames 1 and 2.
+TEST(ExperimentTable, ScoresAreAddedAsSquares) {
+    const std::pair<const char*, const char*> rows[] = {
+        {"SELECT pixels, against, fixed(rmse, 4), fixed(bias_raw, 4), fixed(share, 2), flicker FROM "
+         "class_errors ORDER BY pixels, against",
+         "| all | geometry | 0.1581 | 0.0000 | 1.00 | 0.25 |\n"
+         "| all | limit | 0.1193 | 0.2083 | 1.00 | 0.25 |\n"
+         "| settled | geometry | 0.1871 | 0.0000 | 0.35 | - |\n"
+         "| settled | limit | - | - | 0.00 | - |\n"},
+        {"SELECT frame, samples, fixed(rmse_raw, 2), signed(bias_raw, 2) FROM class_frames WHERE against = "
+         "'limit' AND frame <> 3",
+         "| 1 | 8 | 0.40 | +0.40 |\n| 2 | 16 | 0.20 | +0.20 |\n| 4 | 32 | 0.10 | +0.10 |\n"},
+        {"SELECT fixed(exponent(samples, rmse_raw * rmse_raw), 2), count(*) FROM class_frames WHERE against "
+         "= 'limit' AND all_count",
+         "| -2.00 | 2 |\n"}};
+    for (const auto& [select, expected] : rows) EXPECT_EQ(rows_of(scored(), select), expected);
     bool missed = true;
     EXPECT_EQ(rows_of(scored(), "SELECT at_most(0.1, 0.2, 2), at_most(NULL, 0.2, 2)", &missed),
               "| 0.10, at most 0.2: met | - |\n");
@@ -333,24 +292,6 @@ TEST(ExperimentTable, ASelectOnlyReads) {
         "SELECT i FROM n ORDER BY i",
         "out of memory");
     EXPECT_EQ(rows_of(scored(), "SELECT 'a' || char(10) || char(27) || '[2J'"), "| a??[2J |\n");
-}
-
-// Two methods at two points; the second has no remapped value.
-TEST(ExperimentTable, OfPoints) {
-    Record record({.experiment = "mine"});
-    for (const char* shown : {"near", "far"}) {
-        const bool near = shown[0] == 'n';
-        Visit one = visit_of(shown, "one");
-        one.point = PointQuality{.truth = 0.5, .occlusion = near ? 0.25 : 0.75, .shown = near ? 0.4 : 0.7};
-        Visit two = visit_of(shown, "two");
-        two.point = PointQuality{.truth = 0.5, .occlusion = 0.5};
-        record.add(one);
-        record.add(two);
-        record.add(visit_of(shown, "nothing"));
-    }
-    EXPECT_EQ(rows_of(record, "SELECT candidate, [case], occlusion, fixed(off_truth, 2) FROM result"),
-              "| one | near | 0.25 | -0.10 |\n| two | near | 0.5 | - |\n| nothing | near | - | - |\n"
-              "| one | far | 0.75 | 0.20 |\n| two | far | 0.5 | - |\n| nothing | far | - | - |\n");
 }
 
 }  // namespace table_test

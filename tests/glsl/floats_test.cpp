@@ -57,6 +57,24 @@ TEST_F(Floats, ABlendOfAConstantIsThatConstant) {
             EXPECT_EQ(blend(value, weight, value, 16.0F, 500.0F).x, value) << weight;
 }
 
+// The image is smaller than the size passed to the shader, so reading a neighbour is a fault. A pixel that
+// passes has read none.
+TEST_F(Floats, AConvergedPixelReadsNoNeighbour) {
+    const Function<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter{
+        lab, "gloam/filter/convergence_filter.glsl", "gloam_convergence_filter"};
+    const auto run = [&](float convergence) {
+        const auto value = [&](glm::ivec2) { return glm::vec2(0.3F, convergence); };
+        const check::ImageSet images{
+            {"gloam_fetch_occlusion_convergence", check::make_image<glm::vec2>({1, 1}, value)},
+            {"gloam_fetch_position",
+             check::make_image<glm::vec3>({1, 1}, [](glm::ivec2) { return glm::vec3(0, 0, -5); })}};
+        return filter.with_images(images, {glm::ivec2(0), glm::ivec2(1, 0), glm::ivec2(5), 2, 0.2F, 0.0125F});
+    };
+    EXPECT_EQ(run(0.2F), 0.3F);
+    EXPECT_EQ(run(1.0F), 0.3F);
+    EXPECT_THROW((void)run(0.1F), std::runtime_error);
+}
+
 // Vulkan lets a driver reorder what is not `precise`: the reductions of arguments must not be undone by it.
 // Only drawn angles: one float below half a turn may be reduced to either side, and the hull of both bounds
 // nothing.

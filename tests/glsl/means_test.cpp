@@ -42,7 +42,7 @@ double hit(Scene scene, dvec3 direction, double size) {
     return miss <= 1.0 && along > 0.0 ? along - std::sqrt(1.0 - miss) : -1.0;
 }
 
-enum class Falloff { step, linear, quadratic, alchemy, cubic, one };
+enum class Falloff { step, linear, quadratic, alchemy, one };
 
 double weigh(Falloff falloff, double d) {
     switch (falloff) {
@@ -55,7 +55,7 @@ double weigh(Falloff falloff, double d) {
         case Falloff::one:
             return 1.0;
         default:
-            return gloam_falloff_at(falloff == Falloff::step ? 0U : 3U, d);
+            return gloam_falloff_at(0U, d);
     }
 }
 
@@ -74,17 +74,6 @@ double rays(Scene scene, double size, Falloff falloff, Form form = Form::cosine)
         const double term =
             gloam_contribution_ritschel(1.0, weigh(falloff, d), gloam_sample_cosine(direction, up));
         return form == Form::uniform ? 2.0 * term : term;
-    });
-}
-
-// Points instead of rays: blocked behind what is hit. Their law of radii implies the falloff.
-double points(Scene scene, double size, Falloff law) {
-    const double power = law == Falloff::linear ? 1.0 : law == Falloff::quadratic ? 0.5 : 1.0 / 3.0;
-    return mean([=](dvec3 zeta) {
-        const double radius = std::pow(zeta.y, power);
-        zeta.y = 1.0;
-        const double d = hit(scene, gloam_hemisphere_cosine(zeta), size);
-        return d >= 0.0 && radius > d ? 1.0 : 0.0;
     });
 }
 
@@ -118,17 +107,6 @@ TEST(Rays, OfScenesUnderFalloffs) {
             << static_cast<int>(known.scene) << ' ' << known.size << ' ' << static_cast<int>(known.falloff);
 }
 
-// A kernel of points implies a falloff: 1 minus the distribution of its radius. Halton points do better than
-// the 4 sigma / sqrt(N) of independent ones.
-TEST(Rays, PointsOfARadiusLawEstimateItsFalloff) {
-    constexpr double tolerance = 4 * 0.5 / 362.0;
-    for (const Falloff law : {Falloff::linear, Falloff::quadratic, Falloff::cubic})
-        for (const Scene scene : {Scene::ceiling, Scene::wall, Scene::inside})
-            EXPECT_NEAR(points(scene, 0.25, law), rays(scene, 0.25, law), tolerance)
-                << static_cast<int>(scene) << static_cast<int>(law);
-    EXPECT_NEAR(points(Scene::ceiling, 0.25, Falloff::linear), 0.5625, tolerance);
-}
-
 // Both normalised forms estimate the same; TSSAO-3 and CS-2.4 as printed miss a factor.
 TEST(Rays, FormsOfTheIntegral) {
     for (const Scene scene : {Scene::ceiling, Scene::wall, Scene::inside, Scene::ball}) {
@@ -143,67 +121,6 @@ TEST(Rays, FormsOfTheIntegral) {
     EXPECT_NEAR(rays(Scene::inside, 1.0, Falloff::one, Form::cosine_printed), 2.0 / 3.0, 1e-3);
     EXPECT_NEAR(rays(Scene::ceiling, 0.1, Falloff::linear, Form::cosine), 0.81, 1e-3);
     EXPECT_NEAR(1.5 * rays(Scene::ceiling, 0.1, Falloff::linear, Form::cosine_printed), 0.85, 1e-3);
-}
-
-// Directions and points of the kernels: as long as their radius, and with the means of their distributions.
-TEST(Kernels, HaveTheirDistributions) {
-    constexpr auto off = [](double variance) { return 4.0 * std::sqrt(variance / 4096.0); };
-    for (const dvec3& zeta : {halton()[0], halton()[77], halton()[1023]})
-        for (const dvec3 s : {gloam_hemisphere_cosine(zeta), gloam_hemisphere_uniform(zeta)})
-            EXPECT_TRUE(s.z >= 0.0 && std::abs(length(s) - zeta.y) < 1e-12);
-    EXPECT_NEAR(mean([](dvec3 zeta) { return gloam_hemisphere_cosine({zeta.x, 1, zeta.z}).z; }), 2.0 / 3,
-                off(1.0 / 18));
-    EXPECT_NEAR(mean([](dvec3 zeta) { return gloam_hemisphere_uniform({zeta.x, 1, zeta.z}).z; }), 0.5,
-                off(1.0 / 12));
-    const auto disc = [](const dvec3& zeta) { return gloam_disc_sample(dvec2(zeta)); };
-    EXPECT_NEAR(mean([&](const dvec3& zeta) { return length(disc(zeta)); }), 2.0 / 3, off(1.0 / 18));
-    EXPECT_NEAR(mean([&](const dvec3& zeta) { return disc(zeta).x; }), 0.0, off(0.25));
-    EXPECT_NEAR(mean([&](const dvec3& zeta) { return disc(zeta).y; }), 0.0, off(0.25));
-    EXPECT_NEAR(mean([&](const dvec3& zeta) { return gloam_hemisphere_lift(disc(zeta)).z; }), 2.0 / 3,
-                off(1.0 / 18));
-    EXPECT_NEAR(mean([](const dvec3& zeta) { return length(gloam_issao_offset_polar(dvec2(zeta), 1.0)); }),
-                0.5, 1e-3);
-    // What leaves the disc as printed, and is put on its rim.
-    EXPECT_NEAR(mean([](const dvec3& zeta) {
-                    return length(gloam_issao_offset_printed(dvec2(zeta), 1.0)) > 0.99999 ? 1.0 : 0.0;
-                }),
-                0.031, 0.003);
-}
-
-// Bent normals of an open half space, half of one, and a cap, which is its own cone.
-TEST(BentNormals, OfOpenDirections) {
-    const auto bent = [](auto open) {
-        dvec4 sum(0);
-        for (const dvec3& zeta : halton()) {
-            const dvec3 w = gloam_hemisphere_uniform({zeta.x, 1, zeta.z});
-            sum = gloam_bent_add(sum, w, open(w) ? 1.0 : 0.0);
-        }
-        return std::pair(gloam_bent_normal(sum, up), gloam_bent_length(sum));
-    };
-    const auto [of_all, agreement] = bent([](dvec3) { return true; });
-    EXPECT_NEAR(agreement, 0.5, 1e-3);
-    EXPECT_NEAR(of_all.z, 1.0, 1e-6);
-    const dvec3 of_half = bent([](dvec3 w) { return w.x > 0; }).first;
-    EXPECT_LT(length(of_half - std::sqrt(0.5) * dvec3(1, 0, 1)), 2e-3);
-    const double of_cap = bent([](dvec3 w) { return w.z > 0.5; }).second;
-    EXPECT_NEAR(of_cap, 0.75, 1e-3);
-    EXPECT_NEAR(gloam_cone_angle(of_cap), pi / 3, 2e-3);
-}
-
-// Under light that is the same from everywhere a point sends on albedo times visibility, the cosine-weighted
-// one.
-TEST(DirectionalOcclusion, UniformLightGivesAlbedoTimesVisibility) {
-    const dvec3 radiance(1, 0.5, 0.25);
-    const dvec3 albedo(1, 0.8, 0.6);
-    for (const double horizon : {0.0, 0.5, 1.0}) {  // all around, as a sine
-        dvec3 sum(0);
-        for (const dvec3& zeta : halton()) {
-            const dvec3 w = gloam_hemisphere_uniform({zeta.x, 1, zeta.z});
-            sum += gloam_ssdo_direct(w, up, radiance, w.z > horizon ? 1.0 : 0.0);
-        }
-        const dvec3 got = gloam_ssdo_light(sum, sample_count, albedo);
-        EXPECT_LT(length(got - albedo * radiance * (1 - horizon * horizon)), 1e-3) << horizon;
-    }
 }
 
 }  // namespace gloam::reference::means_test

@@ -91,7 +91,7 @@ TEST_F(Relatives, ACrossSeesThePixelsOfItsArms) {
 }
 
 // Each setting that a method's descriptor lists changes its result on a rough surface, and no other setting
-// does. Methods with preparation passes are tested by the effect (tests/effect/setting_table_test.cpp).
+// does. Methods with preparation passes are tested by the effect (tests/effect/settings_test.cpp).
 class RelativesSettings : public testing::TestWithParam<std::string> {};
 
 TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
@@ -205,28 +205,6 @@ TEST_F(Relatives, WhatStandsInFrontOfTheBallHasNoHalo) {
     const Surface around{[](double x, double y) { return x * x + y * y > 0.04 ? 3.0 : 0.0; }, floor};
     EXPECT_NEAR(mean("volumetric", beside, 1.0F, Method{}, 4), 0.5, 1e-6);
     EXPECT_NEAR(mean("volumetric", around, 1.0F, Method{}, 4), 0.5, 1e-6);
-}
-
-// The right half of the image is nearer by 0.3: only samples on that side can be blocked, within reach, and
-// none where the range excludes every blocker.
-TEST_F(Relatives, AStepBlocksWithinReachAndRange) {
-    const Camera camera{glm::vec2(2, -2), glm::ivec2(64), false};
-    const auto image = test::view_of(camera.size, [](glm::ivec2 p) { return p.x < 32 ? 5.0F : 4.7F; });
-    const auto occlusion = [&](const std::string& name, float x, float length) {
-        const Samples samples{.radius = 0.5F, .bias = 0.005F, .angle = 0.0F, .first = 0, .count = 64};
-        const Method one_length{.range = length, .epsilon = length};
-        const glm::vec2 sum = method(name).with_images(
-            image, {glm::vec3(x, 0.04F, -5), glm::vec3(0, 0, 1), camera, samples, one_length});
-        EXPECT_EQ(sum.y, 64.0F);
-        return sum.x / sum.y;
-    };
-    const float beside = occlusion("hemisphere", -0.04F, 0.5F);
-    EXPECT_GT(beside, 0.1F);
-    EXPECT_LT(beside, 0.5F);
-    EXPECT_EQ(occlusion("hemisphere", -0.6F, 0.5F), 0.0F);
-    EXPECT_EQ(occlusion("hemisphere", -0.04F, 0.004F), 0.0F);
-    EXPECT_GT(occlusion("disc", -0.04F, 0.1F), 0.02F);
-    EXPECT_EQ(occlusion("disc", -0.6F, 0.1F), 0.0F);
 }
 
 }  // namespace gloam::method_relatives_test

@@ -90,11 +90,6 @@ TEST_F(SweepOfAWall, IsThatOfTheFalloffInTheLimit) {
                 << away << ", falloff " << falloff;
 }
 
-TEST_F(SweepOfAWall, IsNearlyThatWithSixSteps) {
-    for (const double away : {0.25, 0.5})
-        EXPECT_NEAR(measured(away, linear, 6), closed_form(away, linear), 0.012) << away;
-}
-
 // A post that is narrower than it is high counts in proportion to its width; one that is wide, as solid.
 TEST_F(SweepOfAWall, APostCountsByItsWidth) {
     constexpr float solid = 1e18F;

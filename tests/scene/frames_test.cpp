@@ -106,30 +106,6 @@ TEST(GuardBand, IsWholePixelsOfEachSide) {
                                             {"guard band", "no frame"});
 }
 
-// Every pixel of the frame shows the same as without a band: its ray is the same, but for the rounding of
-// the projection.
-TEST(GuardBand, TheFrameIsThatOfThePlainView) {
-    for (const Scene& scene :
-         {make_scene("moving"), make_scene("columns"), make_scene("far"), make_scene("plan")}) {
-        const GBuffer plain = shot(scene, 2);
-        const GBuffer view = shot(scene, 2, 0.1);
-        EXPECT_EQ(cropped(plain).depth, plain.depth);
-        EXPECT_EQ(view.border, (gpu::Extent{10, 5}));
-        EXPECT_EQ(view.extent, (gpu::Extent{116, 64}));
-        const GBuffer inner = cropped(view);
-        ASSERT_EQ(inner.extent, plain.extent);
-        std::size_t same = 0;
-        for (std::size_t i = 0; i < plain.depth.size(); ++i) {
-            const bool close = std::abs(inner.depth[i] - plain.depth[i]) < 1e-4F * plain.depth[i] &&
-                               glm::distance(inner.normal[i], plain.normal[i]) < 1e-3F &&
-                               glm::distance(inner.motion[i], plain.motion[i]) < 2e-2F &&
-                               inner.object[i] == plain.object[i];
-            same += close || std::isinf(plain.depth[i]) ? 1 : 0;
-        }
-        EXPECT_GT(static_cast<double>(same), 0.995 * static_cast<double>(plain.depth.size())) << scene.name;
-    }
-}
-
 TEST(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
     GBuffer view{.extent = {6, 4}, .border = gpu::Extent{1, 1}};
     view.depth.assign(24, 1.0F);

@@ -174,19 +174,4 @@ TEST(MeshScene, AnEyeOfOnesOwn) {
     EXPECT_NEAR(expect_seen(wide, box.positions.size(), 1.0), 0.84, 1e-3);
 }
 
-TEST(MeshScene, RefusesWhatCannotBe) {
-    const Mesh box = make_box({0, 0, 0}, {1, 1, 1}, 10.0);
-    const auto refused = [](const Mesh& mesh, const MeshView& view, const char* what) {
-        expect_error<std::invalid_argument>([&] { (void)mesh_scene(mesh, "dot", view); }, {what});
-    };
-    refused({.positions = {3, {1, 1, 1}}, .normals = {3, {0, 1, 0}}, .indices = {0, 1, 2}}, {}, "dot");
-    refused(placed(box, 1e37, {0, 0, 0}), {}, "larger than 1e36");
-    refused(box, {.elevation_deg = 90.0}, "elevation");
-    refused(box, {.elevation_deg = std::nan("")}, "elevation");
-    refused(box, {.azimuth_deg = INFINITY}, "azimuth");
-    for (const double angle : {0.0, 180.0, std::nan("")}) refused(box, {.fovy_deg = angle}, "angle of view");
-    refused(box, {.eye = glm::dvec3(0, 1, 0), .look_at = glm::dvec3(0, 1, 0)}, "eye");
-    refused(box, {.aspect = 0.0}, "aspect");
-}
-
 }  // namespace gloam::scene::test::mesh_test

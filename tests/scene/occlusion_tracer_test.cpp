@@ -104,18 +104,6 @@ TEST(OcclusionTracer, FacetsOfASmoothShapeDoNotShadeThemselves) {
     }
 }
 
-// The standard error over 16 times as many rays falls by more than the 4 of independent ones.
-TEST(OcclusionTracer, ConvergesFasterThanIndependentRays) {
-    const auto mean_error = [&](int rays) {
-        const OcclusionTracer tracer = Ceiling{Falloff::linear, 0.3}.tracer(rays);
-        double sum = 0.0;
-        for (int i = 0; i < 40; ++i)
-            sum += tracer.occlusion(on_ground(i), static_cast<std::uint64_t>(i)).standard_error;
-        return sum;
-    };
-    EXPECT_GT(mean_error(256) / mean_error(4096), 6.0);
-}
-
 TEST(OcclusionTracer, SettingsThatAreNotPossible) {
     const Mesh mesh = ground(1.0);
     const auto expect = [&](const RaySettings& settings, std::initializer_list<std::string> parts) {

@@ -88,25 +88,6 @@ TEST(ViewPictures, ShowSomethingInEachFrame) {
     }
 }
 
-TEST(ViewPictures, OfBuiltInScenesShowWhatTheyAreFor) {
-    const auto shot = [](const char* name, int frame = 0) {
-        return draw(make_scene(name), {160, 90}, {.frame = frame, .ids = true});
-    };
-    const auto background_of = [](const GBuffer& view) {
-        return static_cast<double>(std::ranges::count(view.depth, infinity)) /
-               static_cast<double>(view.depth.size());
-    };
-    const GBuffer columns = shot("columns");
-    EXPECT_LT(*std::ranges::min_element(columns.depth), 0.11F);
-    EXPECT_GT(*std::ranges::max_element(columns.depth), 195.0F);
-    EXPECT_NEAR(background_of(shot("sky")), 0.86, 0.11);
-    for (const char* closed : {"room", "columns"}) EXPECT_EQ(background_of(shot(closed)), 0.0);
-    EXPECT_GT(glm::length(make_scene("far").camera.eye), 1e5);
-    for (const char* moving : {"moving", "sky", "far"})
-        for (std::uint32_t object = 1; object <= make_scene(moving).objects.size(); ++object)
-            EXPECT_GT(std::ranges::count(shot(moving, 12).object, object), 3) << moving << " " << object;
-}
-
 TEST(Views, WhatIsMissingIsNamed) {
     expect_error<std::runtime_error>([] { (void)make_scene("bunny", "/nowhere"); },
                                      {"/nowhere/bunny.obj", "glmark2-data"});

@@ -1,188 +1,101 @@
 // SPDX-License-Identifier: MIT
+// A browser's SwiftShader, and devices of OpenGL. Drivers that do not load: stories/drivers.txt.
 #include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"
 #include "tools/gloam.hpp"
 
 namespace gloam::test::drivers_test {
 
-json vulkan_devices(const std::string& list) {
-    json vulkan = json::array();
-    const json all = json::parse(list).at("devices");
-    for (const json& device : all)
-        if (!device.at("index").is_null()) vulkan.push_back(device);
-    return vulkan;
+json devices(const std::string& more = "", const CommandOptions& options = {}) {
+    const json all =
+        json::parse(output_of(run_command(words("devices --json" + more), options))).at("devices");
+    EXPECT_EQ(all.back().at("name"), "interpreter");
+    return all;
 }
 
-// Of Vulkan: the others, which have no index, are left out.
-json devices(std::vector<std::string> arguments = {}, const CommandOptions& options = {}) {
-    arguments.insert(arguments.begin(), {"devices", "--json"});
-    const CommandResult result = run_command(arguments, options);
-    expect_success(result);
-    EXPECT_EQ(json::parse(result.out).at("devices").back().at("name"), "interpreter");
-    return vulkan_devices(result.out);
+// The numbers of those whose name holds "SwiftShader".
+std::vector<json> swiftshaders(const json& devices) {
+    std::vector<json> found;
+    for (const json& device : devices)
+        if (device.at("name").get<std::string>().find("SwiftShader") != std::string::npos)
+            found.push_back(device.at("index"));
+    return found;
 }
 
-std::size_t swiftshaders(const json& devices) {
-    return static_cast<std::size_t>(std::count_if(devices.begin(), devices.end(), [](const json& device) {
-        return device.at("name").get<std::string>().find("SwiftShader") != std::string::npos;
-    }));
-}
-
-class Drivers : public InFolder {
+class SwiftShader : public InFolder {
   protected:
-    [[nodiscard]] std::string manifest(const std::string& name, const std::string& library) const {
-        return write(name, manifest_of(library)).string();
+    void SetUp() override {
+        if (!manifest_) GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
     }
-    [[nodiscard]] std::string crashing() const { return manifest("crashing.json", GLOAM_CRASHING_DRIVER); }
+    const std::optional<fs::path> manifest_ = gpu::find_swiftshader();
 };
 
-// A driver that crashes, exits or hangs while it loads costs itself only, and is named.
-TEST_F(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
-    const std::string crashing = this->crashing();
-    for (const auto& how : {std::vector<std::string>{}, std::vector<std::string>{"--driver", crashing}}) {
-        CommandOptions options;
-        if (how.empty()) options.environment = {"VK_ADD_DRIVER_FILES=" + crashing};
-        const auto run = [&](std::vector<std::string> command) {
-            command.insert(command.end(), how.begin(), how.end());
-            return run_command(command, options);
-        };
-        const CommandResult list = run(words("devices"));
-        EXPECT_EQ(list.status, 0);
-        EXPECT_THAT(list.out, StartsWith("0: "));
-        EXPECT_THAT(list.err, HasSubstr(crashing));
-        EXPECT_THAT(list.err, HasSubstr("ABRT"));
-        const std::string out = path("out").string();
-        const CommandResult render = run(words("render corner --size 16x9 --samples 1 --out {}", out));
-        EXPECT_EQ(render.status, 0) << render.err;
-        EXPECT_THAT(render.err, HasSubstr(crashing));
-        const std::string file = path("a.json").string();
-        const CommandResult check =
-            run(words("check gloam_radical_inverse_base2 --inputs 64 --device all --json {}", file));
-        EXPECT_EQ(check.status, 1) << check.err;
-        EXPECT_THAT(check.out, HasSubstr(crashing));
-        EXPECT_THAT(check.out, HasSubstr("1 failed"));
-        // The driver that crashed has a report as the others of Vulkan have.
-        EXPECT_EQ(json::parse(read_file(file)).size(),
-                  vulkan_devices(run(words("devices --json")).out).size() + 1);
-    }
-}
+TEST_F(SwiftShader, OfABrowserIsFoundAndComesLastUnlessTheEnvironmentChooses) {
+    const CommandOptions alone{
+        .environment = {"VK_DRIVER_FILES=" + manifest_->string(), "VK_ICD_FILENAMES=" + manifest_->string()}};
+    EXPECT_EQ(swiftshaders(devices("", alone)), std::vector<json>{0});
+    const CommandOptions elsewhere{.environment = {"VK_ADD_DRIVER_FILES=/no/such/driver.json"}};
+    EXPECT_THAT(run_command(words("devices --json"), elsewhere).out, Not(HasSubstr("SwiftShader")));
 
-TEST_F(Drivers, OneThatEndsTheProcessCostsItselfOnly) {
-    const std::string ends = manifest("ends.json", GLOAM_CRASHING_DRIVER);
-    const CommandResult list = run_command(
-        words("devices"), {.environment = {"VK_ADD_DRIVER_FILES=" + ends, "GLOAM_TEST_DRIVER_EXITS=1"}});
-    EXPECT_EQ(list.status, 0);
-    EXPECT_THAT(list.out, StartsWith("0: "));
-    EXPECT_THAT(list.err, HasSubstr(ends + ": its process ended with status 0"));
-}
-
-TEST_F(Drivers, OneThatHangsCostsItselfAndItsTimeOnly) {
-    const std::string hangs = manifest("hangs.json", GLOAM_CRASHING_DRIVER);
-    std::vector<std::string> environment{"VK_ADD_DRIVER_FILES=" + hangs, "GLOAM_TEST_DRIVER_HANGS=1",
-                                         "GLOAM_DRIVER_SECONDS=3"};
-    const CommandResult list = run_command(words("devices"), {.environment = environment});
-    EXPECT_EQ(list.status, 0);
-    EXPECT_THAT(list.out, StartsWith("0: "));
-    EXPECT_THAT(list.err, HasSubstr(hangs + ": does not load within 3 s"));
-    for (const char* wrong :
-         {"GLOAM_DRIVER_SECONDS=soon", "GLOAM_DRIVER_SECONDS=0", "GLOAM_DRIVER_SECONDS=nan"}) {
-        environment.back() = wrong;
-        expect_could_not_run(run_command(words("devices"), {.environment = environment}),
-                             "GLOAM_DRIVER_SECONDS");
-    }
-}
-
-TEST_F(Drivers, NoneThatLoadsIsOneLine) {
-    const std::string crashing = this->crashing();
-    const CommandOptions only = with_driver_alone(crashing);
-    expect_could_not_run(run_command(words("devices"), only), crashing);
-    expect_could_not_run(run_command(words("render corner --out {}", path("out")), only), "ABRT");
-}
-
-TEST_F(Drivers, ABrowsersSwiftShaderIsFoundAndComesLast) {
-    const auto manifest = gpu::find_swiftshader();
-    if (!manifest) GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
     if (gpu::drivers_are_chosen()) GTEST_SKIP() << "the environment chooses the drivers";
     const json all = devices();
-    EXPECT_EQ(swiftshaders(all), 1U);
-    EXPECT_THAT(all.back().at("name").get<std::string>(), HasSubstr("SwiftShader"));
-    EXPECT_THAT(all.back().at("driver").get<std::string>(),
-                testing::ContainsRegex("SwiftShader driver [0-9]+\\."));
-    EXPECT_EQ(swiftshaders(devices({"--driver", manifest->string()})), 1U) << "listed twice";
-
-    const CommandResult check = gloam("check gloam_radical_inverse_base2 --inputs 64 --device swiftshader");
-    expect_success(check);
-    EXPECT_THAT(check.out, HasSubstr("device: SwiftShader"));
-    if (all.size() == 1) return;
-    EXPECT_THAT(output_of(gloam("check gloam_radical_inverse_base2 --inputs 64")),
-                Not(HasSubstr("SwiftShader")));
-}
-
-TEST_F(Drivers, TheEnvironmentsChoiceIsRespected) {
-    const auto manifest = gpu::find_swiftshader();
-    if (!manifest) GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
-    const json chosen = devices({}, with_driver_alone(*manifest));
-    EXPECT_EQ(chosen.size(), 1U);
-    EXPECT_EQ(swiftshaders(chosen), 1U);
-    const CommandOptions elsewhere{.environment = {"VK_ADD_DRIVER_FILES=/no/such/driver.json"}};
-    const CommandResult without = run_command(words("devices --json"), elsewhere);
-    EXPECT_THAT(without.out, Not(HasSubstr("SwiftShader")));
-}
-
-// OpenGL devices on the command line.
-
-// The names of the OpenGL devices here.
-std::vector<std::string> names() {
-    const CommandResult result = gloam("devices --json");
-    expect_success(result);
-    std::vector<std::string> all;
-    const json listed = json::parse(result.out).at("devices");
-    for (const json& device : listed) {
-        const std::string name = device.at("name");
-        if (!name.starts_with("gl:") && !name.starts_with("es:")) continue;
-        EXPECT_TRUE(device.at("index").is_null());
-        EXPECT_THAT(device.at("api_version").get<std::string>(), HasSubstr("OpenGL"));
-        all.push_back(name);
+    const auto vulkan =
+        std::ranges::count_if(all, [](const json& one) { return one.at("index").is_number(); });
+    EXPECT_EQ(swiftshaders(all), std::vector<json>{vulkan - 1});
+    EXPECT_EQ(swiftshaders(devices(" --driver " + manifest_->string())).size(), 1U) << "listed twice";
+    EXPECT_THAT(output_of(gloam("check HALTON-base2 --inputs 64 --device swiftshader")),
+                HasSubstr("device: SwiftShader"));
+    if (vulkan > 1) {
+        EXPECT_THAT(output_of(gloam("check HALTON-base2 --inputs 64")), Not(HasSubstr("SwiftShader")));
     }
-    return all;
+}
+
+// Those of Vulkan have a number and float controls; then those of OpenGL, and the interpreter as the last.
+TEST(Devices, AreListedWithTheirFloatControls) {
+    const json all = devices();
+    ASSERT_GE(all.size(), 2U);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string type = all[i].at("type");
+        const bool is_opengl = type.starts_with("opengl");
+        EXPECT_EQ(all[i].at("index"), is_opengl || i + 1 == all.size() ? json() : json(i));
+        EXPECT_NE(all[i].at("name"), "");
+        EXPECT_EQ(all[i].contains("float32"), !is_opengl);
+        if (!is_opengl) {
+            EXPECT_TRUE(all[i].at("float32").at("denorm_preserve").is_boolean());
+        }
+    }
 }
 
 class OpenGlCommands : public InFolder {
   protected:
     void SetUp() override {
+        for (const json& device : devices())
+            if (device.at("type").get<std::string>().starts_with("opengl"))
+                names_.push_back(device.at("name"));
         if (names_.empty()) GTEST_SKIP() << "no OpenGL device here";
     }
-    const std::vector<std::string> names_ = names();
+    std::vector<std::string> names_;
 };
 
-TEST_F(OpenGlCommands, EveryListedDeviceRunsChecks) {
-    const CommandResult result = gloam("check HALTON-2D BUILTIN-sin --inputs 256 --device gl");
-    EXPECT_EQ(result.status, 0) << result.err;
-    for (const std::string& name : names_) EXPECT_THAT(result.out, HasSubstr("device: " + name + " ("));
-    EXPECT_THAT(result.out, HasSubstr(std::to_string(2 * names_.size()) + " checks, 0 failed"));
-    EXPECT_THAT(result.out, HasSubstr("not judged"));
-}
-
 // There are no precision rules for OpenGL ES 3.0, and a built-in function documents no accuracy.
-TEST_F(OpenGlCommands, NothingJudgedIsNoSuccess) {
-    const CommandResult result = gloam("check BUILTIN-sin --inputs 64 --device es:llvmpipe-3.0");
-    EXPECT_EQ(result.status, 2) << result.out << result.err;
-    EXPECT_THAT(result.out, HasSubstr("not judged; it documents no accuracy"));
-    EXPECT_THAT(result.out, HasSubstr("1 checks, 0 failed, 1 not judged"));
-}
-
-TEST_F(OpenGlCommands, TheListIsAlsoForPeople) {
-    const std::string result = output_of(gloam("devices"));
-    for (const std::string& name : names_) EXPECT_THAT(result, HasSubstr("\n" + name + ": OpenGL "));
-}
-
-TEST_F(OpenGlCommands, ResultsSayWhichInterfaceItWas) {
+TEST_F(OpenGlCommands, EveryListedDeviceRunsChecksAndNothingJudgedIsNoSuccess) {
+    const std::string listed = output_of(gloam("devices"));
     const fs::path file = path("results.json");
-    expect_success(
-        gloam("check HALTON-2D --inputs 64 --device {} --json {} --variant all", names_.front(), file));
-    const std::string result = output_of(gloam("report {}", file));
-    EXPECT_THAT(result, HasSubstr(names_.front()));
-    EXPECT_THAT(result, HasSubstr("1 checks, 0 failed"));
+    const CommandResult result =
+        gloam("check HALTON-2D BUILTIN-sin --inputs 256 --device gl --json {}", file);
+    EXPECT_EQ(result.status, 0) << result.err;
+    for (const std::string& name : names_) {
+        EXPECT_THAT(listed, HasSubstr("\n" + name + ": OpenGL "));
+        EXPECT_THAT(result.out, HasSubstr("device: " + name + " ("));
+    }
+    EXPECT_THAT(result.out, AllOf(HasSubstr(std::to_string(2 * names_.size()) + " checks, 0 failed"),
+                                  HasSubstr("not judged")));
+    EXPECT_THAT(output_of(gloam("report {}", file)), HasSubstr(names_.front()));
+
+    const CommandResult none = gloam("check BUILTIN-sin --inputs 64 --device es:llvmpipe-3.0");
+    EXPECT_EQ(none.status, 2) << none.out << none.err;
+    EXPECT_THAT(none.out, AllOf(HasSubstr("not judged; it documents no accuracy"),
+                                HasSubstr("1 checks, 0 failed, 1 not judged")));
 }
 
 // A compute shader is probed, a fragment shader draws green.
@@ -200,20 +113,15 @@ TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
         const fs::path device = fs::directory_iterator(failures)->path();
         const fs::path folder = fs::directory_iterator(device)->path();
         EXPECT_FALSE(fs::exists(folder / "repro.amber"));
-        EXPECT_THAT(read_file(folder / "shader.glsl"),
-                    HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        const std::string function = "float gloam_radical_inverse_base2(uint index)";
+        EXPECT_THAT(read_file(folder / "shader.glsl"), HasSubstr(function));
         EXPECT_THAT(read_file(folder / "report.txt"), HasSubstr(", OpenGL ES 3."));
-        const std::string script = read_file(folder / "repro.shader_test");
-        EXPECT_THAT(script, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
-        EXPECT_THAT(
-            script,
-            HasSubstr(compute ? "probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 0.500000000\n"
-                              : "probe all rgba 0.0 1.0 0.0 1.0\n"));
-        EXPECT_THAT(script, HasSubstr(compute ? "ssbo 0 subdata int 0 1\n"
-                                              : "uniform uint gloam_kernel_inputs[0] 1\n"));
-        if (!compute) {
-            EXPECT_THAT(script, HasSubstr(">= uintBitsToFloat(1056964608u)"));
-        }
+        const char* const probes[] = {
+            "probe all rgba 0.0 1.0 0.0 1.0\n",
+            "probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 0.500000000\n"};
+        const char* const inputs[] = {"uniform uint gloam_kernel_inputs[0] 1\n", "ssbo 0 subdata int 0 1\n"};
+        EXPECT_THAT(read_file(folder / "repro.shader_test"),
+                    AllOf(HasSubstr(function), HasSubstr(probes[compute]), HasSubstr(inputs[compute])));
     }
 }
 
@@ -227,6 +135,17 @@ TEST_F(OpenGlCommands, OtherVariantsAndUnknownNamesAreRefusedInOneLine) {
                          "no OpenGL device \"gl:nonsense-1.0\"");
     expect_could_not_run(gloam("check HALTON-2D --device {} --validation", name),
                          "validation layers are of Vulkan");
+}
+
+TEST_F(OpenGlCommands, RunNoInvocationsTogether) {
+    const fs::path shader =
+        write("given.frag",
+              "#version 300 es\nprecision mediump float;\nuniform sampler2D image;\nin vec2 uv;\n"
+              "vec3 seen() { return texture(image, uv).rgb; }\n");
+    const fs::path report = path("opengl.json");
+    (void)gloam("check {} seen --inputs 64 --device {} --json {}", shader, names_.back(), report);
+    EXPECT_THAT(read_file(report),
+                HasSubstr("runs in several invocations together, and OpenGL runs each alone"));
 }
 
 }  // namespace gloam::test::drivers_test

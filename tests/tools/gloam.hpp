@@ -35,18 +35,6 @@ inline std::string output_of(const CommandResult& result) {
     return result.out;
 }
 
-// The manifest of a Vulkan driver.
-inline std::string manifest_of(const std::string& library) {
-    return json{{"file_format_version", "1.0.0"},
-                {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}}}}
-        .dump();
-}
-
-// With no other Vulkan driver than that of this manifest.
-inline CommandOptions with_driver_alone(const fs::path& manifest) {
-    return {.environment = {"VK_DRIVER_FILES=" + manifest.string(), "VK_ICD_FILENAMES=" + manifest.string()}};
-}
-
 // An installation of its own, whose shaders a test may break: the program beside share/gloam/glsl.
 class Installation {
   public:

@@ -1,165 +1,143 @@
 // SPDX-License-Identifier: MIT
-// `gloam render`: errors for invalid input, the truth, directions and light.
-#include <unistd.h>
-
-#include "tools/rendering.hpp"
+// `gloam render` on sequences of G-buffers: the history follows them, and dies where it must.
+#include "base/image_files.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::render_test {
 
-class RenderErrors : public Rendering {
+class Render : public InFolder {
   protected:
-    // A G-buffer of one small frame, as gloam writes it.
-    [[nodiscard]] fs::path gbuffer() const {
-        expect_success(render("first", "corner --size 16x9 --samples 1 --write-gbuffer {}", path("gbuffer")));
-        return path("gbuffer");
+    // Those words at a small size, into the folder of that name.
+    template <class... Texts>
+    void render(const std::string& out, const std::string& line, const Texts&... arguments) const {
+        expect_success(gloam("render " + line + " --size 64x36 --out {}", arguments..., path(out)));
+    }
+
+    // A folder of four frames of a scene that moves, and what was made of them in "drawn".
+    [[nodiscard]] fs::path sequence(const std::string& more = "") const {
+        const fs::path folder = path("gbuffer");
+        // From frame 20 a sample lies on the border of a pixel, and the rounding of a motion vector decides.
+        render("drawn", "moving --frame 21 --frames 4 --write-gbuffer {}" + more, folder);
+        return folder;
+    }
+
+    void change_json(const std::string& frame, const std::function<void(json&)>& change) const {
+        json description = json::parse(read_file(path("gbuffer/" + frame + ".json")));
+        change(description);
+        write("gbuffer/" + frame + ".json", description.dump());
+    }
+
+    [[nodiscard]] json frames(const std::string& out) const {
+        return json::parse(read_file(path(out) / "render.json")).at("frames");
+    }
+    [[nodiscard]] std::vector<json> cuts(const std::string& out) const {
+        std::vector<json> reasons;
+        for (const json& frame : frames(out)) reasons.push_back(frame.at("history").at("cut"));
+        return reasons;
+    }
+
+    [[nodiscard]] std::vector<float> picture(const std::string& name) const {
+        return base::read_pfm(path(name)).texels;
     }
 };
 
-TEST_F(RenderErrors, Meshes) {
-    if (geteuid() == 0) return;  // root reads everything
-    const fs::path secret = write("secret.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    fs::permissions(secret, fs::perms::none);
-    expect_refused(words("{}", secret), "secret.obj");
-}
-
-TEST_F(RenderErrors, GBuffers) {
-    const fs::path folder = gbuffer();
-    expect_refused(words("corner --gbuffer {}", folder), "--gbuffer");
-    expect_refused(words("--gbuffer {} --guard 0.1", folder), "no guard band");
-
-    expect_refused(words("--gbuffer {} --depth buffer", folder), "from 0 to 1");
-    expect_refused(words("--gbuffer {} --normals view-unorm", folder), "another length");
-    expect_refused(words("--gbuffer {} --radius 1e6", folder), "radius 1e+06");
-    expect_refused(words("--gbuffer {} --radius 1e-6", folder), "below a pixel");
-
-    const fs::path depth = folder / "f0000_depth.pfm";
-    const auto whole = fs::file_size(depth);
-    fs::resize_file(depth, whole - 4);
-    expect_refused(words("--gbuffer {}", folder), "f0000_depth.pfm");
-    write("gbuffer/f0000_depth.pfm", "Pf\n16 9\n-1.0\n" + std::string(std::size_t{4} * 16 * 9, '\0'));
-    expect_refused(words("--gbuffer {}", folder), "no geometry");
-    fs::remove(depth);
-    expect_refused(words("--gbuffer {}", folder), "f0000_depth");
-    write("gbuffer/f0000_depth.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));
-    expect_refused(words("--gbuffer {}", folder), "f0000_depth.pfm");
-}
-
-TEST_F(RenderErrors, AFullDiskLeavesNothing) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer wants to be the first library of a program";
-#endif
-    fs::create_directory(path("out"));
-    const CommandResult result =
-        render("out", words("corner --size 16x9 --frames 2"), {"LD_PRELOAD=" GLOAM_FULL_DISK});
-    expect_could_not_run(result, "_ao.pfm");
-    EXPECT_THAT(result.err, HasSubstr("No space left on device"));
-    EXPECT_TRUE(fs::is_empty(path("out")));
-}
-
-TEST_F(RenderErrors, TheSameGBufferGivesTheSamePictures) {
-    const fs::path folder = gbuffer();
-    expect_success(render("out", "--gbuffer {} --samples 1", folder));
-    EXPECT_EQ(read_file(path("out") / "f0000_ao.pfm"), read_file(path("first") / "f0000_ao.pfm"));
-    EXPECT_EQ(report("out").at("frames").size(), 1U);
-    EXPECT_EQ(report("out").at("frames")[0].at("width"), 16);
-}
-
-// The traced truth, the metrics against it, and the messages for invalid options.
-class RenderTruth : public Rendering {
-  protected:
-    RenderTruth() {
-        always_ = words("--size 48x27");
-        environment_ = {"GLOAM_CACHE_DIR=" + path("cache").string()};  // of its own
+TEST_F(Render, ASequenceThatIsWrittenAndReadBackIsTheSame) {
+    for (const char* options : {"", " --guard 0.1"}) {
+        const fs::path folder = sequence(options);
+        render("read", "--gbuffer {}", folder);
+        for (const char* file : {"/f0000_ao.pfm", "/f0003_ao.pfm"}) {
+            const std::vector<float> read = picture(std::string("read") + file);
+            ASSERT_EQ(read.size(), 64U * 36U);
+            EXPECT_THAT(read,
+                        testing::Pointwise(testing::FloatNear(1e-5F), picture(std::string("drawn") + file)));
+        }
+        fs::remove_all(folder);
     }
-};
-
-TEST_F(RenderTruth, IsTracedAndComparedWith) {
-    expect_success(render("out", "corner --truth --truth-rays 64 --frames 2"));
-    for (const char* name : {"truth.png", "truth.pfm", "truth_depth.png", "truth_depth.pfm",
-                             "truth_error.pfm", "f0001_error.png"})
-        EXPECT_TRUE(fs::is_regular_file(path("out") / name)) << name;
-    const json frame = report("out").at("frames").at(1);
-    EXPECT_EQ(frame.at("truth").at("rays"), 64);
-    EXPECT_EQ(frame.at("truth").at("pixels"), 48 * 27);
-    EXPECT_LT(frame.at("truth").at("standard_error"), 0.02);
-    EXPECT_GT(frame.at("truth").at("standard_error"), 0.0);
-    EXPECT_GT(frame.at("flicker"), 0.0);
-    const json errors = frame.at("errors");
-    EXPECT_EQ(errors.at("compared"), 48 * 27);
-    EXPECT_LT(errors.at("filtered").at("rmse"), 0.15);
-    EXPECT_LE(errors.at("filtered_metrics").at("remapped").at("rmse"), errors.at("filtered").at("rmse"));
-    EXPECT_GT(errors.at("filtered_metrics").at("ssim"), 0.3);
-    EXPECT_TRUE(errors.contains("filtered_against_depth"));
-    EXPECT_TRUE(report("out").at("frames").at(0).at("errors").contains("raw"));
 }
 
-// The image that was traced, given back as a file, gives the same errors; so does what the cache kept.
-TEST_F(RenderTruth, FromAFileAndFromTheCacheIsTheSame) {
-    for (const char* out : {"first", "second"})
-        expect_success(render(out, "moving --frame 3 --truth --truth-rays 32"));
-    const fs::path image = path("first") / "truth.pfm";
-    expect_success(render("third", "moving --frame 3 --truth {}", image));
-    const json errors = report("first").at("frames").at(0).at("errors");
-    EXPECT_EQ(report("second").at("frames").at(0).at("errors"), errors);
-    EXPECT_EQ(report("third").at("frames").at(0).at("errors").at("filtered"), errors.at("filtered"));
-    EXPECT_EQ(picture("second", "truth.pfm"), picture("first", "truth.pfm"));
-    EXPECT_TRUE(fs::is_directory(path("cache") / "truth"));
-}
-
-TEST_F(RenderTruth, OfAnotherFrameIsAnother) {
-    expect_success(render("first", "moving --truth --truth-rays 32"));
-    expect_success(render("second", "moving --frame 40 --truth --truth-rays 32"));
-    EXPECT_NE(picture("first", "truth.pfm"), picture("second", "truth.pfm"));
-}
-
-// Of an engine's buffers only the depth is known.
-TEST_F(RenderTruth, OfAGBufferIsThatOfItsDepth) {
-    const fs::path folder = path("gbuffer");
-    expect_success(render("first", "knot --truth --truth-rays 32 --write-gbuffer {}", folder));
-    expect_success(render("second", "--gbuffer {} --truth --truth-rays 32", folder));
-    EXPECT_EQ(picture("second", "truth.pfm"), picture("first", "truth_depth.pfm"));
-    EXPECT_EQ(report("second").at("truth"), "traced depth buffer");
-}
-
-TEST_F(RenderTruth, WithoutGeometryInViewIsNotToBeHad) {
-    const fs::path folder = path("gbuffer");
-    expect_success(render("first", "sky --write-gbuffer {}", folder));
-    write("gbuffer/f0000_depth.pfm", "Pf\n48 27\n-1.0\n" + std::string(std::size_t{4} * 48 * 27, '\0'));
-    expect_refused(words("--gbuffer {} --truth", folder), "no geometry");
-}
-
-// Directions and light.
-class RenderDirections : public Rendering {
-  protected:
-    [[nodiscard]] CommandResult corner(const std::vector<std::string>& more) const {
-        std::vector<std::string> all = words("corner --size 40x24");
-        all.insert(all.end(), more.begin(), more.end());
-        return render("out", all);
+// The left half of the picture, by a camera whose axis is at its right edge. A jitter, here up to half a
+// pixel, leaves its place.
+TEST_F(Render, AViewportOfACameraOffCentreIsThatPartOfThePicture) {
+    const fs::path folder = sequence();
+    render("whole", "--gbuffer {} --radius 0.2 --preset tssao-paper", folder);
+    for (const auto& [frame, jitter] :
+         {std::pair{"f0000", 0.0}, {"f0001", 0.4}, {"f0002", -0.5}, {"f0003", 0.3}}) {
+        change_json(frame, [pixels = jitter](json& description) {
+            description["viewport"] = {0, 0, 32, 36};
+            json& projection = description["camera"]["proj_vk"];
+            projection[0] = 2.0 * projection[0].get<double>();
+            projection[8] = -1.0 + 2.0 * pixels / 32.0;
+        });
     }
-
-    [[nodiscard]] std::uintmax_t bytes_of(const std::string& name) const {
-        return fs::file_size(path("out") / ("f0000_" + name));
-    }
-};
-
-TEST_F(RenderDirections, BentNormalsAndLightAreFilesWhereAskedFor) {
-    expect_success(corner({}));
-    for (const char* name : {"f0000_bent.pfm", "f0000_light.pfm"})
-        EXPECT_FALSE(fs::exists(path("out") / name));
-    expect_success(corner(words("--bent-normals --bent-interleave 4")));
-    EXPECT_GT(bytes_of("bent.pfm"), 100U);
-    expect_success(corner(words("--bent-normals --light sky")));
-    for (const char* name : {"bent.pfm", "bent.png", "cone.pfm", "light.pfm", "light.png", "bounce.pfm"})
-        EXPECT_GT(bytes_of(name), 100U) << name;
+    render("part", "--gbuffer {} --radius 0.2 --preset tssao-paper --truth --truth-rays 32", folder);
+    EXPECT_EQ(cuts("part"), cuts("whole"));
+    const std::vector<float> whole = picture("whole/f0003_ao.pfm");
+    const std::vector<float> part = picture("part/f0003_ao.pfm");
+    ASSERT_EQ(part.size(), 32U * 36U);
+    for (std::size_t y = 0; y < 36; ++y)
+        for (std::size_t x = 0; x < 16; ++x) EXPECT_EQ(part[32 * y + x], whole[64 * y + x]) << x << ' ' << y;
+    change_json("f0000", [](json& description) { description["camera"]["proj_vk"][8] = 1800.0; });
+    expect_could_not_run(gloam("render --gbuffer {} --out {}", folder, path("out")),
+                         "with background up to a centred projection");
 }
 
-TEST_F(RenderDirections, LayersThatAFolderDoesNotHaveAreNamed) {
-    const fs::path views = path("views");
-    expect_success(corner(words("--write-gbuffer {} --method hemisphere --set layers=3", views)));
-    EXPECT_TRUE(fs::exists(views / "f0000_layer2.pfm"));
-    expect_success(render("b", "--gbuffer {} --method hemisphere --set layers=3", views));
-    expect_could_not_run(render("b", "--gbuffer {} --method hemisphere --set layers=4", views),
-                         "layers 4: the view has 3");
+TEST_F(Render, CutsStartAfresh) {
+    const fs::path folder = sequence();
+    change_json("f0002", [](json& frame) {
+        frame["camera"]["prev_view"] = nullptr;
+        frame["camera"].erase("previous_from_current");
+    });
+    render("cut", "--gbuffer {}", folder);
+    EXPECT_THAT(cuts("cut"), ElementsAre("the first frame", nullptr, "there is no prev_view", nullptr));
+    EXPECT_EQ(frames("cut").at(2).at("history").at("kept"), 0.0);
+    EXPECT_FALSE(frames("cut").at(2).contains("flicker"));
+
+    change_json("f0002", [](json& frame) { frame["camera"]["prev_view"] = frame["camera"]["view"]; });
+    change_json("f0003", [](json& frame) { frame["ao_radius"] = 0.2; });
+    render("other", "--gbuffer {}", folder);
+    EXPECT_THAT(cuts("other"), ElementsAre("the first frame", nullptr, "prev_view is not the view before",
+                                           "the radius has changed"));
+    for (const char* name : {".json", "_depth.pfm", "_normal.pfm", "_motion.pfm", "_previous_depth.pfm"})
+        fs::remove(folder / (std::string("f0001") + name));
+    render("gap", "--gbuffer {} --radius 0.4", folder);
+    EXPECT_EQ(cuts("gap").at(1), "frames are missing before it");
+    for (const char* frame : {"f0000", "f0002", "f0003"})
+        write("gbuffer/" + std::string(frame) + "_depth.pfm",
+              "Pf\n64 36\n-1.0\n" + std::string(std::size_t{4} * 64 * 36, '\0'));
+    for (const char* option : {" --frames 1", " --truth"})
+        expect_could_not_run(gloam("render --gbuffer {} --out {}" + std::string(option), folder, path("out")),
+                             "no geometry");
+}
+
+// What is set by name is what was used, and what is listed is what can be set.
+TEST_F(Render, SettingsAreAsTheyAreListed) {
+    const json settings = json::parse(output_of(gloam("list settings --json"))).at("settings");
+    render("plain", "corner --radius 1");
+    const json used = json::parse(read_file(path("plain/render.json"))).at("settings");
+    EXPECT_GT(used.size(), 10U);  // those that the frame reads
+    for (const json& setting : settings) {
+        for (const char* key : {"description", "unit", "expected"}) EXPECT_TRUE(setting.at(key).is_string());
+        const json name = setting.at("name");
+        EXPECT_EQ(used.contains(name), setting.at("default_of") == "balanced") << setting;
+        EXPECT_EQ(used.value(name, setting.at("default")), setting.at("default")) << setting;
+    }
+}
+
+// A unit is a metre, a millimetre or a hundred kilometres: powers of two, so that the pictures are equal to
+// the bit.
+TEST_F(Render, AMeshOfAnyUnitHasTheSameOcclusion) {
+    std::set<std::string> shown;
+    for (const std::string unit : {"1", "0.0009765625", "131072", "16777216"}) {
+        std::string text;
+        for (const std::string& x : {std::string("0"), unit})
+            for (const std::string& y : {std::string("0"), unit})
+                for (const std::string& z : {std::string("0"), unit})
+                    text += "v " + x + " " + y + " " + z + "\n";
+        const fs::path box = write("box.obj", text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\n");
+        render(unit, "{} --fovy 60 --samples 4 --frames 2", box);
+        shown.insert(read_file(path(unit) / "f0001_ao.pfm"));
+    }
+    EXPECT_EQ(shown.size(), 1U);
 }
 
 }  // namespace gloam::test::render_test

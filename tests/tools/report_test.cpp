@@ -5,69 +5,37 @@ namespace gloam::test::report_test {
 
 class ReportCommand : public InFolder {
   protected:
-    // The JSON of one shard of a small check.
-    fs::path shard(const std::string& which) const {
-        const fs::path json = path("shard" + which.substr(0, 1) + ".json");
-        expect_success(gloam("check gloam_radical_* TSSAO-5 --inputs 64 --variant all --shard {} --json {}",
-                             which, json));
-        return json;
-    }
-
-    // The same with a failure; driver: of another build.
-    fs::path failed(const fs::path& good, const char* driver = nullptr) const {
+    // Results of a check, and the same with a failure on another build of the driver.
+    ReportCommand() {
+        expect_success(gloam("check gloam_radical_* --inputs 64 --json {}", good));
         json report = json::parse(read_file(good));
-        if (driver != nullptr) report["device"]["driver"] = driver;
         report["results"][0]["outside"] = 5;
         report["results"][0]["outcome"] = "failed";
         report["results"][0]["classes"].begin().value()["outside"] = 5;
-        return write("bad.json", report.dump());
+        write("bad.json", report.dump());
+        report["device"]["driver"] = "another build";
+        write("other.json", report.dump());
+        report["results"][1]["inputs"] = "many";
+        write("field.json", report.dump());
     }
+
+    const fs::path good = path("good.json");
 };
 
-TEST_F(ReportCommand, ShardsMergeIntoTheWhole) {
-    const fs::path whole = path("whole.json");
-    expect_success(gloam("check gloam_radical_* TSSAO-5 --inputs 64 --variant all --json {}", whole));
-    const fs::path merged = path("merged.json");
-    const std::string result =
-        output_of(gloam("report {} {} {} --json {}", shard("0/3"), shard("1/3"), shard("2/3"), merged));
-    EXPECT_THAT(result, HasSubstr("HALTON-base2"));
-    EXPECT_THAT(result, HasSubstr("shipped"));
-    const std::string again = output_of(gloam("report {}", whole));
-    EXPECT_EQ(result, again);
-    EXPECT_EQ(json::parse(read_file(merged)).at("results").size(),
-              json::parse(read_file(whole)).at("results").size());
-    EXPECT_EQ(gloam("report {}", merged).out, again);  // what it writes it reads
-}
-
-TEST_F(ReportCommand, AFailureIsStatusOneAndConflictsAreSaid) {
-    const fs::path good = shard("0/1");
-    const fs::path bad = failed(good);
-    const CommandResult result = gloam("report {} {}", good, bad);
-    EXPECT_EQ(result.status, 1);
-    EXPECT_EQ(result.err, "");
-    EXPECT_THAT(result.out, HasSubstr("FAIL 5/64"));
-    EXPECT_THAT(result.out, HasSubstr("the worse is kept"));
-    EXPECT_THAT(result.out, HasSubstr(bad.string()));
-}
-
-TEST_F(ReportCommand, WrongFilesAreNamed) {
-    json report = json::parse(read_file(shard("0/1")));
-    report["results"][1]["inputs"] = "many";
-    expect_could_not_run(gloam("report {}", write("field.json", report.dump())),
-                         "results[1].inputs: expected a count, found \"many\"");
-    expect_could_not_run(gloam("report {} --json /no/such/folder/a.json", shard("0/1")),
-                         "/no/such/folder/a.json");
-}
-
-// What newly failed, what was mended, and another build of the driver.
-TEST_F(ReportCommand, TwoRunsAreCompared) {
-    const fs::path good = shard("0/1");
-    const fs::path bad = failed(good, "another build");
-    EXPECT_THAT(output_of(gloam("report {} --since {}", good, bad)), HasSubstr(": mended\n"));
-    const CommandResult later = gloam("report {} --since {}", bad, good);
+// A failure is status 1, and conflicts are said; so is what newly failed and what was mended.
+TEST_F(ReportCommand, TellsFailuresConflictsAndChanges) {
+    const CommandResult both = gloam("report {} {}", good, path("bad.json"));
+    EXPECT_EQ(both.status, 1);
+    EXPECT_EQ(both.err, "");
+    EXPECT_THAT(both.out, AllOf(HasSubstr("FAIL 5/64"), HasSubstr("the worse is kept"),
+                                HasSubstr(path("bad.json").string())));
+    EXPECT_THAT(output_of(gloam("report {} --since {}", good, path("other.json"))), HasSubstr(": mended\n"));
+    const CommandResult later = gloam("report {} --since {}", path("other.json"), good);
     EXPECT_EQ(later.status, 1);
     EXPECT_THAT(later.out, HasSubstr("(another build): newly failed\n"));
     expect_could_not_run(gloam("report {} --since {}", good, path("none.json")), "none.json");
+    expect_could_not_run(gloam("report {}", path("field.json")),
+                         "results[1].inputs: expected a count, found \"many\"");
 }
 
 // Each task of the array writes its shard, and a task that runs again keeps what is there.
@@ -82,8 +50,7 @@ TEST_F(ReportCommand, TheTasksOfAJobArrayAreShards) {
     };
     for (const char* index : {"0", "1", "1"}) expect_success(task(index));
     const std::string both = output_of(gloam("report {} {}", path("all/1.json"), path("all/0.json")));
-    expect_success(gloam("check gloam_radical_* --inputs 64 --json {}", path("whole.json")));
-    EXPECT_EQ(both, output_of(gloam("report {}", path("whole.json"))));
+    EXPECT_EQ(both, output_of(gloam("report {}", good)));
 }
 
 // A failure is handed over ready to report.
@@ -128,8 +95,7 @@ void expect_assembles(const fs::path& assembly) {
 
 TEST_F(Failures, AWrongResultIsHandedOverWhole) {
     installation_.spoil_radical_inverse_base2();
-    for (const std::vector<std::string>& how :
-         {std::vector<std::string>{}, {"--in-process"}, {"--jobs", "2"}}) {
+    for (const std::vector<std::string>& how : {std::vector<std::string>{"--in-process"}, {"--jobs", "2"}}) {
         fs::remove_all(installation_.file("failures"));
         const CommandResult result = check(how);
         EXPECT_EQ(result.status, 1);
@@ -139,11 +105,16 @@ TEST_F(Failures, AWrongResultIsHandedOverWhole) {
                     HasSubstr("uint 1 (0x00000001)"));  // no simpler index has an odd result
         EXPECT_THAT(text("report.txt"), HasSubstr("want 0.5"));
         EXPECT_THAT(text("shader.comp"), HasSubstr("float gloam_radical_inverse_base2(uint index)"));
-        EXPECT_THAT(text("repro.amber"), HasSubstr("EXPECT floats IDX 0 GE 0.500000000"));
         EXPECT_THAT(text("repro.c"), testing::ContainsRegex("#define FOUND_ON \"[^\"]+\"\n"));
-        expect_valid(folder() / "shader.spv");
-        expect_assembles(folder() / "shader.spvasm");
     }
+    expect_valid(folder() / "shader.spv");
+    expect_assembles(folder() / "shader.spvasm");
+    const std::string script = text("repro.amber");
+    EXPECT_THAT(script, HasSubstr("EXPECT floats IDX 0 GE 0.500000000"));
+    const std::size_t begin = script.find('\n', script.find("SHADER compute")) + 1;
+    const fs::path assembly = installation_.file("amber.spvasm");
+    std::ofstream(assembly) << script.substr(begin, script.find("END", begin) - begin);
+    expect_assembles(assembly);
 }
 
 // The command in report.txt is complete: run unchanged in a shell, it finds exactly the same failure.
@@ -172,26 +143,6 @@ TEST_F(Failures, RunItAgainReproducesToTheBit) {
     EXPECT_EQ(one, other);
 }
 
-TEST_F(Failures, TheAssemblyInTheAmberScriptIsAModule) {
-    installation_.spoil_radical_inverse_base2();
-    EXPECT_EQ(check().status, 1);
-    const std::string script = text("repro.amber");
-    const std::size_t begin = script.find('\n', script.find("SHADER compute")) + 1;
-    const fs::path assembly = installation_.file("amber.spvasm");
-    std::ofstream(assembly) << script.substr(begin, script.find("END", begin) - begin);
-    expect_assembles(assembly);
-}
-
-TEST_F(Failures, AHangIsHandedOverWithoutRunningItAgain) {
-    installation_.make_radical_inverse_base2_hang();
-    EXPECT_EQ(check(words("--timeout 1.5")).status, 1);
-    // The worker's processor time and its wait for the device are limited alike: either may end first.
-    EXPECT_THAT(text("report.txt"),
-                AnyOf(HasSubstr("hang: not finished after 1.5 s"), HasSubstr("submission within 1.5 s")));
-    EXPECT_THAT(text("repro.amber"), HasSubstr("not judged"));
-    EXPECT_THAT(text("shader.comp"), HasSubstr("spin"));
-}
-
 TEST_F(Failures, WhatDoesNotCompileHasAReportThatSaysSo) {
     installation_.replace("gloam/sampling/halton.glsl", "uint bits = ", "uint bits = no_such_variable + ");
     EXPECT_EQ(check().status, 1);
@@ -210,17 +161,6 @@ TEST_F(Failures, AnAccessOutsideAnImageComesWithTheImage) {
     const fs::path device = fs::directory_iterator(failures)->path();
     EXPECT_THAT(read_file(fs::directory_iterator(device)->path() / "repro.amber"),
                 HasSubstr("BUFFER image0 DATA_TYPE uint32"));
-}
-
-TEST_F(Failures, WithoutAnyNothingIsLeft) {
-    expect_success(check());
-    EXPECT_FALSE(fs::exists(installation_.file("failures")));
-}
-
-TEST_F(Failures, AFolderThatCannotBeIsNamed) {
-    const fs::path file = installation_.file("file");
-    std::ofstream(file) << "x";
-    expect_could_not_run(gloam("check HALTON --failures {}", file / "below"), file.string());
 }
 
 }  // namespace gloam::test::report_test

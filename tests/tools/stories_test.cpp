@@ -6,13 +6,18 @@
 //   $ WORDS => A && B         gloam with these words: status 0, no standard error, and A and B in its output
 //   $1 WORDS => A && B        another status, and anything on standard error
 //   ! WORDS : ROW || ROW      each row behind the words cannot run: status 2, no folder "out", and one line
-//                             on standard error, with the text in brackets, or behind =>
-//   < FILE                    what follows is about this file
+//                             on standard error without control characters, with the text in brackets, or
+//                             behind =>
+//   again WORDS               gloam with these words has the output of the last run
+//   < FILE                    what follows is about this file, which is not empty
 //   = A && B, - A && B        it holds the texts, or none of them; ~ REGEX: it matches; ^ TEXT: it begins so
+//   same A B, differ A B      two files have the same bytes, or others; gone A: there is none of that name
 //
 // A line that begins with four blanks goes on with the one before. {a,b} stands for a, then for b. 'a b' is
 // one word. @glsl, @examples and @fixtures are folders of the repository, @here is the story's own,
-// @version gloam's version. \n is a new line, \e the escape character. # begins a comment.
+// @version gloam's version, @crashing a driver that crashes, @full_disk a disk that is full. \n is a new
+// line, \e the escape character. Words like NAME=VALUE before the others are of the environment. # begins a
+// comment.
 #include "base/version.hpp"
 #include "tools/gloam.hpp"
 
@@ -99,6 +104,8 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
                                                              {"@examples", GLOAM_EXAMPLES},
                                                              {"@fixtures", GLOAM_TOOLS_FIXTURES},
                                                              {"@version", base::version()},
+                                                             {"@crashing", GLOAM_CRASHING_DRIVER},
+                                                             {"@full_disk", GLOAM_FULL_DISK},
                                                              {"@here", path("").string()},
                                                              {"\\n", "\n"},
                                                              {"\\e", "\x1b"}};
@@ -109,8 +116,14 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
     }
 
     CommandResult run(const std::string& line) {
-        CommandResult result = run_command(
-            quoted_words(line), {.working_directory = path(""), .timeout = std::chrono::seconds(300)});
+        CommandOptions options{.working_directory = path(""), .timeout = std::chrono::seconds(300)};
+        std::vector<std::string> words = quoted_words(line);
+        const auto command = std::ranges::find_if_not(words, [](const std::string& word) {
+            return std::isupper(word[0]) != 0 && word.find('=') != std::string::npos;
+        });
+        options.environment.assign(words.begin(), command);
+        words.erase(words.begin(), command);
+        CommandResult result = run_command(words, options);
         output_ = result.out + result.err;
         return result;
     }
@@ -123,7 +136,9 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
         const std::string named =
             arrow < row.size() ? row.substr(arrow + 3) : line.substr(open + 1, line.find(']') - open - 1);
         std::erase_if(line, [](char c) { return c == '[' || c == ']'; });
-        expect_could_not_run(run(line), named);
+        const CommandResult result = run(line);
+        expect_could_not_run(result, named);
+        EXPECT_THAT(result.err, Not(HasSubstr("\x1b")));
         EXPECT_FALSE(fs::exists(path("out")));
     }
 
@@ -154,8 +169,34 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
             for (const std::string& row :
                  parts_of(colon == std::string::npos ? rest : rest.substr(colon + 3), " || "))
                 for (const std::string& choice : choices_of(row)) expect_refused(before, choice);
-        } else if (mark == "<") {
-            output_ = read_file(path(text));
+        } else if (mark == "again") {
+            const std::string before = output_;
+            for (const std::string& choice : choices_of(rest)) {
+                (void)run(choice);
+                EXPECT_EQ(output_, before);
+            }
+        } else if (mark.starts_with('$')) {
+            for (const std::string& choice : choices_of(rest))
+                expect_runs(choice, mark == "$" ? std::nullopt : std::optional(std::stoi(mark.substr(1))));
+        } else {
+            look(mark, text);
+        }
+    }
+
+    // What a line says of files and of the last output.
+    void look(const std::string& mark, const std::string& text) {
+        const std::vector<std::string> files = quoted_words(text);
+        if (mark == "<") {
+            output_.clear();
+            for (const std::string& file : choices_of(text)) {
+                output_ += read_file(path(file));
+                EXPECT_GT(fs::file_size(path(file)), 0U) << file;
+            }
+        } else if (mark == "same" || mark == "differ") {
+            EXPECT_EQ(read_file(path(files.at(0))) == read_file(path(files.at(1))), mark == "same");
+            EXPECT_FALSE(read_file(path(files.at(1))).empty());
+        } else if (mark == "gone") {
+            for (const std::string& file : files) EXPECT_FALSE(fs::exists(path(file))) << file;
         } else if (mark == "=" || mark == "-") {
             expect_texts(text, mark == "=");
         } else if (mark == "^") {
@@ -163,8 +204,7 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
         } else if (mark == "~") {
             EXPECT_THAT(output_, testing::ContainsRegex(text));
         } else {
-            for (const std::string& choice : choices_of(rest))
-                expect_runs(choice, mark == "$" ? std::nullopt : std::optional(std::stoi(mark.substr(1))));
+            FAIL() << "no mark: " << mark;
         }
     }
 

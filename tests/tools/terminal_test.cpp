@@ -55,36 +55,6 @@ TEST_F(Terminal, TheTableExplainsItsColumnsAndLinesUp) {
     EXPECT_EQ(columns[0], columns[2]);
 }
 
-// A browser runs the page's script, which its content security policy names by a hash: it counts the rows.
-void expect_script_runs(const std::string& page) {
-    constexpr const char* browser = "/usr/bin/chromium";
-    if (!fs::exists(browser)) return;  // wanted, not needed: tools/packages-tests.txt
-    const TemporaryDirectory home;
-    const CommandResult shown =
-        run_program(browser, words("--headless --no-sandbox --disable-gpu --dump-dom {}", "file://" + page),
-                    {.environment = {"HOME=" + home.path().string()}});
-    EXPECT_THAT(shown.out, HasSubstr("1 of 1 rows</output>"));
-}
-
-TEST_F(Terminal, CheckAndReportWriteAPage) {
-    expect_success(gloam("check gloam_radical_inverse_base2 --inputs 64 --json {} --html {}", path("a.json"),
-                         path("a.html")));
-    EXPECT_THAT(read_file(path("a.html")), HasSubstr("1 checks, 0 failed"));
-    expect_success(gloam("report {} --html {}", path("a.json"), path("b.html")));
-    EXPECT_EQ(read_file(path("a.html")), read_file(path("b.html")));
-    expect_script_runs(path("a.html").string());
-    // A device's name from a file of someone else.
-    std::string text = read_file(path("a.json"));
-    const std::size_t name = text.find("\"name\": \"") + 9;
-    text.insert(name, "</script><b>");
-    std::ofstream(path("a.json")) << text;
-    expect_success(gloam("report {} --html {}", path("a.json"), path("b.html")));
-    EXPECT_THAT(read_file(path("b.html")), HasSubstr("&lt;/script&gt;&lt;b&gt;"));
-    EXPECT_THAT(read_file(path("b.html")), Not(HasSubstr("</script><b>")));
-    expect_could_not_run(gloam("report {} --html /no/such/folder/a.html", path("a.json")),
-                         "/no/such/folder/a.html");
-}
-
 // An output that cannot be written is an error, wherever it goes; and no other file replaces a closed stream.
 
 const std::vector<std::string> small_check{"check", "gloam_radical_inverse_base2", "--inputs", "64"};

@@ -86,32 +86,4 @@ TEST(Stress, NoticesWhatIsBroken) {
     }
 }
 
-// A pixel in the middle of the image, 90 degrees wide: a ball of radius 1 at depth 4 is seen to
-// tan(asin(1/4)) = 0.2582 on each side.
-TEST(Footprint, IsTheBallAsTheEyeSeesIt) {
-    scene::GBuffer view = plane({101, 101});
-    view.camera.proj_vk[0][0] = 1.0F;
-    view.camera.proj_vk[1][1] = -1.0F;
-    view.depth.assign(view.depth.size(), infinity);
-    view.depth[50 * 101 + 50] = 4.0F;
-    // 0.2582 * 50.5 = 13.04 pixels, and one and a half more.
-    const auto reached_from = [&](int x) { return depth_footprint(view, 1.0, {x, 50})[50 * 101 + 50]; };
-    EXPECT_TRUE(reached_from(50 - 14));
-    EXPECT_FALSE(reached_from(50 - 15));
-    EXPECT_TRUE(reached_from(50 + 14));
-    EXPECT_FALSE(reached_from(50 + 15));
-}
-
-TEST(Footprint, WidensAndMeasures) {
-    constexpr gpu::Extent extent{7, 5};
-    const Mask one = single_pixel(extent, {0, 2});
-    EXPECT_EQ(std::ranges::count(one, true), 1);
-    EXPECT_EQ(reach_of(one, extent, {0, 2}), 0);
-    EXPECT_EQ(reach_of(one, extent, {3, 2}), 3);
-    const Mask wide = widened(one, extent, 2);
-    EXPECT_EQ(std::ranges::count(wide, true), 15);
-    EXPECT_EQ(reach_of(wide, extent, {0, 2}), 2);
-    EXPECT_EQ(reach_of(Mask(35), extent, {0, 2}), 0);
-}
-
 }  // namespace gloam::stress::test::robust_test
