@@ -27,6 +27,16 @@ Error error_of(const std::string& body, const std::vector<Word>& inputs, const s
     return {Error::Kind::missing, ""};
 }
 
+TEST(Program, LoopsWithPhisExchangeTheirValuesAtOnce) {
+    const std::string body =
+        "uint a = word(0); uint b = word(1);\n"
+        "for (uint n = 0u; n < word(2); ++n) { uint t = a; a = b; b = t; }\n"
+        "put(0u, a); put(1u, b);\n";
+    const Program program(compiled(test::row_shader(4, 2, body), "optimized"));
+    const Rows rows{.inputs = {5, 9, 3, 0, 5, 9, 4, 0}, .input_words = 4, .output_words = 2};
+    EXPECT_EQ(test::rounded_correctly(program, rows), (std::vector<Word>{9, 5, 5, 9}));
+}
+
 TEST(Program, FloatsOf16BitsAreConstantsAndLieInBuffers) {
     const std::string text =
         "#version 450\n#extension GL_EXT_shader_16bit_storage : require\n"
@@ -50,6 +60,27 @@ TEST(Program, FloatsOf16BitsAreConstantsAndLieInBuffers) {
         EXPECT_EQ(machine.read(0, 1, 0).bits(), pair(1.8330078125F, -4.25F)) << variant;  // 0.333 has 11 bits
         EXPECT_EQ(machine.read(0, 1, 1).bits(), pair(-0.75F, 0.1F)) << variant;
     }
+}
+
+TEST(Program, MatricesInBuffersLieAsTheirLayoutSays) {
+    const std::string text =
+        "#version 450\nlayout(local_size_x = 1) in;\n"
+        "layout(std430, binding = 0) readonly buffer In { layout(row_major) mat2x3 m; layout(column_major) "
+        "mat2x3 n; vec3 v; };\n"
+        "layout(std430, binding = 1) buffer Out { float o[]; };\n"
+        "void main() { o[0] = m[1].y; o[1] = n[1].y; o[2] = (m * vec2(1.0, 10.0)).z; o[3] = v.z; o[4] = "
+        "float(o.length()); "
+        "vec3 column = m[0]; o[5] = column.z; }\n";
+    std::vector<Word> inputs;
+    for (int k = 0; k < 20; ++k) inputs.push_back(std::bit_cast<Word>(static_cast<float>(k)));
+    Machine<float> machine{Program(compiled(text))};
+    const std::vector<Word> outputs(6, 0U);
+    machine.bind(0, 0, inputs);
+    machine.bind(0, 1, outputs);
+    machine.run();
+    // Row-major: rows of two at words 0, 2, 4. Column-major: columns at words 8 and 12.
+    const std::vector<float> want{3.0F, 13.0F, 54.0F, 18.0F, 6.0F, 4.0F};
+    for (std::size_t k = 0; k < want.size(); ++k) EXPECT_EQ(machine.read(0, 1, k).number(), want[k]) << k;
 }
 
 TEST(Program, SpecializationConstantsTakeTheirValues) {

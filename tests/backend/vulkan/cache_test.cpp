@@ -5,6 +5,7 @@
 
 #include "backend/shader_cache.hpp"
 #include "backend/vulkan/gpu_test.hpp"
+#include "backend/vulkan/internal/pipeline_cache.hpp"
 #include "base/cached_file.hpp"
 #include "shaders/fill_comp.h"
 #include "support/full_disk.hpp"
@@ -111,6 +112,23 @@ TEST_F(CacheFile, WhatCannotBeReadOrWrittenIsNoError) {
     fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_FALSE(base::write_cached(file, key, some_bytes(4)));
     fs::permissions(folder.path(), fs::perms::owner_all);
+}
+
+// Vulkan's header: its length, version 1, vendor, device, UUID; then what is the driver's own. A driver never
+// gets another's, or one that is cut.
+TEST(CacheHeader, IsWholeAndOfTheDriver) {
+    const DriverKey driver{.vendor = 0x10005, .device = 7, .uuid = {1, 2, 3, 4, 5, 6, 7, 8}};
+    const std::array<std::uint32_t, 4> start{32, 1, driver.vendor, driver.device};
+    std::vector<std::byte> blob(32 + 100);
+    std::memcpy(blob.data(), start.data(), 16);
+    std::memcpy(blob.data() + 16, driver.uuid.data(), 16);
+    for (std::size_t length = 0; length <= blob.size(); ++length)
+        EXPECT_EQ(is_pipeline_cache_of(std::span(blob).first(length), driver), length >= 32) << length;
+    for (std::size_t i = 0; i < 32; ++i) {
+        auto other = blob;
+        other[i] ^= std::byte{0x80};
+        EXPECT_FALSE(is_pipeline_cache_of(other, driver)) << "byte " << i;
+    }
 }
 
 class PipelineCacheTest : public GpuTest {
