@@ -176,14 +176,6 @@ TEST(Audit, IsThatOfAFunctionInCpp) {
     EXPECT_TRUE(root.audit({uniform(0, 100)}, {.inputs = 512}).is_broken());
 }
 
-TEST(Audit, SaysEverythingInAFewLines) {
-    const std::string text = to_text(fixture().audit("angle_between"));
-    EXPECT_THAT(text, StartsWith("audit.glsl: float angle_between(vec3 n, vec3 l)\n"
-                                 "  n               unit vectors (name)\n"));
-    EXPECT_THAT(text, HasSubstr("not finite"));
-    EXPECT_THAT(text, HasSubstr("acos(dot(n, l)) -> acos(clamp(dot(n, l), -1.0, 1.0))"));
-}
-
 // The domain.
 
 std::vector<std::string> described(const std::vector<OrdinaryValues>& all) {

@@ -43,14 +43,6 @@ TEST_F(SearchTest, StaysInsideTheDomain) {
     EXPECT_EQ(from_word<float>(found.answer.worst->inputs[1]), 3.0F);
 }
 
-TEST_F(SearchTest, FindsTheSameAgain) {
-    const Question narrow = planted("narrow_peak", {uniform(0, 1), uniform(0, 1)});
-    const SearchResult first = search(lab, narrow, {.inputs = 8192, .seed = 3});
-    const SearchResult second = search(lab, narrow, {.inputs = 8192, .seed = 3});
-    ASSERT_TRUE(first.answer.worst && second.answer.worst);
-    EXPECT_EQ(first.answer.worst->inputs, second.answer.worst->inputs);
-}
-
 TEST_F(SearchTest, AFoundInputIsPartOfEveryRunAfterwards) {
     const Question narrow =
         planted("narrow_peak", Domain{uniform(0, 1), uniform(0, 1)}.and_input(0.7123F, 0.3004F));

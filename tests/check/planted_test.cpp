@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Wrong results, planted behind the back of each kind of device: the check of every equation notices them.
+// Wrong results, planted behind the back of a device: the check of every equation notices them by the rules
+// alone, and by its reference where the device promises least. What is noticed there is noticed on every
+// other device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,14 +133,12 @@ TEST_P(Planted, FailsForEveryEquationThatIsJudged) {
         expect_noticed_on(*lab, test::entries()[i]);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Catalogue, Planted,
-    testing::Combine(testing::Values("shipped", "strict", "gl:llvmpipe-4.5", "gl:llvmpipe-3.3",
-                                     "es:llvmpipe-3.2", "es:llvmpipe-3.1", "es:llvmpipe-3.0",
-                                     "gl:softpipe-3.3", "es:softpipe-3.1", "es:softpipe-3.0"),
-                     testing::Range(std::size_t{0}, shards)),
-    [](const auto& info) {
-        return test::test_name(std::get<0>(info.param)) + "_" + std::to_string(std::get<1>(info.param));
-    });
+INSTANTIATE_TEST_SUITE_P(Catalogue, Planted,
+                         testing::Combine(testing::Values("strict", "es:llvmpipe-3.0"),
+                                          testing::Range(std::size_t{0}, shards)),
+                         [](const auto& info) {
+                             return test::test_name(std::get<0>(info.param)) + "_" +
+                                    std::to_string(std::get<1>(info.param));
+                         });
 
 }  // namespace gloam::check::planted_test

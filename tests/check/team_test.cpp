@@ -57,26 +57,6 @@ TEST(Quads, AnInvocationThatIsDiscardedSaysSo) {
               (std::vector<Word>{0, to_word(1.5F), to_word(2.0F), 0, 1, 0, 0, 1}));
 }
 
-TEST(Quads, NeighboursDifferByStepsInsideTheDomain) {
-    const Domain domain{neighbours(type_of<float>(), uniform(0, 1)),
-                        neighbours(type_of<int>(), integers(0, 9))};
-    const Domain::Inputs inputs = domain.draw(2048, 1);
-    std::size_t smooth = 0;
-    std::size_t apart = 0;
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        const auto row = inputs.row(i);
-        std::array<float, 4> x{};
-        for (std::size_t k = 0; k < 4; ++k) x.at(k) = from_word<float>(row[k]);
-        for (const float one : x) ASSERT_TRUE(one >= 0.0F && one <= 1.0F);
-        const float dx = x[1] - x[0];
-        const bool steps = dx != 0.0F && std::abs(x[3] - x[2] - dx) < 1e-6F;
-        (steps ? smooth : apart) += dx != 0.0F ? 1 : 0;
-        EXPECT_TRUE(domain.parameters()[0].admits(row.first(4)));
-    }
-    EXPECT_GT(smooth, inputs.count() / 8);
-    EXPECT_GT(apart, inputs.count() / 16);
-}
-
 // Work groups.
 
 using Kind = interpreter::Error::Kind;

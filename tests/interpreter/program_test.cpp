@@ -14,20 +14,6 @@ shader::Spirv compiled(const std::string& text, const char* variant = "shipped")
     return shader::compile({.name = "test", .text = text}, {.variant = shader::variant(variant)});
 }
 
-// The words that a shader of four inputs and `count` outputs writes.
-std::vector<Word> words_of(const std::string& body, const std::vector<Word>& inputs, std::size_t count,
-                           const std::string& functions = {}) {
-    std::vector<Word> first;
-    for (const char* variant : {"shipped", "strict", "optimized", "small"}) {
-        const Program program(compiled(test::row_shader(4, count, body, functions), variant));
-        const std::vector<Word> words =
-            test::rounded_correctly(program, {.inputs = inputs, .input_words = 4, .output_words = count});
-        if (first.empty()) first = words;
-        EXPECT_EQ(words, first) << variant;
-    }
-    return first;
-}
-
 Error error_of(const std::string& body, const std::vector<Word>& inputs, const std::string& functions = {}) {
     const Program program(compiled(test::row_shader(4, 1, body, functions)));
     Machine<float> machine(program);
@@ -46,22 +32,9 @@ TEST(Program, LoopsWithPhisExchangeTheirValuesAtOnce) {
         "uint a = word(0); uint b = word(1);\n"
         "for (uint n = 0u; n < word(2); ++n) { uint t = a; a = b; b = t; }\n"
         "put(0u, a); put(1u, b);\n";
-    EXPECT_EQ(words_of(body, {5, 9, 3, 0}, 2), (std::vector<Word>{9, 5}));
-    EXPECT_EQ(words_of(body, {5, 9, 4, 0}, 2), (std::vector<Word>{5, 9}));
-}
-
-TEST(Program, ArraysAndStructuresAreReachedByWhatIsKnownWhenItRunsOnly) {
-    const std::string functions =
-        "struct Pair { uint a; uint b[3]; };\n"
-        "uint pick(Pair p[2], uint i, uint j) { return p[i].b[j]; }\n"
-        "void change(inout uint x[3], uint j) { x[j] += 100u; }\n";
-    const std::string body =
-        "Pair p[2]; for (uint i = 0u; i < 2u; ++i) for (uint j = 0u; j < 3u; ++j) p[i].b[j] = 10u * i + j;\n"
-        "p[0].a = 77u; p[1].a = 78u;\n"
-        "change(p[word(0)].b, word(1));\n"
-        "put(0u, pick(p, word(0), word(1))); put(1u, pick(p, 0u, 2u)); put(2u, p[word(0)].a);\n";
-    EXPECT_EQ(words_of(body, {1, 2, 0, 0}, 3, functions), (std::vector<Word>{112, 2, 78}));
-    EXPECT_EQ(words_of(body, {0, 2, 0, 0}, 3, functions), (std::vector<Word>{102, 102, 77}));
+    const Program program(compiled(test::row_shader(4, 2, body), "optimized"));
+    const Rows rows{.inputs = {5, 9, 3, 0, 5, 9, 4, 0}, .input_words = 4, .output_words = 2};
+    EXPECT_EQ(test::rounded_correctly(program, rows), (std::vector<Word>{9, 5, 5, 9}));
 }
 
 TEST(Program, FloatsOf16BitsAreConstantsAndLieInBuffers) {
@@ -148,27 +121,6 @@ TEST(Program, AtomicsOfOneInvocationAreReadsAndWrites) {
         for (std::size_t k = 0; k < outputs.size(); ++k) got.push_back(machine.read(0, 1, k).bits());
         EXPECT_EQ(got, (std::vector<Word>{5, 2, 8, 8, 4, 70 + 9 + 4, 1, 5}));
     }
-}
-
-TEST(Program, ImagesAreReadAndWrittenByTexel) {
-    const std::string text =
-        "#version 450\nlayout(local_size_x = 1) in;\n"
-        "layout(binding = 0) uniform sampler2D depth; layout(binding = 1, rgba32f) uniform image2D result;\n"
-        "void main() { ivec2 size = textureSize(depth, 0);\n"
-        "vec4 t = texelFetch(depth, ivec2(size.x - 1, 1), 0); imageStore(result, ivec2(1, 0), t * 2.0);\n"
-        "imageStore(result, ivec2(0, 0), imageLoad(result, ivec2(1, 0)) + vec4(imageSize(result), 0.0, "
-        "0.0)); }\n";
-    Machine<float> machine{Program(compiled(text))};
-    std::vector<Word> texels;
-    for (int k = 0; k < 3 * 2 * 4; ++k) texels.push_back(std::bit_cast<Word>(static_cast<float>(k)));
-    const std::vector<Word> result(2 * 4, 0U);
-    machine.bind(0, 0, {.size = {3, 2, 1}, .texels = texels});
-    machine.bind(0, 1, {.size = {2, 1, 1}, .texels = result});
-    machine.run();
-    EXPECT_EQ(machine.read(0, 1, 4).number(), 40.0F);
-    EXPECT_EQ(machine.read(0, 1, 7).number(), 46.0F);
-    EXPECT_EQ(machine.read(0, 1, 0).number(), 42.0F);
-    EXPECT_EQ(machine.read(0, 1, 1).number(), 43.0F);
 }
 
 TEST(Program, AnIndexOutsideIsAnErrorThatSaysWhere) {

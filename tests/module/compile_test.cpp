@@ -6,16 +6,6 @@
 
 namespace gloam::shader::compile_test {
 
-TEST(Compile, MakesAModuleForVulkan12) {
-    const Spirv module = compile(kernel("", "1.0"), {});
-    ASSERT_GT(module.size(), 5u);
-    EXPECT_EQ(module[0], 0x07230203u);
-    EXPECT_EQ(module[1], 0x00010500u);  // SPIR-V 1.5
-    EXPECT_NO_THROW(validate(module));
-    EXPECT_THAT(disassemble(module),
-                AllOf(HasSubstr("OpEntryPoint GLCompute %main \"main\""), HasSubstr("OpStore")));
-}
-
 TEST(Compile, ServesEveryStage) {
     const Source vertex{"v", "#version 450\nvoid main() { gl_Position = vec4(0.0); }\n"};
     const Source fragment{
@@ -24,13 +14,6 @@ TEST(Compile, ServesEveryStage) {
     EXPECT_THAT(disassemble(compile(fragment, {.stage = Stage::fragment})),
                 HasSubstr("OpEntryPoint Fragment"));
     EXPECT_THROW(static_cast<void>(compile(vertex, {.stage = Stage::fragment})), CompileError);
-}
-
-TEST(Compile, IncludesMayHaveAnExtensionLine) {
-    for (const char* line : {"", "#extension GL_GOOGLE_include_directive : require\n"})
-        EXPECT_NO_THROW(static_cast<void>(
-            compile(kernel(line + std::string("#include \"math/hypot.glsl\""), "fx_hypot(3.0, 4.0)"),
-                    with_fixtures())));
 }
 
 TEST(Compile, IncludesLookInTheFolderOfTheSource) {
@@ -126,26 +109,12 @@ TEST(CompileErrorMessage, NothingIsPrinted) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-std::vector<std::filesystem::path> paths(const std::vector<IncludedFile>& files) {
-    std::vector<std::filesystem::path> result;
-    for (const IncludedFile& file : files) result.push_back(file.path);
-    return result;
-}
-
 using Include = InFolder;
 
 TEST_F(Include, ReadsATextWhole) {
     EXPECT_EQ(read_text(folder.write("a.glsl", "one\r\ntwo")), "one\r\ntwo");
     EXPECT_EQ(read_text(folder.write("empty.glsl", "")), "");
     EXPECT_EQ(read_text(folder.write("marked.glsl", "\xef\xbb\xbfone")), "one");
-}
-
-TEST_F(Include, UnreadableTextIsNamed) {
-    const auto read = [](const std::filesystem::path& file) {
-        return message_of<std::runtime_error>([&] { static_cast<void>(read_text(file)); });
-    };
-    EXPECT_THAT(read(folder.path() / "none.glsl"), HasSubstr((folder.path() / "none.glsl").string()));
-    EXPECT_THAT(read(folder.path()), AllOf(HasSubstr(folder.path().string()), HasSubstr("folder")));
 }
 
 TEST_F(Include, FilesThatWereReadAreListedOnceEach) {
@@ -204,45 +173,46 @@ TEST_F(Include, MissingIncludeListsWhereItLooked) {
         [] { static_cast<void>(resolve_include("x/y.glsl", "/from", {"/one", "/two"})); });
     EXPECT_THAT(message, AllOf(HasSubstr("\"x/y.glsl\""), HasSubstr("/from/x/y.glsl"),
                                HasSubstr("/one/x/y.glsl"), HasSubstr("/two/x/y.glsl")));
-    EXPECT_THROW(static_cast<void>(resolve_include("x", {}, {})), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(resolve_include("math", {}, {FIXTURES})), std::runtime_error)
+        << "a folder";
 }
 
-TEST_F(Include, AFolderIsNoInclude) {
-    EXPECT_THROW(static_cast<void>(resolve_include("math", {}, {FIXTURES})), std::runtime_error);
-}
-
-TEST(IncludeClosure, HoldsEachFileOnceInOrderOfMention) {
-    const auto files = include_closure(
-        "#include \"broken/outer.glsl\"\n#include \"math/square.glsl\"\n#include \"math/hypot.glsl\"\n",
-        {FIXTURES});
-    EXPECT_THAT(paths(files), ElementsAre(fixture("broken/outer.glsl"), fixture("math/square.glsl"),
-                                          fixture("broken/inner.glsl"), fixture("math/hypot.glsl")));
-    for (const IncludedFile& file : files) EXPECT_EQ(file.text, read_text(file.path));
-}
-
-TEST(IncludeClosure, LooksInTheFolderOfTheIncluder) {
-    EXPECT_THAT(paths(include_closure("#include \"neighbour.glsl\"\n", {}, fixture("math"))),
-                ElementsAre(fixture("math/neighbour.glsl"), fixture("math/square.glsl")));
-    EXPECT_TRUE(include_closure("#include \"neighbour.glsl\"\n", {FIXTURES}).empty());
-    EXPECT_TRUE(include_closure("#include <neighbour.glsl>\n", {}, fixture("math")).empty());
-}
-
-TEST(IncludeClosure, EndsOnCycles) {
-    EXPECT_THAT(
-        paths(include_closure("#include \"cycle/a.glsl\"\n#include \"cycle/self.glsl\"\n", {FIXTURES})),
-        ElementsAre(fixture("cycle/a.glsl"), fixture("cycle/b.glsl"), fixture("cycle/self.glsl")));
-}
-
-TEST(IncludeClosure, SeesPastConditionsButNotIntoComments) {
-    EXPECT_THAT(paths(include_closure("#if 0\n#include \"math/square.glsl\"\n#endif\n"
-                                      "// #include \"math/hypot.glsl\"\n/*\n#include \"fetch.glsl\"\n*/\n",
-                                      {FIXTURES})),
-                ElementsAre(fixture("math/square.glsl")));
-}
-
-TEST(IncludeClosure, LeavesMissingFilesOut) {
-    EXPECT_THAT(paths(include_closure("#include \"broken/missing.glsl\"\n", {FIXTURES})),
-                ElementsAre(fixture("broken/missing.glsl"), fixture("math/square.glsl")));
+// A text, its roots and its folder, and the files that it includes, each once in the order of mention.
+TEST_F(Include, ClosureHasEachFileOnce) {
+    const std::vector<std::filesystem::path> here{FIXTURES};
+    const auto math = fixture("math");
+    struct Row {
+        std::string text;
+        std::vector<std::filesystem::path> roots;
+        std::filesystem::path folder;
+        std::vector<std::string> files;
+    };
+    const Row rows[] = {
+        {"#include \"broken/outer.glsl\"\n#include \"math/square.glsl\"\n#include \"math/hypot.glsl\"\n",
+         here,
+         {},
+         {"broken/outer.glsl", "math/square.glsl", "broken/inner.glsl", "math/hypot.glsl"}},
+        {"#include \"neighbour.glsl\"\n", {}, math, {"math/neighbour.glsl", "math/square.glsl"}},
+        {"#include \"neighbour.glsl\"\n", here, {}, {}},
+        {"#include <neighbour.glsl>\n", {}, math, {}},
+        {"#include \"cycle/a.glsl\"\n#include \"cycle/self.glsl\"\n",
+         here,
+         {},
+         {"cycle/a.glsl", "cycle/b.glsl", "cycle/self.glsl"}},
+        {"#if 0\n#include \"math/square.glsl\"\n#endif\n"
+         "// #include \"math/hypot.glsl\"\n/*\n#include \"fetch.glsl\"\n*/\n",
+         here,
+         {},
+         {"math/square.glsl"}},
+        {"#include \"broken/missing.glsl\"\n", here, {}, {"broken/missing.glsl", "math/square.glsl"}}};
+    for (const auto& [text, roots, in_folder, files] : rows) {
+        std::vector<std::string> found;
+        for (const IncludedFile& file : include_closure(text, roots, in_folder)) {
+            found.push_back(std::filesystem::relative(file.path, FIXTURES).string());
+            EXPECT_EQ(file.text, read_text(file.path));
+        }
+        EXPECT_EQ(found, files) << text;
+    }
 }
 
 }  // namespace gloam::shader::compile_test

@@ -38,49 +38,43 @@ inline Source kernel(std::string_view head, std::string_view expression) {
 // What a test asks of a module, as its disassembly has it.
 class Disassembly {
   public:
-    explicit Disassembly(const Spirv& module) : text_(disassemble(module)) {
-        std::istringstream lines(text_);
-        for (std::string line; std::getline(lines, line);) read(line);
+    explicit Disassembly(const Spirv& module) {
+        std::istringstream lines(disassemble(module));
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            rows_.emplace_back(std::istream_iterator<std::string>(words),
+                               std::istream_iterator<std::string>());
+            rows_.back().resize(std::max<std::size_t>(rows_.back().size(), 4));
+        }
     }
-
-    [[nodiscard]] const std::string& text() const { return text_; }
 
     // The result IDs of every instruction of that kind: "OpFAdd".
     [[nodiscard]] std::set<std::string> results(const std::string& opcode) const {
-        const auto found = results_.find(opcode);
-        return found == results_.end() ? std::set<std::string>{} : found->second;
+        return of<std::set<std::string>>(0,
+                                         [&](const Row& row) { return row[1] == "=" && row[2] == opcode; });
     }
-
     // Every ID that carries the decoration, how often.
     [[nodiscard]] std::multiset<std::string> decorated(const std::string& decoration) const {
-        const auto found = decorated_.find(decoration);
-        return found == decorated_.end() ? std::multiset<std::string>{} : found->second;
+        return of<std::multiset<std::string>>(
+            1, [&](const Row& row) { return row[0] == "OpDecorate" && row[2] == decoration; });
     }
-
     // The result IDs with a type of that name: "%float", "%v3float".
     [[nodiscard]] std::set<std::string> of_type(const std::string& type) const {
-        const auto found = typed_.find(type);
-        return found == typed_.end() ? std::set<std::string>{} : found->second;
+        return of<std::set<std::string>>(0, [&](const Row& row) {
+            return row[1] == "=" && row[3] == type && !row[2].starts_with("OpType");
+        });
     }
 
   private:
-    void read(const std::string& line) {
-        std::istringstream words(line);
-        std::string first;
-        std::string second;
-        std::string third;
-        std::string fourth;
-        words >> first >> second >> third >> fourth;
-        if (first == "OpDecorate") decorated_[third].insert(second);
-        if (second != "=") return;
-        results_[third].insert(first);
-        if (!third.starts_with("OpType")) typed_[fourth].insert(first);
+    using Row = std::vector<std::string>;
+    template <class Ids, class Predicate>
+    [[nodiscard]] Ids of(std::size_t column, Predicate predicate) const {
+        Ids ids;
+        for (const Row& row : rows_)
+            if (predicate(row)) ids.insert(row[column]);
+        return ids;
     }
-
-    std::string text_;
-    std::map<std::string, std::set<std::string>> results_;
-    std::map<std::string, std::set<std::string>> typed_;
-    std::map<std::string, std::multiset<std::string>> decorated_;
+    std::vector<Row> rows_;
 };
 
 }  // namespace gloam::shader::test

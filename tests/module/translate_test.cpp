@@ -87,12 +87,4 @@ TEST(Translate, WhatCannotBeTranslatedIsSaid) {
                 HasSubstr("y"));
 }
 
-TEST(Translate, TargetsHaveNames) {
-    EXPECT_EQ(target_from("hlsl"), Target::hlsl);
-    EXPECT_EQ(target_from("msl"), Target::msl);
-    EXPECT_EQ(target_from("cg"), std::nullopt);
-    EXPECT_EQ(suffix(Target::hlsl), ".hlsl");
-    EXPECT_EQ(suffix(Target::msl), ".metal");
-}
-
 }  // namespace gloam::shader::translate_test

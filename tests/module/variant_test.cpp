@@ -45,32 +45,6 @@ TEST(Variants, EachMakesAModuleOfItsOwn) {
     EXPECT_EQ(module_of("literals"), module_of("optimized"));
 }
 
-TEST(Variants, StepsCombine) {
-    const Source source = kernel("float f(float x) { return x * x + x; }", "f(result[1])");
-    Variant all = variant("relaxed");
-    all.optimization = Optimization::performance;
-    const Disassembly module(compile(source, {.variant = all}));
-    EXPECT_TRUE(module.results("OpFunctionCall").empty());
-    EXPECT_EQ(module.decorated("NoContraction").size(), 2u);
-    EXPECT_GE(module.decorated("RelaxedPrecision").size(), 3u);
-}
-
-class EveryFile : public testing::TestWithParam<std::string> {};
-
-// A module of all functions; prototypes get a body. A decorated module is valid.
-TEST_P(EveryFile, OfTheLibraryCanBeMade) {
-    const Source file{GetParam(), "#version 450\n#include \"" + GetParam() + "\"\n"};
-    const std::string text = internal::preprocessed(file, Stage::compute, {GLOAM_GLSL_DIR});
-    const std::string whole = internal::completed(text, internal::each_once(internal::declarations(text)));
-    const Spirv strict = with_no_contraction(internal::to_spirv({GetParam(), whole}, Stage::compute, {},
-                                                                {.unreached = internal::Unreached::kept}));
-    for (const Spirv& decorated : {strict, with_relaxed_precision(strict)})
-        EXPECT_NO_THROW(validate(decorated)) << whole;
-}
-
-INSTANTIATE_TEST_SUITE_P(Library, EveryFile, testing::ValuesIn(gloam::test::library_files()),
-                         gloam::test::library_file_name);
-
 constexpr Language all[] = {Language::vulkan450, Language::gl430, Language::gl330,
                             Language::es300,     Language::es310, Language::es320};
 
@@ -84,21 +58,6 @@ std::string accepted_by(const std::string& body) {
     for (const Language language : all)
         if (error_of(body, language).empty()) names += to_string(language) + " ";
     return names;
-}
-
-TEST(Language, HasANameAndIsFoundByIt) {
-    for (const Language language : all) EXPECT_EQ(language_from(to_string(language)), language);
-    EXPECT_EQ(to_string(Language::es310), "310es");
-    for (const char* other : {"", "300", "310 es", "460", "gl330"})
-        EXPECT_EQ(language_from(other), std::nullopt) << other;
-}
-
-TEST(Language, PreambleStartsWithTheVersion) {
-    EXPECT_EQ(preamble(Language::vulkan450), "#version 450\n");
-    EXPECT_THAT(preamble(Language::gl330), StartsWith("#version 330"));
-    EXPECT_EQ(preamble(Language::es300),
-              "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
-    EXPECT_THAT(preamble(Language::es310), StartsWith("#version 310 es\nprecision highp"));
 }
 
 TEST(Language, IncludesAndUndefinedPrototypesCompileEverywhere) {

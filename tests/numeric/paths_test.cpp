@@ -72,41 +72,6 @@ TEST(Paths, ErrorsPassThroughAndLeaveNothingBehind) {
     EXPECT_THROW((void)Paths::choose(2), std::logic_error);
 }
 
-TEST(Paths, AnOpenComparisonOutsideAnExplorationIsAnError) {
-    const Interval wide = Interval::within(0.0, 2.0);
-    EXPECT_THROW((void)(wide < Interval(1.0)), std::logic_error);
-    EXPECT_TRUE(wide < Interval(3.0));
-}
-
-TEST(Paths, ThreadsExploreApart) {
-    Paths::explore(float32, 4, [] {
-        std::thread([] { EXPECT_THROW((void)Paths::choose(2), std::logic_error); }).join();
-    });
-}
-
-// What a function of the library looks like.
-template <class T>
-T unit_interval(T x) {
-    if (x >= T(1)) return T(1);
-    if (x > T(0)) return x;
-    return T(0);
-}
-
-std::vector<Bounds> outcomes_of(const Interval& x) {
-    std::vector<Bounds> outcomes;
-    Paths::explore(float32, 10, [&] { outcomes.push_back(unit_interval(x).bounds()); });
-    return outcomes;
-}
-
-TEST(Paths, RunsBothSidesOfABranch) {
-    EXPECT_THAT(outcomes_of(Interval::within(0.25, 0.5)), ElementsAre(Bounds{0.25, 0.5, false}));
-    EXPECT_THAT(outcomes_of(Interval::within(0.5, 2.0)),
-                ElementsAre(Bounds::point(1.0), Bounds{0.5, 2.0, false}));
-    EXPECT_THAT(outcomes_of(Interval::within(-1.0, 0.5)),
-                ElementsAre(Bounds{-1.0, 0.5, false}, Bounds::point(0.0)));
-    EXPECT_THAT(outcomes_of(Interval::within(Bounds::only_nan())), ElementsAre(Bounds::point(0.0)));
-}
-
 TEST(Paths, ConversionsToIntegersTakeEachInReach) {
     std::vector<int> integers;
     Paths::explore(float32, 10, [&] { integers.push_back(to_integer<int>(Interval::within(-1.5, 2.25))); });
@@ -167,19 +132,6 @@ TEST_F(RearrangedTest, DistributedAndContractedProductsAreInside) {
         const Bounds quotient = ((leaf(a) + leaf(b)) / leaf(c)).interval().bounds();
         ASSERT_TRUE(quotient.contains(a / c + b / c));
         ASSERT_TRUE(quotient.contains((a + b) * (1.0F / c)));
-    }
-}
-
-TEST_F(RearrangedTest, OneOperationHasOneOrder) {
-    for (int n = 0; n < 1000; ++n) {
-        const float a = drawn();
-        const float b = drawn();
-        EXPECT_EQ((leaf(a) + leaf(b)).interval().bounds(),
-                  (Interval::input(a) + Interval::input(b)).bounds());
-        EXPECT_EQ((leaf(a) * leaf(b)).interval().bounds(),
-                  (Interval::input(a) * Interval::input(b)).bounds());
-        EXPECT_EQ((leaf(a) / leaf(b)).interval().bounds(),
-                  (Interval::input(a) / Interval::input(b)).bounds());
     }
 }
 

@@ -47,8 +47,8 @@ TEST_F(PassErrors, NameWhatIsUnknownOrMissing) {
     expect_error<std::invalid_argument>(
         [&] { (void)outside.run({}); },
         {"\"result\" (image of float) is not given, and it is not `writeonly`"});
-    expect_error<std::invalid_argument>([&] { (void)box.run(box_inputs()).image("results"); },
-                                        {"box.comp: writes no image \"results\", expected one of: result"});
+    expect_error<std::invalid_argument>([&] { (void)box.run(box_inputs()).image("source"); },
+                                        {"box.comp: writes no image \"source\", expected one of: result"});
 }
 
 TEST_F(PassErrors, NameTheExpectedType) {

@@ -28,13 +28,6 @@ TEST(CheckReport, OneDeviceIsAnObjectSeveralAnArrayAndBothAreReadBack) {
     }
 }
 
-TEST(CheckReport, ADeviceTravelsAlone) {
-    const DeviceSummary device = report_of("A", {}).device;
-    EXPECT_EQ(line_of(from_line<DeviceSummary>(line_of(device))), line_of(device));
-    EXPECT_EQ(name_of(device), "A (driver 1.2)");
-    EXPECT_THAT([] { (void)from_line<DeviceSummary>("{}"); }, says("name: expected this field"));
-}
-
 TEST(CheckReport, JunitTellsFailuresFromErrors) {
     const std::string xml =
         to_junit({report_of("A & B", {failing_row(), passing_row("EQ-2"), crashed("EQ-3")})});

@@ -49,14 +49,6 @@ TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
     EXPECT_THAT(text, Not(HasSubstr("input  ")));
 }
 
-TEST(FailureText, NamesVersionsAndTheWholeCommand) {
-    const std::string text =
-        failure_text(report_of("GPU", {}).device, failing_row(), std::nullopt, "",
-                     {.command = "gloam check EQ-1 --seed 7", .versions = "gloam 1, glslang 2"});
-    EXPECT_THAT(text, HasSubstr("Run it again: gloam check EQ-1 --seed 7\n"));
-    EXPECT_THAT(text, HasSubstr("Versions: gloam 1, glslang 2"));
-}
-
 TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {
     check::Answer row = failing_row();
     row.worst->want.assign(row.worst->want.size(), 129'708'002.0);

@@ -40,16 +40,6 @@ TEST_F(OutputFileTest, WhatCannotBeWrittenIsNamedBeforeTheWork) {
     EXPECT_THAT([&] { OutputFile file(folder.path()); }, names(folder.path()));
 }
 
-TEST_F(OutputFileTest, ALinkStaysOne) {
-    const fs::path target = folder.path() / "target";
-    const fs::path link = folder.path() / "link";
-    std::ofstream(target) << "something longer than what comes";
-    fs::create_symlink(target, link);
-    OutputFile(link).write("new");
-    EXPECT_TRUE(fs::is_symlink(link));
-    EXPECT_EQ(test::read_file(target), "new");
-}
-
 // What a link leads to is replaced as a whole, too.
 TEST_F(OutputFileTest, WhatALinkLeadsToIsNeverHalfWritten) {
     const fs::path target = folder.path() / "target";
@@ -143,15 +133,6 @@ TEST_F(OutputFolderTest, WhatWasThereStaysUntilKept) {
         OutputFolder(folder.path()).write("x", "new");
     }
     EXPECT_EQ(test::read_file(folder.path() / "x"), "old");
-}
-
-TEST_F(OutputFolderTest, AFullDiskIsNamedAndLeavesNothing) {
-    const test::FullDisk disk(1000);
-    const std::string message =
-        message_of([&] { OutputFolder(folder.path()).write("x", std::string(5000, 'x')); });
-    EXPECT_THAT(message, HasSubstr((folder.path() / "x").string()));
-    EXPECT_THAT(message, HasSubstr("File too large"));
-    EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 TEST_F(OutputFolderTest, NoNameLeadsOutOfIt) {

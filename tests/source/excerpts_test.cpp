@@ -19,35 +19,6 @@ std::vector<std::string> compiled(const Excerpt& excerpt) {
     return texts;
 }
 
-constexpr const char* fragment_shader =
-    "// A shader for another API.\n"
-    "#version 330 core\n"
-    "in vec2 uv;\n"
-    "out vec4 color;\n"
-    "uniform sampler2D image;\n"
-    "layout(local_size_x = 8) in;\n"
-    "struct Light { vec3 to; };\n"
-    "float gray(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
-    "float lit(Light light, vec3 n) { return gray(light.to * n); }\n"
-    "vec3 seen() { return texture(image, uv).rgb; }\n"
-    "void main() { color = vec4(gray(seen())); }\n";
-
-TEST(Excerpts, LackVersionMainAndInterfaceOfTheText) {
-    const Excerpts all = excerpts_of(fragment_shader);
-    EXPECT_EQ(all.version, "330 core");
-    ASSERT_EQ(all.functions.size(), 3U);
-    EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float gray(vec3 c)"));
-    EXPECT_THAT(compiled(all.functions[1]),
-                ElementsAre("float gray(vec3 c)", "float lit(Light light, vec3 n)"));
-    EXPECT_THAT(all.functions[1].interface, IsEmpty());
-    EXPECT_THAT(all.functions[2].interface, IsEmpty());
-    EXPECT_THAT(all.functions[2].globals, ElementsAre(std::pair(std::string("uv"), Access::reads)));
-    ASSERT_EQ(all.functions[2].bound.size(), 1U);
-    EXPECT_EQ(all.functions[2].bound[0].name, "image");
-    EXPECT_EQ(all.functions[2].bound[0].type, "sampler2D");
-    EXPECT_THAT(all.functions[2].text, HasSubstr("layout(binding = " + binding_macro(0) + ") uniform"));
-}
-
 TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
     const TemporaryDirectory folder;
     (void)folder.write("other.glsl", "float f(float x) { return x; }\nfloat g(float x) { return x; }\n");

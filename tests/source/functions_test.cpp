@@ -93,107 +93,12 @@ TEST_P(FunctionsOf, AText) {
 INSTANTIATE_TEST_SUITE_P(Texts, FunctionsOf, testing::ValuesIn(cases),
                          [](const auto& info) { return info.param.name; });
 
-Type vector(Scalar scalar, int rows) {
-    return {.scalar = scalar, .rows = rows};
-}
-
-Type array_of(Type element, std::vector<std::uint32_t> sizes) {
-    element.sizes = std::move(sizes);
-    return element;
-}
-
-TEST(Functions, StructuresHaveTheirMembers) {
-    const std::vector<Function> found = functions_of("#include \"types.glsl\"\n");
-    const Function& function = found.at(4);
-    EXPECT_EQ(to_glsl(function.result), "FxOuter { FxInner inner; mat3x2 map; bvec4 flags; }");
-    EXPECT_EQ(to_glsl(function.result.members.at(0).type), "FxInner { vec2 uv; uint seed; }");
-    EXPECT_EQ(function.parameters.at(0).type, function.result.members.at(0).type);
-    EXPECT_EQ(function.parameters.at(4).name, "");
-    EXPECT_TRUE(is_supported(function.result));
-}
-
-TEST(Functions, OtherTypesAreListedAsUnsupported) {
-    const auto found = functions_of(
-        "struct S { float a[3]; dvec2 b; };\n"
-        "float f(sampler2DMS a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
-    EXPECT_THAT(prototypes(found),
-                ElementsAre("float f(sampler2DMS a, double[2][3] b, S s, sampler2D[2] d)"));
-    for (const std::size_t sampler : {0, 3}) EXPECT_FALSE(is_supported(found[0].parameters[sampler].type));
-    EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; double b; }");
-}
-
-TEST(Functions, HalvesHaveTheirTypes) {
-    const std::string text = "float16_t f(f16vec3 a, f16mat2 b, float16_t[2] c)";
-    const auto found = functions_of("#extension GL_EXT_shader_explicit_arithmetic_types : require\n" + text +
-                                    " { return c[0]; }\n");
-    EXPECT_THAT(prototypes(found), ElementsAre(text));
-    EXPECT_TRUE(is_supported(found[0].result));
-    EXPECT_EQ(found[0].parameters[0].type.scalar, Scalar::float16_);
-    EXPECT_EQ(found[0].other_number, "");
-}
-
-// By its parameters, its result, what it calculates with and what it calls.
-TEST(Functions, NumbersThatAreNotJudgedAreNamed) {
-    const auto found = functions_of(
-        "#extension GL_EXT_shader_explicit_arithmetic_types : require\n"
-        "struct S { float a[3]; u8vec2 b; };\n"
-        "float f(dmat2x3 a) { return 1.0; }\nint64_t g() { return 1l; }\nS h(S s) { return s; }\n"
-        "float i(float x) { return float(double(x)); }\nfloat j(float x) { return i(x); }\n"
-        "float k(float x) { return x; }\n");
-    std::vector<std::string> numbers;
-    for (const Function& function : found) numbers.push_back(function.other_number);
-    EXPECT_THAT(numbers, ElementsAre("double", "int64_t", "uint8_t", "double", "double", ""));
-    EXPECT_FALSE(is_supported(found[0].parameters[0].type));
-    EXPECT_FALSE(is_supported(found[2].result));
-}
-
 // The size of such an array is known only when the pipeline is made.
 TEST(Functions, ATableSizedByASpecializationConstantStandsInNoWay) {
     const auto found = functions_of(
         "layout(constant_id = 0) const int half_size = 2;\nfloat table[2 * half_size];\n"
         "float f(float x) { return x * table[0]; }\n");
     EXPECT_THAT(prototypes(found), ElementsAre("float f(float x)"));
-}
-
-TEST(Functions, SamplersHaveNoScalars) {
-    const auto found = functions_of(
-        "#define TEX isampler2D\nfloat f(highp TEX a, sampler3D b, sampler2DArray c) { return 1.0; }\n");
-    EXPECT_THAT(prototypes(found), ElementsAre("float f(isampler2D a, sampler3D b, sampler2DArray c)"));
-    for (const Parameter& parameter : found[0].parameters) {
-        EXPECT_EQ(parameter.type.scalar, Scalar::sampler);
-        EXPECT_TRUE(is_supported(parameter.type));
-        EXPECT_EQ(scalar_count(parameter.type), 0U);
-    }
-    EXPECT_TRUE(is_sampler_type("usamplerCubeArray"));
-    EXPECT_TRUE(is_sampler_type("sampler2DShadow"));
-    for (const char* name :
-         {"isampler2DShadow", "samplerCubeShadow", "sampler2DArrayShadow", "sampler1D", "sampler2DMS"})
-        EXPECT_FALSE(is_sampler_type(name)) << name;
-}
-
-TEST(Functions, ArraysHaveTheirSizes) {
-    const auto found = functions_of(
-        "struct S { float a[3]; };\n"
-        "float[2] f(float[4] a, float b[2][3], S s[5]) { return float[2](1.0, 2.0); }\n");
-    EXPECT_THAT(prototypes(found), ElementsAre("float[2] f(float[4] a, float[2][3] b, S[5] s)"));
-    EXPECT_EQ(found[0].result, array_of(vector(Scalar::float_, 1), {2}));
-    EXPECT_EQ(found[0].parameters[1].type, array_of(vector(Scalar::float_, 1), {2, 3}));
-    EXPECT_EQ(scalar_count(found[0].parameters[2].type), 15U);
-}
-
-// However large a value is, its description is small.
-TEST(Functions, TypesOfTooManyScalarsAreOversized) {
-    const auto found = functions_of(
-        "struct A { float a[4000]; };\nstruct B { A a, b; };\nstruct C { B b[1000]; };\n"
-        "float f(A a, B b, C c, float d[65536][65536]) { return 1.0; }\n");
-    EXPECT_TRUE(is_supported(found[0].parameters[0].type));
-    const std::vector<std::string> names{"A", "B", "C", "float[65536][65536]"};
-    for (std::size_t i = 1; i < names.size(); ++i) {
-        const Type& type = found[0].parameters[i].type;
-        EXPECT_FALSE(is_supported(type)) << names[i];
-        EXPECT_EQ(name_of(type), names[i]);
-    }
-    EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
 }
 
 // 4^7 scalars.
@@ -211,86 +116,6 @@ TEST(Functions, DeeplyNestedStructuresAreOversized) {
 
 TEST(Functions, ATextWithoutFunctionsHasNone) {
     EXPECT_TRUE(functions_of("const float x = 1.0;\n").empty());
-}
-
-TEST(Functions, ErrorsNameTheirPlace) {
-    EXPECT_EQ(
-        message_of<CompileError>([] { static_cast<void>(functions_of("#include \"broken/outer.glsl\"\n")); }),
-        fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier");
-    EXPECT_THROW(static_cast<void>(functions({"text", "float f() { return 1.0; }\n"}, {})), CompileError);
-}
-
-Type matrix(int columns, int rows) {
-    return {.scalar = Scalar::float_, .columns = columns, .rows = rows};
-}
-
-Type structure(std::string name, std::vector<Member> members) {
-    return {.scalar = Scalar::structure, .members = std::move(members), .name = std::move(name)};
-}
-
-const Type rows = array_of(vector(Scalar::float_, 2), {2, 3});
-const Type image{.scalar = Scalar::unsupported, .name = "sampler2D"};
-const Type lights = array_of(structure("Light", {{"at", rows}}), {4});
-
-TEST(Type, ReadsAsGlsl) {
-    const Type inner = structure("Inner", {{"x", vector(Scalar::float_, 1)}});
-    const std::pair<Type, const char*> cases[] = {
-        {{}, "void"},
-        {vector(Scalar::bool_, 1), "bool"},
-        {vector(Scalar::float_, 3), "vec3"},
-        {vector(Scalar::bool_, 2), "bvec2"},
-        {vector(Scalar::int_, 4), "ivec4"},
-        {vector(Scalar::uint_, 2), "uvec2"},
-        {matrix(3, 3), "mat3"},
-        {matrix(4, 3), "mat4x3"},
-        {matrix(2, 4), "mat2x4"},
-        {structure("Outer", {{"a", inner}, {"m", matrix(2, 3)}}), "Outer { Inner a; mat2x3 m; }"},
-        {rows, "vec2[2][3]"},
-        {lights, "Light { vec2[2][3] at; }[4]"},
-        {array_of(image, {2}), "sampler2D[2]"}};
-    for (const auto& [type, text] : cases) EXPECT_EQ(to_glsl(type), text);
-    EXPECT_EQ(name_of(lights), "Light[4]");
-    const Function function{"shade",
-                            inner,
-                            {{"uv", vector(Scalar::float_, 2), Direction::in},
-                             {"depth", vector(Scalar::float_, 1), Direction::out},
-                             {"", vector(Scalar::uint_, 1), Direction::inout}},
-                            true};
-    EXPECT_EQ(to_glsl(function), "Inner shade(vec2 uv, out float depth, inout uint)");
-    EXPECT_EQ(to_glsl(Function{"f", {}, {}, false}), "void f()");
-}
-
-TEST(Type, EqualityIsOfLayout) {
-    const Type pair = structure("A", {{"x", vector(Scalar::float_, 2)}});
-    EXPECT_EQ(pair, structure("B", {{"y", vector(Scalar::float_, 2)}}));
-    const Type different[] = {
-        pair,
-        structure("A", {{"x", vector(Scalar::int_, 2)}}),
-        structure("A", {{"x", vector(Scalar::float_, 2)}, {"z", vector(Scalar::float_, 2)}}),
-        matrix(3, 4),
-        matrix(4, 3),
-        vector(Scalar::float_, 2),
-        vector(Scalar::float_, 3),
-        rows,
-        array_of(vector(Scalar::float_, 2), {3, 2}),
-        array_of(vector(Scalar::int_, 2), {2, 3}),
-        image,
-        {.scalar = Scalar::unsupported, .name = "sampler3D"}};
-    for (const Type& a : different)
-        for (const Type& b : different) EXPECT_EQ(a == b, &a == &b) << to_glsl(a) << " " << to_glsl(b);
-}
-
-TEST(Type, ArraysHaveElementsAndScalars) {
-    EXPECT_EQ(element_of(rows), array_of(vector(Scalar::float_, 2), {3}));
-    EXPECT_EQ(scalar_count(rows), 12U);
-    EXPECT_EQ(scalar_count(array_of(lights, {65536, 65536})), most_scalars + 1);
-}
-
-TEST(Type, IsSupportedWhereItsMembersAre) {
-    EXPECT_FALSE(is_supported(image));
-    EXPECT_FALSE(is_supported(structure("S", {{"inner", structure("T", {{"a", image}})}})));
-    EXPECT_TRUE(is_supported(structure("S", {{"v", vector(Scalar::float_, 3)}})));
-    EXPECT_TRUE(is_supported(Type{}));
 }
 
 }  // namespace gloam::shader::functions_test

@@ -10,27 +10,6 @@ namespace gloam::gpu::test::buffer_test {
 
 using BufferTest = GpuTest;
 
-TEST_F(BufferTest, KeepsWhatTheHostWrites) {
-    for (const std::size_t count : {1u, 3u, 1000u, 100'000u}) {
-        Buffer buffer(device(), count * sizeof(std::uint32_t));
-        ASSERT_EQ(buffer.size(), count * sizeof(std::uint32_t));
-        ASSERT_EQ(buffer.as<std::uint32_t>().size(), count);
-        std::iota(buffer.as<std::uint32_t>().begin(), buffer.as<std::uint32_t>().end(), 7u);
-        const Buffer& view = buffer;
-        EXPECT_EQ(view.bytes().size(), buffer.size());
-        EXPECT_EQ(view.as<std::uint32_t>().front(), 7u);
-        EXPECT_EQ(buffer.as<std::uint32_t>().back(), 6u + count);
-    }
-}
-
-TEST_F(BufferTest, OfAnyNumberOfBytes) {
-    for (const std::size_t bytes : {1u, 2u, 5u, 257u}) {
-        Buffer buffer(device(), bytes);
-        std::ranges::fill(buffer.bytes(), std::byte{0xa5});
-        EXPECT_EQ(std::ranges::count(buffer.bytes(), std::byte{0xa5}), static_cast<std::ptrdiff_t>(bytes));
-    }
-}
-
 TEST_F(BufferTest, TheDeviceSeesAllOfIt) {
     constexpr std::uint32_t count = 1'000'003;
     const ComputePipeline fill(
@@ -40,17 +19,6 @@ TEST_F(BufferTest, TheDeviceSeesAllOfIt) {
     run(device(), fill, {buffer}, {(count + 63) / 64, 1, 1}, bytes_of(std::array{3.0f, 0.5f}));
     const auto values = buffer.as<float>();
     for (std::uint32_t i = 0; i < count; ++i) ASSERT_EQ(values[i], 3.0f + static_cast<float>(i) * 0.5f) << i;
-}
-
-TEST_F(BufferTest, MovesWithItsContent) {
-    Buffer first(device(), 4);
-    first.as<std::uint32_t>()[0] = 42;
-    Buffer second(std::move(first));
-    EXPECT_EQ(second.as<std::uint32_t>()[0], 42u);
-    Buffer third(device(), 8);
-    third = std::move(second);
-    EXPECT_EQ(third.size(), 4u);
-    EXPECT_EQ(third.as<std::uint32_t>()[0], 42u);
 }
 
 TEST_F(BufferTest, SizesThatCannotBe) {
@@ -99,67 +67,30 @@ TEST(Formats, HaveTheirNamesOfGlsl) {
     EXPECT_EQ(format_from("rgb9e5"), std::nullopt);
 }
 
-class RoundTripTest : public GpuTest, public ::testing::WithParamInterface<std::tuple<Format, Extent>> {};
-
-TEST_P(RoundTripTest, ComesBackAsItWas) {
-    const auto [format, extent] = GetParam();
-    Image image(device(), extent, format);
-    EXPECT_EQ(image.extent(), extent);
-    EXPECT_EQ(image.format(), format);
-    auto texels = distinct_texels(extent, format);
-    for (int pass = 0; pass < 2; ++pass) {
-        image.upload(texels);
-        ASSERT_EQ(image.download(), texels);
-        std::ranges::reverse(texels);
-    }
-}
-
-std::string case_name(const ::testing::TestParamInfo<RoundTripTest::ParamType>& info) {
-    const auto [format, extent] = info.param;
-    return format_names.at(static_cast<std::size_t>(format)) + ("_" + std::to_string(extent.width)) + "x" +
-           std::to_string(extent.height);
-}
-
-constexpr Extent large{1500, 2000};  // as rgba32f more than is staged at once
-
-INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
-                         ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f,
-                                                              Format::rgba16ui, Format::r16f, Format::r8,
-                                                              Format::r32ui, Format::rg32f, Format::rg16f,
-                                                              Format::rgba8, Format::r16ui, Format::rg16ui,
-                                                              Format::rg32ui, Format::rgba32ui),
-                                            ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
-                         case_name);
-INSTANTIATE_TEST_SUITE_P(Bands, RoundTripTest,
-                         ::testing::Combine(::testing::Values(Format::rgba32f), ::testing::Values(large)),
-                         case_name);
-
 using ImageTest = GpuTest;
 
-TEST_F(ImageTest, FloatsKeepTheirBits) {
-    Image image(device(), {4, 2}, Format::r32f);
-    const std::vector<float> texels{0.0f,
-                                    -0.0f,
-                                    std::numeric_limits<float>::denorm_min(),
-                                    std::numeric_limits<float>::max(),
-                                    infinity,
-                                    -infinity,
-                                    nan,
-                                    1.0f / 3.0f};
-    image.upload(texels);
-    const auto back = image.download();
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-        EXPECT_EQ(std::bit_cast<std::uint32_t>(back[i]), std::bit_cast<std::uint32_t>(texels[i]))
-            << texels[i];
-    }
+TEST_F(ImageTest, ComesBackAsItWas) {
+    const auto expect_back = [this](Format format, Extent extent) {
+        Image image(device(), extent, format);
+        auto texels = distinct_texels(extent, format);
+        for (int pass = 0; pass < 2; ++pass) {
+            image.upload(texels);
+            ASSERT_EQ(image.download(), texels) << format_names.at(static_cast<std::size_t>(format));
+            std::ranges::reverse(texels);
+        }
+    };
+    for (std::size_t f = 0; f < format_names.size(); ++f)
+        for (const Extent extent : {Extent{1, 1}, Extent{257, 129}})
+            expect_back(static_cast<Format>(f), extent);
+    expect_back(Format::rgba32f, {1500, 2000});  // more than is staged at once
 }
 
-TEST_F(ImageTest, HalvesAreRoundedToNearest) {
-    Image image(device(), {1, 2}, Format::rgba16f);
-    image.upload(std::vector{1.0f + 0x1p-11f, 1.0f + 3 * 0x1p-11f, 65519.0f, 65520.0f,  //
-                             0x1p-25f, 3 * 0x1p-25f, -0.0f, -1e10f});
-    EXPECT_EQ(image.download(), (std::vector{1.0f, 1.0f + 0x1p-9f, 65504.0f, infinity,  //
-                                             0.0f, 0x1p-23f, -0.0f, -infinity}));
+TEST_F(ImageTest, FloatsKeepTheirBits) {
+    Image image(device(), {4, 1}, Format::r32f);
+    const std::vector<float> texels{-0.0f, std::numeric_limits<float>::denorm_min(), -infinity, nan};
+    image.upload(texels);
+    const auto back = image.download();
+    EXPECT_EQ(std::memcmp(back.data(), texels.data(), 4 * sizeof(float)), 0);
 }
 
 // Row 0 is the row with y = 0 in the shader, and uploads, dispatches and downloads see each other's writes.

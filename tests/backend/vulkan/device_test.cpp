@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <iostream>
-
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/internal/instance.hpp"
@@ -9,71 +7,7 @@
 
 namespace gloam::gpu::test::device_test {
 
-using DeviceTest = GpuTest;
 using ValidationTest = GpuTest;
-
-TEST(Devices, DescribeThemselves) {
-    const std::set<std::string> types{"cpu", "integrated", "discrete", "virtual", "other"};
-    const auto devices = list_devices();
-    ASSERT_FALSE(devices.empty());
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        const auto& device = devices[i];
-        EXPECT_EQ(device.index, i);
-        EXPECT_FALSE(device.name.empty());
-        EXPECT_FALSE(device.driver.empty());
-        EXPECT_TRUE(types.contains(device.type)) << device.type;
-        EXPECT_EQ(device.api_version.substr(0, 2), "1.") << device.api_version;
-        EXPECT_EQ(std::ranges::count(device.api_version, '.'), 2) << device.api_version;
-        EXPECT_EQ(device.identity.size(), 72u);
-        EXPECT_EQ(device.identity.find_first_not_of("0123456789abcdef"), std::string::npos)
-            << device.identity;
-        // The least that Vulkan 1.2 allows.
-        EXPECT_GE(device.max_image_size, 4096u);
-        EXPECT_GE(device.max_buffer_bytes, 1u << 27);
-        for (const auto count : device.max_group_count) EXPECT_GE(count, 65535u);
-        EXPECT_GE(device.subgroup_size, 1u);
-        EXPECT_GE(device.timestamp_period_ns, 0.0);
-    }
-}
-
-TEST_F(DeviceTest, RobustBufferAccessIsOnUnlessSwitchedOff) {
-    EXPECT_EQ(features_of({}).robustBufferAccess, VK_TRUE);
-    EXPECT_EQ(features_of({.robust_buffer_access = false}).robustBufferAccess, VK_FALSE);
-    EXPECT_EQ(features_of({}, {.imageCubeArray = VK_TRUE}).imageCubeArray, VK_TRUE)
-        << "where the device has it";
-    EXPECT_EQ(features_of({}, {.shaderFloat64 = VK_TRUE}).shaderFloat64, VK_FALSE) << "not judged";
-    open({.robust_buffer_access = false});
-    Buffer buffer(device(), 16);
-    EXPECT_EQ(buffer.size(), 16U);
-}
-
-TEST_F(DeviceTest, OpensByIndexAndByName) {
-    for (const auto& listed : list_devices()) {
-        for (const auto& selector : {std::to_string(listed.index), listed.name}) {
-            const Device device({.device = selector});
-            EXPECT_EQ(device.info().name, listed.name);
-            EXPECT_EQ(device.info().identity, listed.identity);
-        }
-    }
-}
-
-TEST_F(DeviceTest, OpensAndClosesWithoutAMessage) {
-    open();
-    close();
-    open();
-    EXPECT_TRUE(device().take_validation_messages().empty());
-}
-
-TEST_F(DeviceTest, TwoAtOnce) {
-    open();
-    const Device other({.device = variable("GLOAM_TEST_DEVICE")});
-    EXPECT_EQ(other.info().name, device().info().name);
-}
-
-TEST(Devices, AnUnknownNameListsTheNames) {
-    expect_error<std::runtime_error>([] { Device({.device = "no such device"}); },
-                                     {"\"no such device\"", list_devices().front().name.c_str()});
-}
 
 TEST(Devices, ATimeoutMustBePositive) {
     expect_error<std::invalid_argument>([] { Device({.timeout = std::chrono::milliseconds(0)}); }, {"0 ms"});
@@ -136,13 +70,6 @@ TEST(Select, AnUnknownDeviceListsThoseThereAre) {
     }
 }
 
-TEST(Select, NoDeviceSaysWhatToInstall) {
-    for (const char* selector : {"", "0", "llvmpipe"}) {
-        expect_error<std::runtime_error>([&] { static_cast<void>(select_device({}, selector)); },
-                                         {"no Vulkan device found", "mesa-vulkan-drivers"});
-    }
-}
-
 // That messages arrive at all: without this, no other test's silence would mean anything.
 
 bool any_mentions(const std::vector<std::string>& messages, const std::string& text) {
@@ -158,38 +85,6 @@ TEST_F(ValidationTest, SeesAShaderThatDisagreesWithItsBindings) {
     for (const auto& message : messages) EXPECT_EQ(message.find('\n'), std::string::npos);
     EXPECT_TRUE(device().take_validation_messages().empty()) << "taken twice";
     EXPECT_EQ(take_messages(), messages) << "the listener hears the same";
-}
-
-TEST_F(ValidationTest, SeesMissingPushConstants) {
-    const ComputePipeline wrong(device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}});
-    EXPECT_TRUE(any_mentions(take_messages(), "VUID-VkComputePipelineCreateInfo-layout"));
-}
-
-// A pipeline that outlives its device is an error of the caller, which only a listener can receive. It runs
-// in a separate process, because the pipeline can never be destroyed.
-[[noreturn]] void leave_a_pipeline_behind() {
-    std::optional<Device> device(std::in_place,
-                                 DeviceOptions{.device = variable("GLOAM_TEST_DEVICE"),
-                                               .validation = Validation::on,
-                                               .on_validation_message = [](const std::string& message) {
-                                                   std::cerr << message << std::endl;
-                                               }});
-    const ComputePipeline pipeline(
-        *device, {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
-    device.reset();
-    std::_Exit(0);
-}
-
-TEST(ValidationDeathTest, HearsTheDeviceClose) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-    EXPECT_EXIT(leave_a_pipeline_behind(), ::testing::ExitedWithCode(0), "VUID-vkDestroyDevice-device");
-}
-
-TEST(ValidationOff, HasNoMessages) {
-    Device device({.device = variable("GLOAM_TEST_DEVICE")});
-    Commands commands(device);
-    commands.submit();
-    EXPECT_TRUE(device.take_validation_messages().empty());
 }
 
 namespace fs = std::filesystem;
@@ -264,11 +159,6 @@ TEST_F(DriversTest, ARelativePathIsMadeAbsolute) {
     add_drivers(std::array{fs::relative(manifest)});
     EXPECT_TRUE(fs::path(std::getenv("VK_ADD_DRIVER_FILES")).is_absolute());
     EXPECT_TRUE(fs::equivalent(std::getenv("VK_ADD_DRIVER_FILES"), manifest));
-}
-
-TEST_F(DriversTest, NoneChangesNothing) {
-    add_drivers({});
-    EXPECT_FALSE(drivers_are_chosen());
 }
 
 TEST_F(DriversTest, WhatIsNoDriverIsNamed) {
