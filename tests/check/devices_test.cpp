@@ -64,8 +64,6 @@ class EachDevice : public testing::TestWithParam<const char*> {
             lab.emplace(LabOptions{.device = GetParam(), .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
         } catch (const gl::Unavailable& error) {
             GTEST_SKIP() << error.what();
-        } catch (const gl::VersionRefused& error) {
-            GTEST_SKIP() << error.what();
         }
     }
     std::optional<Lab> lab;
