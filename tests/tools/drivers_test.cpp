@@ -185,7 +185,7 @@ TEST_F(OpenGlCommands, ResultsSayWhichInterfaceItWas) {
     EXPECT_THAT(result, HasSubstr("1 checks, 0 failed"));
 }
 
-// A compute shader is probed, a fragment shader draws green.
+// Where there are no compute shaders, there is no script.
 TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
     const Installation installation;
     installation.spoil_radical_inverse_base2();
@@ -203,17 +203,13 @@ TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
         EXPECT_THAT(read_file(folder / "shader.glsl"),
                     HasSubstr("float gloam_radical_inverse_base2(uint index)"));
         EXPECT_THAT(read_file(folder / "report.txt"), HasSubstr(", OpenGL ES 3."));
-        const std::string script = read_file(folder / "repro.shader_test");
-        EXPECT_THAT(script, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_EQ(fs::exists(folder / "repro.shader_test"), compute);
+        if (!compute) continue;
         EXPECT_THAT(
-            script,
-            HasSubstr(compute ? "probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 0.500000000\n"
-                              : "probe all rgba 0.0 1.0 0.0 1.0\n"));
-        EXPECT_THAT(script, HasSubstr(compute ? "ssbo 0 subdata int 0 1\n"
-                                              : "uniform uint gloam_kernel_inputs[0] 1\n"));
-        if (!compute) {
-            EXPECT_THAT(script, HasSubstr(">= uintBitsToFloat(1056964608u)"));
-        }
+            read_file(folder / "repro.shader_test"),
+            AllOf(HasSubstr("float gloam_radical_inverse_base2(uint index)"),
+                  HasSubstr("probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 0.500000000\n"),
+                  HasSubstr("ssbo 0 subdata int 0 1\n")));
     }
 }
 

@@ -36,7 +36,7 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
 }
 
 void require_opengl_options(const LabOptions& options, shader::Language language) {
-    if (!options.variant.runs_on_opengl(internal::has_compute(language))) {
+    if (!options.variant.runs_on_opengl(shader::usual_stage(language) == shader::Stage::compute)) {
         throw std::invalid_argument(
             fmt::format("{}: OpenGL devices have the variant shipped only, and those with compute shaders "
                         "its steps, not {}",

@@ -63,20 +63,6 @@ std::string code_of(KernelSource source, Constants constants, const std::vector<
     return literal_kernel_code(source, inputs, 1);
 }
 
-// The texts for an OpenGL device, once what is allowed is known.
-void add_opengl(const Lab& lab, const KernelSource& source, Reproduction& all) {
-    const auto language = lab.language();
-    if (!language) return;
-    all.opengl = all.opengl_replay = internal::gl_kernel_code(*language, source, lab.options().include_roots);
-    if (internal::has_compute(*language)) return;
-    // Without compute shaders there are no precision rules, so no more than one outcome.
-    internal::GlReplay replay{.image_words = {}, .outputs = all.outputs, .allowed = {}};
-    if (!all.outcomes.empty()) replay.allowed = all.outcomes.front();
-    for (const Reproduction::ImageBuffer& image : all.images)
-        replay.image_words.push_back(image.words.size());
-    all.opengl_replay = internal::gl_replay_code(*language, source, replay, lab.options().include_roots);
-}
-
 Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,
                              const ImageSet& images, std::vector<Word> inputs) {
     const KernelSource source = lab.source(question.file, question.function, question.signature);
@@ -106,7 +92,8 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
         all.images.push_back(
             {.name = image.name, .words = std::move(words[i]), .bound = !image.is_prototype()});
     }
-    add_opengl(lab, source, all);
+    if (const auto language = lab.language())
+        all.opengl = internal::gl_kernel_code(*language, source, lab.options().include_roots);
     return all;
 }
 
@@ -191,7 +178,6 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
     Reproduction all = without_verdict(lab, question, failing.scenario, session.images(), smallest.inputs);
     all.outcomes = allowed_outcomes(question, session.images(), smallest);
     if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
-    add_opengl(lab, lab.source(question.file, question.function, question.signature), all);
     all.failure = smallest;
     try {
         all.rules = rules_of(explain(lab.compile_options(),

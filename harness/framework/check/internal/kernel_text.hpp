@@ -9,7 +9,6 @@
 
 #include "check/kernel_code.hpp"
 #include "check/lab.hpp"
-#include "numeric/interval.hpp"
 
 // The parts of generated compute shaders.
 namespace gloam::check::internal {
@@ -90,21 +89,6 @@ void require_alone(const KernelSource& source, const char* what);
 // backend::Unsupported for a function that is no text of this language, and where there are no compute
 // shaders for one that stores to images.
 [[nodiscard]] std::string gl_kernel_code(shader::Language language, const KernelSource& source,
-                                         const std::vector<std::filesystem::path>& include_roots);
-
-// Whether the language has compute shaders.
-[[nodiscard]] bool has_compute(shader::Language language);
-
-// A fragment shader that evaluates one input and draws green where every output is allowed, else red: for
-// scripts that run it elsewhere. Its inputs and images are arrays of uniforms, uint gloam_kernel_inputs[] and
-// gloam_kernel_image0[] ...; the bounds of its outputs are part of the text. Throws as gl_kernel_code() does.
-struct GlReplay {
-    std::vector<std::size_t> image_words;  // of each image
-    std::vector<shader::Scalar> outputs;
-    std::vector<numeric::Bounds> allowed;  // of each output; none: nothing is known to be wrong
-};
-[[nodiscard]] std::string gl_replay_code(shader::Language language, const KernelSource& source,
-                                         const GlReplay& replay,
                                          const std::vector<std::filesystem::path>& include_roots);
 
 // How far the precision rules of OpenGL agree with those of Vulkan, by which the interpreter judges
