@@ -57,7 +57,7 @@ class InterpretedKernel {
   public:
     // `module` and `images` (image_words()) must outlive this object.
     InterpretedKernel(const interpreter::Program& program, const KernelModule& module,
-                      const std::vector<std::vector<Word>>& images)
+                      std::span<const std::vector<Word>> images)
         : machine_(program),
           team_(module.team),
           subgroup_size_(team_.kind == backend::Team::Kind::quad ? team_.count() : module.subgroup_size),
@@ -107,16 +107,6 @@ class InterpretedKernel {
     [[nodiscard]] KernelFaults faults() const {
         const auto word = [this](std::size_t k) { return machine_.read(0, KernelBinding::faults, k).bits(); };
         return {.count = word(0), .image = word(1), .x = word(2), .y = word(3), .input = word(4)};
-    }
-
-    // Reads the words of an image after the last run; the next run starts with them. `words`: those that this
-    // object was made with.
-    void read_image(std::size_t image, std::vector<Word>& words) {
-        const auto binding = KernelBinding::first_image + static_cast<unsigned>(image);
-        std::vector<Word> after;
-        for (std::size_t w = 0; w < words.size(); ++w) after.push_back(machine_.read(0, binding, w).bits());
-        words = std::move(after);
-        machine_.bind(0, binding, words);
     }
 
     [[nodiscard]] interpreter::Machine<Number>& machine() { return machine_; }

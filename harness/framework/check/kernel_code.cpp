@@ -188,41 +188,32 @@ std::string image_interface(const ImagePrototype& image, std::size_t index) {
         return fmt::format("layout(binding = {}) uniform highp {} {};\n", KernelBinding::first_image + index,
                            image.sampler, image.variable);
     return fmt::format(
-        "layout(std430, binding = {}) {}buffer GloamGeneratedImage{} {{ uint gloam_kernel_image{}[]; "
+        "layout(std430, binding = {}) readonly buffer GloamGeneratedImage{} {{ uint gloam_kernel_image{}[]; "
         "}};\n",
-        KernelBinding::first_image + index, image.stores ? "" : "readonly ", index, index);
+        KernelBinding::first_image + index, index, index);
 }
 
 // The definition of a prototype: it finds the pixel or reports the fault.
 std::string image_definition(const ImagePrototype& image, std::size_t index, const ImageWordText& read) {
-    const std::string buffer = fmt::format("gloam_kernel_image{}", index);
     const auto read_word = [&](const std::string& at) { return read(index, at); };
     const std::size_t scalars = scalars_of(image.element).size();
     const std::string type = name_of(image.element);
-    std::string code =
-        image.stores
-            ? fmt::format("void {}(ivec2 gloam_kernel_pixel, {} gloam_kernel_value) {{\n", image.name, type)
-            : fmt::format("{} {}(ivec2 gloam_kernel_pixel) {{\n", type, image.name);
-    code += fmt::format(
+    std::string code = fmt::format(
+        "{} {}(ivec2 gloam_kernel_pixel) {{\n"
         "    ivec2 gloam_kernel_size = ivec2({}, {});\n"
         "    ivec2 gloam_kernel_inside = clamp(gloam_kernel_pixel, ivec2(0), gloam_kernel_size - 1);\n"
         "    if (gloam_kernel_inside != gloam_kernel_pixel && {} == 0u)\n"
         "        gloam_kernel_fault({}u, gloam_kernel_pixel);\n"
         "    uint gloam_kernel_at = {}u + uint(gloam_kernel_inside.y * gloam_kernel_size.x +\n"
-        "                                       gloam_kernel_inside.x) * {}u;\n",
-        read_word("0"), read_word("1"), read_word("2"), index, image_header_words, scalars);
-    if (image.stores) {
-        code += "    if (gloam_kernel_inside != gloam_kernel_pixel) return;\n";
-        append_write(code, image.element, "gloam_kernel_value", buffer, "gloam_kernel_at", 0);
-    } else {
-        code += fmt::format("    {} gloam_kernel_value;\n", type);
-        const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
-            return scalar_of_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
-        };
-        append_read(code, image.element, "gloam_kernel_value", word, 0);
-        code += "    return gloam_kernel_value;\n";
-    }
-    return code + "}\n";
+        "                                       gloam_kernel_inside.x) * {}u;\n"
+        "    {} gloam_kernel_value;\n",
+        type, image.name, read_word("0"), read_word("1"), read_word("2"), index, image_header_words, scalars,
+        type);
+    const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
+        return scalar_of_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
+    };
+    append_read(code, image.element, "gloam_kernel_value", word, 0);
+    return code + "    return gloam_kernel_value;\n}\n";
 }
 
 // Whether this word can be the name of a macro.

@@ -15,8 +15,8 @@
 
 namespace gloam::check {
 
-// A prototype or a sampler with a synthetic image behind it, or an image of the function itself. A prototype
-// that stores is void name(ivec2 pixel, T value), another one T name(ivec2 pixel).
+// A prototype T name(ivec2 pixel) or a sampler with a synthetic image behind it, or an image of the function
+// itself.
 struct ImagePrototype : backend::KernelImage {
     std::string name;
     shader::Type element;

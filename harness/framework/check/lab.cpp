@@ -26,9 +26,9 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
         if (function.defined) continue;
         const auto image = image_prototype(function);
         if (!image) {
-            throw std::invalid_argument(fmt::format(
-                "{}: cannot serve the prototype \"{}\": expected T name(ivec2) or void name(ivec2, T)", file,
-                shader::to_glsl(function)));
+            throw std::invalid_argument(
+                fmt::format("{}: cannot serve the prototype \"{}\": expected T name(ivec2)", file,
+                            shader::to_glsl(function)));
         }
         images.push_back(*image);
     }
@@ -86,13 +86,9 @@ std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
 std::optional<ImagePrototype> image_prototype(const shader::Function& function) {
     const auto& p = function.parameters;
     const bool by_pixel =
-        !p.empty() && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
-    const bool is_void = function.result.scalar == shader::Scalar::void_;
-    if (by_pixel && p.size() == 1 && !is_void) return ImagePrototype{{}, function.name, function.result};
-    if (by_pixel && p.size() == 2 && is_void && p[1].direction == shader::Direction::in) {
-        return ImagePrototype{{.stores = true}, function.name, p[1].type};
-    }
-    return std::nullopt;
+        p.size() == 1 && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
+    if (!by_pixel || function.result.scalar == shader::Scalar::void_) return std::nullopt;
+    return ImagePrototype{{}, function.name, function.result};
 }
 
 namespace {

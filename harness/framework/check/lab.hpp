@@ -41,7 +41,6 @@ class KernelCore {
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
-        ImageSet stored;            // images that the shader may have stored to
         std::optional<ImageFault> fault;
         KernelModules modules;  // the modules that produced the outputs; none where no rules hold for them
     };
@@ -65,10 +64,10 @@ class KernelCore {
 inline constexpr std::string_view interpreter_name = "interpreter";
 
 // float32 rounded to nearest even; NaN, infinity, -0 and subnormals preserved. Threads share the inputs of a
-// kernel; those of one that stores to images run one after another.
+// kernel.
 [[nodiscard]] std::shared_ptr<backend::Backend> interpreter();
 
-// The image that serves a prototype: T f(ivec2), or void f(ivec2, T). Empty for any other prototype.
+// The image that serves a prototype T f(ivec2). Empty for any other prototype.
 [[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
 
 // The samplers and images of an excerpt, then samplers that are parameters of the function.

@@ -213,9 +213,8 @@ class Sorting {
             const shader::Function called = together(function, team);
             std::string why = why_not(function, excerpt, team);
             if (why.empty() && unserved != compiled.end())
-                why = fmt::format(
-                    "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",
-                    definition_of(*unserved));
+                why = fmt::format("it calls {}, which has no body; expected T name(ivec2)",
+                                  definition_of(*unserved));
             if (why.empty()) {
                 all_.found.push_back({own.size() > 1 ? definition : function.name, called, excerpt.text,
                                       images_of(excerpt, function), team, comment});

@@ -95,19 +95,12 @@ void require_bindable(shader::Language language, const KernelSource& source) {
     }
 }
 
-void require_no_stores(const KernelSource& source) {
-    if (std::ranges::none_of(source.images, &ImagePrototype::stores)) return;
-    throw backend::Unsupported(source.function.name +
-                               ": stores to images, which needs OpenGL 4.3 or OpenGL ES 3.1");
-}
-
 std::string gl_compute_text(const KernelSource& source) {
     return compute_head() + storage_interface(source) +
            file_and_rest(source, word_of_buffer, main_of(source));
 }
 
 std::string gl_fragment_text(const KernelSource& source) {
-    require_no_stores(source);
     const auto input = [](Scalar scalar, std::size_t word) {
         return scalar_of_word(
             scalar, word_of_texture("gloam_kernel_inputs", fmt::format("gloam_kernel_input_at + {}u", word)));

@@ -86,8 +86,7 @@ void require_alone(const KernelSource& source, const char* what);
 
 // The kernel of a function as a device takes it whose kernels are texts in this language
 // (backend/gl/kernel.hpp): a compute shader, else a fragment shader. It includes nothing. Throws
-// backend::Unsupported for a function that is no text of this language, and where there are no compute
-// shaders for one that stores to images.
+// backend::Unsupported for a function that is no text of this language.
 [[nodiscard]] std::string gl_kernel_code(shader::Language language, const KernelSource& source,
                                          const std::vector<std::filesystem::path>& include_roots);
 
