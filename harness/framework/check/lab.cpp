@@ -171,10 +171,6 @@ shader::CompileOptions Lab::compile_options() const {
             .lines = !options_.excerpts.empty()};
 }
 
-std::vector<shader::Function> Lab::functions(const std::string& file) const {
-    return cache_.functions(probe_of(file), compile_options());
-}
-
 KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
     const std::vector<shader::Excerpt> excerpts = excerpts_of(options_, file);
@@ -249,10 +245,6 @@ void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
         shader::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
     module.before = std::move(stepped.before);
     module.spirv = std::move(stepped.after);
-}
-
-shader::Spirv Lab::compile(const shader::Source& text) const {
-    return compile(text, compile_options());
 }
 
 shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOptions& options) const {

@@ -108,22 +108,16 @@ class Lab {
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
 
-    // Every function that a file and its includes define or call, as the compiler reports it. Throws
-    // shader::CompileError.
-    [[nodiscard]] std::vector<shader::Function> functions(const std::string& file) const;
-
     // What the kernel of a function is generated from. Throws like kernel().
     [[nodiscard]] KernelSource source(const std::string& file, const std::string& function,
                                       const Signature& signature) const;
 
-    // The module of a compute shader, in the lab's variant. Throws shader::CompileError.
-    [[nodiscard]] shader::Spirv compile(const shader::Source& text) const;
-    // The same with other compile options.
+    // The module of a shader. Throws shader::CompileError.
     [[nodiscard]] shader::Spirv compile(const shader::Source& text,
                                         const shader::CompileOptions& options) const;
 
-    // The same for a kernel with these images. Also throws std::invalid_argument if the function uses other
-    // bindings, because no resource is bound to them.
+    // That of a kernel with these images, in the lab's variant. Also throws std::invalid_argument if the
+    // function uses other bindings, because no resource is bound to them.
     [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text,
                                                const std::vector<ImagePrototype>& images,
                                                shader::Stage stage = shader::Stage::compute) const;

@@ -57,10 +57,9 @@ Session::Evaluated evaluated(const Lab& lab, const Question& question, const Run
 
 // The generated shader for one input. If the variant makes inputs literals, the input is in the text.
 std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
-    if (constants == Constants::specialization) return specialized_kernel_code(source, 1);
     if (constants == Constants::none) return kernel_code(source);
-    source.preserve_nan = false;  // as in a Session
-    return literal_kernel_code(source, inputs, 1);
+    if (constants == Constants::literals) source.preserve_nan = false;  // as in a Session
+    return constant_kernel_code(source, constants, inputs, 1);
 }
 
 Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,

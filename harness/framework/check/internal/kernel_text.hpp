@@ -22,9 +22,6 @@ namespace gloam::check::internal {
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
 
-// The #extension lines for the kernel's own conversions.
-[[nodiscard]] std::string number_extensions(const KernelSource& source);
-
 // The declarations that a kernel has on Vulkan and on OpenGL: the storage buffers of inputs, outputs, faults
 // and images, uint gloam_kernel_input() and void gloam_kernel_fault(uint image, ivec2 pixel).
 [[nodiscard]] std::string storage_interface(const KernelSource& source);
@@ -44,12 +41,13 @@ using ImageWordText = std::function<std::string(std::size_t image, const std::st
 // The GLSL expression of an input scalar, given its position among the words of one input.
 using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
 
-// Append statements that set a variable from the input words from `offset` on, and that write it to the
-// buffer from index `at` + `offset` on; they return the number of words.
-std::size_t append_read(std::string& code, const shader::Type& type, const std::string& variable,
-                        const InputText& input, std::size_t offset);
-std::size_t append_write(std::string& code, const shader::Type& type, const std::string& variable,
-                         std::string_view buffer, std::string_view at, std::size_t offset);
+// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
+using ScalarPaths = std::vector<std::pair<shader::Scalar, std::string>>;
+[[nodiscard]] ScalarPaths scalar_paths(const shader::Type& type, const std::string& variable);
+
+// Appends statements that set a variable from the input words from `offset` on.
+void append_read(std::string& code, const shader::Type& type, const std::string& variable,
+                 const InputText& input, std::size_t offset);
 
 // That expression for inputs in a storage buffer, from index gloam_kernel_input_at on.
 [[nodiscard]] std::string input_of_buffer(shader::Scalar scalar, std::size_t word);
@@ -65,12 +63,6 @@ struct Evaluation {
     std::size_t output_words = 0;
 };
 [[nodiscard]] Evaluation evaluation(const KernelSource& source, const InputText& input);
-
-// The beginning and the end of main(). The beginning declares `gloam_kernel_index`, `gloam_kernel_output_at`
-// and (of a team) `gloam_kernel_lane`, and returns from invocations without an input. The end is that of
-// invocations that run alone; it writes the canary.
-[[nodiscard]] std::string main_begin(const backend::Team& team, std::size_t output_words);
-[[nodiscard]] std::string main_end(std::size_t output_words);
 
 // The whole main() of a kernel that reads its inputs from a storage buffer.
 [[nodiscard]] std::string main_of(const KernelSource& source);
