@@ -62,8 +62,8 @@ TEST_P(EveryFile, OfTheLibraryCanBeMade) {
     const Source file{GetParam(), "#version 450\n#include \"" + GetParam() + "\"\n"};
     const std::string text = internal::preprocessed(file, Stage::compute, {GLOAM_GLSL_DIR});
     const std::string whole = internal::completed(text, internal::each_once(internal::declarations(text)));
-    const Spirv strict = with_no_contraction(internal::to_spirv({GetParam(), whole}, Stage::compute, {},
-                                                                {.unreached = internal::Unreached::kept}));
+    const Spirv strict = with_no_contraction(
+        internal::to_spirv({GetParam(), whole}, Stage::compute, {}, internal::Unreached::kept));
     for (const Spirv& decorated : {strict, with_relaxed_precision(strict)})
         EXPECT_NO_THROW(validate(decorated)) << whole;
 }

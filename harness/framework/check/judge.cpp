@@ -23,7 +23,7 @@ using numeric::Bounds;
 using numeric::infinity;
 
 // Whether each of the bounds contains the other one.
-bool covers(std::span<const Bounds> bounds, std::span<const Bounds> others) {
+bool covers(const Sample::Outcome& bounds, const Sample::Outcome& others) {
     return std::ranges::equal(bounds, others, [](const auto& a, const auto& b) { return a.contains(b); });
 }
 
@@ -117,7 +117,7 @@ class Judge {
     // Number of instructions for the bounds of an input.
     [[nodiscard]] double cost_of(const InputRow& input) {
         const std::uint64_t before = rules_->steps();
-        rules_->all_permitted(input, permitted_);
+        static_cast<void>(rules_->all_permitted(input));
         return static_cast<double>(rules_->steps() - before);
     }
 
@@ -156,16 +156,16 @@ class Judge {
     // Sets the permitted bounds, the fraction of their width, and whether the outputs are forbidden: then the
     // fraction is above 1, and the outcomes are set.
     void measure(const InputRow& input, Sample& sample) {
-        rules_->all_permitted(input, permitted_);
+        permitted_ = rules_->all_permitted(input);
         sample.permitted = hull_of(permitted_);
-        sample.fraction = permitted_.anything ? 0.0 : infinity;
-        for (std::size_t i = 0; !permitted_.anything && i < permitted_.count(); ++i)
-            sample.fraction = std::min(sample.fraction, fraction_of(sample, permitted_.outcome(i)));
+        sample.fraction = infinity;
+        for (const Sample::Outcome& outcome : permitted_)
+            sample.fraction = std::min(sample.fraction, fraction_of(sample, outcome));
         sample.forbidden = sample.fraction > 1.0;
         if (sample.forbidden) sample.outcomes = outcomes_beside(sample.got);
     }
 
-    [[nodiscard]] double fraction_of(const Sample& sample, std::span<const Bounds> outcome) const {
+    [[nodiscard]] double fraction_of(const Sample& sample, const Sample::Outcome& outcome) const {
         double fraction = 0.0;
         for (std::size_t i = 0; i < outcome.size(); ++i)
             fraction = std::max(fraction, fraction_of_width(number_at(scalars_.outputs[i], sample.got[i]),
@@ -176,11 +176,10 @@ class Judge {
     // Sample::outcomes.
     [[nodiscard]] std::vector<Sample::Outcome> outcomes_beside(std::span<const Word> got) const {
         std::vector<Sample::Outcome> all;
-        for (std::size_t i = 0; i < permitted_.count(); ++i) {
-            const std::span<const Bounds> outcome = permitted_.outcome(i);
+        for (const Sample::Outcome& outcome : permitted_) {
             if (std::ranges::any_of(all, [&](const auto& other) { return covers(other, outcome); })) continue;
             std::erase_if(all, [&](const auto& other) { return covers(outcome, other); });
-            all.emplace_back(outcome.begin(), outcome.end());
+            all.push_back(outcome);
         }
         if (all.size() < 2) return {};
         std::ranges::sort(all, [](const auto& a, const auto& b) {
