@@ -151,10 +151,8 @@ TEST(OpenGlIncludes, EachCompiles) {
         const gl::ShaderText shader{file, text + "\nvoid main() {}\n"};
         try {
             const gl::Program program(*device, gl::Program::Stage::fragment, shader);
-        } catch (const gl::LinkFailed& error) {  // of the prototypes, which an engine defines
+        } catch (const backend::Error& error) {  // of the prototypes, which an engine defines
             EXPECT_THAT(error.what(), HasSubstr("unresolved reference to function")) << file;
-        } catch (const gl::CompileFailed& error) {
-            ADD_FAILURE() << error.what();
         }
     }
 }

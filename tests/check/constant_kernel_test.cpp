@@ -8,23 +8,25 @@
 
 namespace gloam::check::constant_kernel_test {
 
-std::string module_of(const char* variant, bool literals) {
+using Constants = shader::Variant::Constants;
+
+std::string module_of(const char* variant, Constants constants) {
     const Lab lab = test::make_lab(FIXTURES, shader::variant(variant));
     KernelSource source = lab.source("wrong.glsl", "weight", SignatureOf<float(float, float)>::describe());
     source.preserve_nan = false;  // as a check has it
     const std::vector<Word> inputs{std::bit_cast<Word>(0.3F), std::bit_cast<Word>(0.7F)};
-    const std::string text =
-        literals ? literal_kernel_code(source, inputs, 1) : specialized_kernel_code(source, 1);
-    return shader::disassemble(lab.compile({.name = "constants", .text = text}));
+    const std::string text = constant_kernel_code(source, constants, inputs, 1);
+    return shader::disassemble(lab.compile({.name = "constants", .text = text}, lab.compile_options()));
 }
 
 TEST(ConstantCode, TheCompilerFoldsLiterals) {
-    EXPECT_THAT(module_of("literals", true), Not(AnyOf(HasSubstr("OpFDiv"), HasSubstr("OpFMul"))));
-    EXPECT_THAT(module_of("shipped", true), AllOf(HasSubstr("OpFDiv"), HasSubstr("OpFMul")));
+    EXPECT_THAT(module_of("literals", Constants::literals),
+                Not(AnyOf(HasSubstr("OpFDiv"), HasSubstr("OpFMul"))));
+    EXPECT_THAT(module_of("shipped", Constants::literals), AllOf(HasSubstr("OpFDiv"), HasSubstr("OpFMul")));
 }
 
 TEST(ConstantCode, SpecializationConstantsAreLeftToTheDriver) {
-    EXPECT_THAT(module_of("specialization", false),
+    EXPECT_THAT(module_of("specialization", Constants::specialization),
                 AllOf(HasSubstr("OpFDiv"), HasSubstr("OpFMul"), HasSubstr("SpecId 0"), HasSubstr("SpecId 1"),
                       Not(HasSubstr("SpecId 2"))));
 }

@@ -171,21 +171,6 @@ TEST_F(KernelImageTest, MissingOrWrongImageIsNamed) {
     EXPECT_THROW((void)make_image<float>({0, 3}, [](glm::ivec2) { return 1.0F; }), std::invalid_argument);
 }
 
-TEST_F(KernelImageTest, StoreOutsideIsAFaultAndChangesNothing) {
-    const Function<float(glm::ivec2, glm::ivec2)> store(lab, "stores.glsl", "store_at");
-    const ImageSet set{
-        {"store_value", make_image<glm::vec2>({2, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
-    expect_error<std::runtime_error>(
-        [&] { (void)store.with_images(set, {glm::ivec2(1, 1), glm::ivec2(1, 0)}); },
-        {"store_value: pixel (2, 1) is outside the 2 x 2 image"});
-    std::vector<Word> words;
-    append_words(glm::ivec2(1, 1), words);
-    append_words(glm::ivec2(0, 1), words);
-    const KernelCore::Result result = store.core().run(words, 1, set);
-    EXPECT_TRUE(result.fault.has_value());
-    EXPECT_EQ(result.stored.at("store_value").words, set.at("store_value").words);
-}
-
 // What else a function can be asked.
 
 TEST_F(KernelTest, APropertyThatFailsShrinksInsideItsDomain) {

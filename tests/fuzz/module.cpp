@@ -18,7 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::require(shader::with_no_contraction(strict) == strict);
     });
     fuzz::read_or_refuse([&] { (void)shader::with_relaxed_precision(module); });
-    fuzz::read_or_refuse([&] { (void)shader::used_resources(module); });
     fuzz::read_or_refuse([&] { (void)shader::float_constants(shader::without_names(module)); });
     fuzz::read_or_refuse([&] {
         const interpreter::internal::Module read(module, {});

@@ -160,7 +160,8 @@ class KnownValues : public testing::TestWithParam<std::size_t> {
 
     // As the compiler reads it.
     [[nodiscard]] shader::Function function() const {
-        for (const shader::Function& one : lab.functions(known.file))
+        for (const shader::Function& one :
+             shader::functions(check::probe_of(known.file), lab.compile_options()))
             if (one.name == known.function && one.defined) return one;
         throw std::invalid_argument(fmt::format("{} has no {}", known.file, known.function));
     }

@@ -152,9 +152,8 @@ TEST(Amber, AFunctionWithoutInputsHasABufferAllTheSame) {
     EXPECT_THAT(to_amber(none), HasSubstr("BUFFER inputs DATA_TYPE uint32 DATA\n0x00000000\nEND\n"));
 }
 
-ShaderReplay shader_replay(bool compute) {
+ShaderReplay shader_replay() {
     return {.glsl = "#version 310 es\nvoid main() {}\n",
-            .compute = compute,
             .version = "GL ES >= 3.1",
             .glsl_version = "GLSL ES >= 3.10",
             .kernel = {.comments = {"a comment"},
@@ -168,7 +167,7 @@ ShaderReplay shader_replay(bool compute) {
 }
 
 TEST(ShaderTest, AComputeShaderIsProbed) {
-    const std::string text = to_shader_test(shader_replay(true));
+    const std::string text = to_shader_test(shader_replay());
     EXPECT_THAT(text,
                 StartsWith("# a comment\n\n[require]\nGL ES >= 3.1\nGLSL ES >= 3.10\n\n[compute shader]\n"
                            "#version 310 es\n"));
@@ -183,7 +182,7 @@ TEST(ShaderTest, AComputeShaderIsProbed) {
 }
 
 TEST(ShaderTest, WhatIsNotJudgedIsNotProbed) {
-    ShaderReplay one = shader_replay(true);
+    ShaderReplay one = shader_replay();
     one.kernel.outcomes.front().front() = {.low = 1, .high = 2, .nan = true};
     EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
     one.kernel.outcomes.front().front() = {.low = 1, .high = infinity, .nan = false};
@@ -194,21 +193,12 @@ TEST(ShaderTest, WhatIsNotJudgedIsNotProbed) {
 }
 
 TEST(ShaderTest, OfSeveralOutcomesTheHullIsProbedAndNotWhatFailedBetweenThem) {
-    ShaderReplay three = shader_replay(true);
+    ShaderReplay three = shader_replay();
     three.kernel = three_outcomes(2.5F, 3);
     EXPECT_THAT(to_shader_test(three),
                 AllOf(HasSubstr("probe ssbo float 1 0 >= 0.00000000\nprobe ssbo float 1 0 <= 4.00000000\n"
                                 "probe ssbo float 1 0 != 2.50000000\n"),
                       HasSubstr("probe ssbo uint 1 4 >= 1\nprobe ssbo uint 1 4 <= 2\n")));
-}
-
-TEST(ShaderTest, AFragmentShaderDrawsGreen) {
-    const std::string text = to_shader_test(shader_replay(false));
-    EXPECT_THAT(text, AllOf(HasSubstr("[vertex shader]\n#version 310 es\n"), HasSubstr("[fragment shader]\n"),
-                            HasSubstr("uniform uint gloam_kernel_inputs[1] 4294967295\n"),
-                            HasSubstr("uniform uint gloam_kernel_image0[3] 9\n"),
-                            HasSubstr("draw rect -1 -1 2 2\nprobe all rgba 0.0 1.0 0.0 1.0\n"),
-                            Not(HasSubstr("ssbo"))));
 }
 
 }  // namespace gloam::report::failures_test

@@ -31,10 +31,12 @@ class ChangedDevice : public backend::Backend {
             : changes(of), right(std::move(made)), words(output_words) {}
         [[nodiscard]] std::size_t most_inputs() const override { return right->most_inputs(); }
         void run(std::size_t count, backend::Word canary, backend::KernelMemory& memory) const override {
-            const std::vector<std::vector<backend::Word>> images = memory.images;
-            if (changes.before) changes.before(memory.images);
+            const auto given = memory.images;
+            std::vector<std::vector<backend::Word>> images(given.begin(), given.end());
+            if (changes.before) changes.before(images);
+            memory.images = images;
             right->run(count, canary, memory);
-            if (changes.before) memory.images = images;
+            memory.images = given;
             for (std::size_t i = 0; changes.after && i < count; ++i)
                 changes.after(std::span(memory.outputs).subspan(i * (words + 1), words));
         }

@@ -98,7 +98,7 @@ TEST_F(OpenGlCommands, EveryListedDeviceRunsChecksAndNothingJudgedIsNoSuccess) {
                                 HasSubstr("1 checks, 0 failed, 1 not judged")));
 }
 
-// A compute shader is probed, a fragment shader draws green.
+// Where there are no compute shaders, there is no script.
 TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
     const Installation installation;
     installation.spoil_radical_inverse_base2();
@@ -116,12 +116,13 @@ TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
         const std::string function = "float gloam_radical_inverse_base2(uint index)";
         EXPECT_THAT(read_file(folder / "shader.glsl"), HasSubstr(function));
         EXPECT_THAT(read_file(folder / "report.txt"), HasSubstr(", OpenGL ES 3."));
-        const char* const probes[] = {
-            "probe all rgba 0.0 1.0 0.0 1.0\n",
-            "probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 0.500000000\n"};
-        const char* const inputs[] = {"uniform uint gloam_kernel_inputs[0] 1\n", "ssbo 0 subdata int 0 1\n"};
-        EXPECT_THAT(read_file(folder / "repro.shader_test"),
-                    AllOf(HasSubstr(function), HasSubstr(probes[compute]), HasSubstr(inputs[compute])));
+        EXPECT_EQ(fs::exists(folder / "repro.shader_test"), compute);
+        if (!compute) continue;
+        EXPECT_THAT(
+            read_file(folder / "repro.shader_test"),
+            AllOf(HasSubstr(function),
+                  HasSubstr("probe ssbo float 1 0 >= 0.500000000\nprobe ssbo float 1 0 <= 0.500000000\n"),
+                  HasSubstr("ssbo 0 subdata int 0 1\n")));
     }
 }
 

@@ -250,7 +250,7 @@ Domain ordinary_domain(const shader::Function& function, const std::vector<Ordin
         parameters.push_back(count == 1 ? members.front() : vector(members));
     }
     return Domain(std::move(parameters))
-        .and_related({.result = function.result, .parameters = function.parameters});
+        .and_degenerate({.result = function.result, .parameters = function.parameters}, true);
 }
 
 }  // namespace gloam::check

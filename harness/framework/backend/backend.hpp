@@ -142,9 +142,8 @@ struct KernelFaults {
 // Words behind the outputs, which no kernel may change.
 inline constexpr std::size_t guard_words = 64;
 
-// An image of a kernel: a storage buffer, unless it is one of the next two.
+// An image of a kernel: a storage buffer that it reads, unless it is one of these.
 struct KernelImage {
-    bool stores = false;       // whether the kernel stores to it
     bool sampled = false;      // a sampler reads it
     std::string layered = {};  // the format of a storage image with a layer for each input
 };
@@ -175,7 +174,7 @@ struct KernelMemory {
     KernelFaults faults{};
     // Each a width, a height, a border, then its texels; a sampled one as in backend/sampled.hpp; of a
     // layered one no words.
-    std::vector<std::vector<Word>>& images;
+    std::span<const std::vector<Word>> images;
 };
 
 // A compiled kernel. Its device must outlive it.
@@ -189,8 +188,8 @@ class Kernel {
     // That one run takes.
     [[nodiscard]] virtual std::size_t most_inputs() const = 0;
 
-    // Evaluates `count` inputs and waits. Changes the outputs, the faults, and the images that the kernel
-    // stores to. Throws DeviceLost, Hang, OutOfMemory, Fault.
+    // Evaluates `count` inputs and waits. Changes the outputs and the faults. Throws DeviceLost, Hang,
+    // OutOfMemory, Fault.
     virtual void run(std::size_t count, Word canary, KernelMemory& memory) const = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -39,6 +40,15 @@ double factor_of(numeric::Random& random) {
     return random.below(2) == 0 ? sign : sign * random.uniform(0.25, 4.0);
 }
 
+// Changes of a float, and of the side of an image.
+using Changed = Word (*)(Word before);
+constexpr Changed to_zero = [](Word) { return 0U; };
+constexpr std::array<Changed, 4> of_floats{
+    to_zero, [](Word word) { return word == 0U ? to_word(-1.0F) : word | 0x80000000U; },
+    [](Word) { return to_word(std::numeric_limits<float>::infinity()); },
+    [](Word) { return to_word(std::numeric_limits<float>::quiet_NaN()); }};
+constexpr std::array<Changed, 2> of_sides{to_zero, [](Word) { return 1U; }};
+
 }  // namespace
 
 Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& parameters, bool only_vectors)
@@ -52,22 +62,16 @@ Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& pa
             add_vectors(parameter.type, first, nullptr);
         } else {
             const bool composed = parameter.type.scalar == Scalar::structure || !parameter.type.sizes.empty();
-            if (composed && !only_vectors) add_scalars(parameter.type, first);
+            const std::vector<Scalar> scalars = scalars_of(parameter.type);
+            for (std::size_t i = 0; composed && !only_vectors && i < scalars.size(); ++i)
+                for (const auto change : of_floats)
+                    if (scalars[i] == Scalar::float_) changes_.push_back({first + i, change});
             add_vectors(parameter.type, first, &values);
-            if (!only_vectors) add_sides(values, first);
+            for (std::size_t i = 0; !only_vectors && i < 2 * values.image_sizes.size(); ++i)
+                for (const auto change : of_sides)
+                    changes_.push_back({first + values.image_sizes[i / 2] + i % 2, change});
         }
         first += scalars_of(parameter.type).size();
-    }
-}
-
-void Degenerate::add_scalars(const shader::Type& type, std::size_t first) {
-    for (const Scalar scalar : scalars_of(type)) {
-        if (scalar == Scalar::float_) {
-            for (const Kind kind : {Kind::zero, Kind::negative, Kind::infinite, Kind::nan}) {
-                changes_.push_back({first, kind});
-            }
-        }
-        ++first;
     }
 }
 
@@ -85,15 +89,6 @@ void Degenerate::add_vectors(const shader::Type& type, std::size_t first, const 
         }
     } else if (type.scalar == Scalar::float_ && type.columns == 1 && type.rows > 1) {
         vectors_.push_back({first, static_cast<std::size_t>(type.rows), values});
-    }
-}
-
-void Degenerate::add_sides(const Values& values, std::size_t first) {
-    for (const std::size_t size : values.image_sizes) {
-        for (const std::size_t side : {first + size, first + size + 1}) {
-            changes_.push_back({side, Kind::zero});
-            changes_.push_back({side, Kind::one});
-        }
     }
 }
 
@@ -138,23 +133,7 @@ void Degenerate::change(std::size_t i, std::span<Word> row) const {
         return;
     }
     Word& word = row[changes_[i].word];
-    switch (changes_[i].kind) {
-        case Kind::zero:
-            word = 0U;
-            break;
-        case Kind::negative:
-            word = word == 0U ? to_word(-1.0F) : word | 0x80000000U;
-            break;
-        case Kind::infinite:
-            word = to_word(std::numeric_limits<float>::infinity());
-            break;
-        case Kind::nan:
-            word = to_word(std::numeric_limits<float>::quiet_NaN());
-            break;
-        case Kind::one:
-            word = 1U;
-            break;
-    }
+    word = changes_[i].changed(word);
 }
 
 bool Degenerate::relate(numeric::Random& random, std::span<Word> row) const {
@@ -243,17 +222,10 @@ void Domain::require_fits(const Signature& signature) const {
                         fmt::join(wants, ", ")));
 }
 
-Domain Domain::and_degenerate(const Signature& signature) const {
+Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) const {
     require_fits(signature);
     Domain more = *this;
-    more.degenerate_ = Degenerate(signature, parameters_);
-    return more;
-}
-
-Domain Domain::and_related(const Signature& signature) const {
-    require_fits(signature);
-    Domain more = *this;
-    more.degenerate_ = Degenerate(signature, parameters_, true);
+    more.degenerate_ = Degenerate(signature, parameters_, only_vectors);
     return more;
 }
 

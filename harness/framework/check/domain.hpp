@@ -146,10 +146,9 @@ class Degenerate {
     bool relate(numeric::Random& random, std::span<Word> row) const;
 
   private:
-    enum class Kind { zero, negative, infinite, nan, one };
     struct Change {
         std::size_t word;
-        Kind kind;
+        Word (*changed)(Word before);
     };
     struct Number {
         std::size_t word = 0;
@@ -164,9 +163,7 @@ class Degenerate {
         std::size_t size;
         const Values* values;  // null: it may not be changed
     };
-    void add_scalars(const shader::Type& type, std::size_t first);
     void add_vectors(const shader::Type& type, std::size_t first, const Values* values);
-    void add_sides(const Values& values, std::size_t first);
 
     std::shared_ptr<const std::vector<Values>> parameters_;
     std::vector<Change> changes_;
@@ -203,12 +200,10 @@ class Domain {
     }
     [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
 
-    // The next three throw std::invalid_argument if this is no domain of a function with this signature.
-    // Adds degenerate inputs (check/domain.hpp) of a function with this signature.
-    [[nodiscard]] Domain and_degenerate(const Signature& signature) const;
-
-    // Adds those of them that only relate vectors: equal, opposite or parallel ones, and axes.
-    [[nodiscard]] Domain and_related(const Signature& signature) const;
+    // Adds degenerate inputs (check/domain.hpp) of a function with this signature. `only_vectors`: those that
+    // relate vectors, equal, opposite or parallel ones, and axes. Throws std::invalid_argument, as the next
+    // one does, if this is no domain of such a function.
+    [[nodiscard]] Domain and_degenerate(const Signature& signature, bool only_vectors = false) const;
 
     // Adds inputs in which one float is one of the numbers, of either sign, or a float beside it: those at
     // which a function branches. Values that contain infinity take every number; those that have no test, or

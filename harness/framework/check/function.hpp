@@ -93,15 +93,11 @@ class Function {
     [[nodiscard]] PropertyResult property(const Domain& domain, const Holds& holds,
                                           const RunOptions& options = {}) const {
         const auto holds_for = [&holds](std::span<const Word> input, std::span<const Word> outputs) {
-            Inputs inputs{};
-            std::apply(
-                [&input](auto&... value) {
-                    ((value = take_words<std::remove_cvref_t<decltype(value)>>(input)), ...);
-                },
-                inputs);
             return std::apply(
-                [&](const auto&... value) { return static_cast<bool>(holds(value..., take(outputs))); },
-                inputs);
+                [&](const auto&... value) {
+                    return static_cast<bool>(holds(value..., take_words<Output>(outputs)));
+                },
+                take_words<Inputs>(input));
         };
         return check_property(core_, question(domain), holds_for, options);
     }
@@ -118,7 +114,7 @@ class Function {
     [[nodiscard]] Explanation explain(const Arguments&... arguments) const {
         const Inputs input(arguments...);
         std::vector<Word> words;
-        std::apply([&words](const auto&... value) { (append_words(value, words), ...); }, input);
+        append_words(input, words);
         return check::explain(lab_->compile_options(),
                               lab_->source(file_, function_, SignatureOf<Type>::describe()), words);
     }
@@ -127,13 +123,17 @@ class Function {
     // an image, with the image and the pixel, and for validation messages.
     [[nodiscard]] std::vector<Output> operator()(std::span<const Inputs> inputs,
                                                  const ImageSet& images = {}) const {
-        return run(inputs, images, nullptr);
-    }
-
-    // The same; `stored` receives the images that the function stored to.
-    [[nodiscard]] std::vector<Output> operator()(std::span<const Inputs> inputs, const ImageSet& images,
-                                                 ImageSet& stored) const {
-        return run(inputs, images, &stored);
+        std::vector<Word> words;
+        words.reserve(inputs.size() * core_.input_words());
+        for (const Inputs& input : inputs) append_words(input, words);
+        const KernelCore::Result result = core_.run(words, inputs.size(), images);
+        lab_->require_silent_validation();
+        if (result.fault) throw std::runtime_error(to_text(*result.fault));
+        std::vector<Output> outputs;
+        outputs.reserve(inputs.size());
+        std::span<const Word> rest = result.outputs;
+        for (std::size_t i = 0; i < inputs.size(); ++i) outputs.push_back(take_words<Output>(rest));
+        return outputs;
     }
 
     // Evaluates one input.
@@ -142,12 +142,12 @@ class Function {
                  (!std::is_convertible_v<Arguments, std::span<const Inputs>> && ...)
     [[nodiscard]] Output operator()(const Arguments&... arguments) const {
         const Inputs input(arguments...);
-        return run(std::span(&input, 1), {}, nullptr).front();
+        return (*this)(std::span(&input, 1)).front();
     }
 
     // Evaluates one input of a function that reads images.
     [[nodiscard]] Output with_images(const ImageSet& images, const Inputs& input) const {
-        return run(std::span(&input, 1), images, nullptr).front();
+        return (*this)(std::span(&input, 1), images).front();
     }
 
     [[nodiscard]] const KernelCore& core() const { return core_; }
@@ -158,38 +158,6 @@ class Function {
                 .function = function_,
                 .signature = SignatureOf<Type>::describe(),
                 .domain = domain};
-    }
-
-    std::vector<Output> run(std::span<const Inputs> inputs, const ImageSet& images, ImageSet* stored) const {
-        std::vector<Word> words;
-        words.reserve(inputs.size() * core_.input_words());
-        for (const Inputs& input : inputs) {
-            std::apply([&words](const auto&... value) { (append_words(value, words), ...); }, input);
-        }
-        KernelCore::Result result = core_.run(words, inputs.size(), images);
-        lab_->require_silent_validation();
-        if (result.fault) throw std::runtime_error(to_text(*result.fault));
-        std::vector<Output> outputs;
-        outputs.reserve(inputs.size());
-        std::span<const Word> rest = result.outputs;
-        for (std::size_t i = 0; i < inputs.size(); ++i) outputs.push_back(take_next(rest));
-        if (stored != nullptr) *stored = std::move(result.stored);
-        return outputs;
-    }
-
-    static Output take(std::span<const Word> rest) { return take_next(rest); }
-    static Output take_next(std::span<const Word>& rest) {
-        if constexpr (std::tuple_size_v<Outputs> == 1) {
-            return take_words<Output>(rest);
-        } else {
-            Outputs all{};
-            std::apply(
-                [&rest](auto&... value) {
-                    ((value = take_words<std::remove_cvref_t<decltype(value)>>(rest)), ...);
-                },
-                all);
-            return all;
-        }
     }
 
     const Lab* lab_;

@@ -98,67 +98,58 @@ std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<doubl
     return doubles.machine().steps() - before;
 }
 
-bool Interpretation::holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const {
+bool Interpretation::holds(const Sample::Outcome& outcome, std::span<const Word> got) const {
     for (std::size_t w = 0; w < got.size(); ++w)
         if (!outcome[w].contains(number_at(outputs_[w], got[w]))) return false;
     return true;
 }
 
-// Explores all paths, or the paths up to the first one that yields `until`.
+// All paths, or the paths up to the first one that yields `until`.
 template <class N>
-void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
-                             std::span<const Word> until, Permitted& permitted) {
-    permitted.width = outputs_.size();
-    permitted.outcomes.clear();
+Permitted Interpretation::explore(const InputRow& input, std::span<const Word> until) {
+    const Place at = place_of(input.index);
+    InterpretedKernel<N>& kernel = this->kernel<N>(at.part);
+    Permitted permitted;
     const std::uint64_t before = kernel.machine().steps();
     const auto run = [&] {
         try {
             kernel.machine().set_limit(most_path_steps -
                                        std::min(most_path_steps, kernel.machine().steps() - before));
-            kernel.run(input.words, index);
+            kernel.run(input.words, at.index);
+            Sample::Outcome outcome;
             for (std::size_t w = 0; w < outputs_.size(); ++w) {
                 const auto value = kernel.output(w);
-                permitted.outcomes.push_back(
-                    shader::is_float(outputs_[w])
-                        ? bounds_of(value.number())
-                        : numeric::Bounds::point(whole_number(outputs_[w], value.bits())));
+                outcome.push_back(shader::is_float(outputs_[w])
+                                      ? bounds_of(value.number())
+                                      : numeric::Bounds::point(whole_number(outputs_[w], value.bits())));
             }
+            permitted.push_back(std::move(outcome));
         } catch (const interpreter::Error&) {
             throw numeric::Paths::Undetermined{};
         }
-        if (!until.empty() && holds(permitted.outcome(permitted.count() - 1), until))
-            throw numeric::Paths::Enough{};
+        if (!until.empty() && holds(permitted.back(), until)) throw numeric::Paths::Enough{};
     };
     const bool to_even = decoded_.parts().front().module.rounds_to_even;
     const auto rounding = to_even ? numeric::Paths::Rounding::to_even : numeric::Paths::Rounding::either;
-    const auto specials =
-        of_driver_ ? decoded_.parts()[place_of(input.index).part].specials : numeric::Paths::Specials::kept;
+    const auto specials = of_driver_ ? decoded_.parts()[at.part].specials : numeric::Paths::Specials::kept;
     const auto outcome = numeric::Paths::explore(numeric::float32, most_paths, run,
                                                  numeric::Paths::Gaps::open, rounding, specials);
-    permitted.anything =
-        outcome == numeric::Paths::Outcome::undetermined || outcome == numeric::Paths::Outcome::too_many;
     steps_ += kernel.machine().steps() - before;
+    if (outcome == numeric::Paths::Outcome::undetermined || outcome == numeric::Paths::Outcome::too_many)
+        permitted = {Sample::Outcome(outputs_.size(), numeric::Bounds::anything())};
+    return permitted;
 }
 
 bool Interpretation::is_permitted(const InputRow& input, std::span<const Word> got) {
-    if (got.empty()) return true;
-    const Place at = place_of(input.index);
-    const auto permits = [&](auto& kernel_of_type) {
-        explore(kernel_of_type, input, at.index, got, found_);
-        return found_.anything || holds(found_.outcome(found_.count() - 1), got);
-    };
-    if (permits(kernel<numeric::Interval>(at.part))) return true;
-    return decoded_.parts()[at.part].program.may_be_rearranged() &&
-           permits(kernel<numeric::Rearranged>(at.part));
+    if (got.empty() || holds(explore<numeric::Interval>(input, got).back(), got)) return true;
+    return decoded_.parts()[place_of(input.index).part].program.may_be_rearranged() &&
+           holds(explore<numeric::Rearranged>(input, got).back(), got);
 }
 
-void Interpretation::all_permitted(const InputRow& input, Permitted& permitted) {
-    const Place at = place_of(input.index);
-    if (decoded_.parts()[at.part].program.may_be_rearranged()) {
-        explore(kernel<numeric::Rearranged>(at.part), input, at.index, {}, permitted);
-    } else {
-        explore(kernel<numeric::Interval>(at.part), input, at.index, {}, permitted);
-    }
+Permitted Interpretation::all_permitted(const InputRow& input) {
+    return decoded_.parts()[place_of(input.index).part].program.may_be_rearranged()
+               ? explore<numeric::Rearranged>(input)
+               : explore<numeric::Interval>(input);
 }
 
 }  // namespace gloam::check

@@ -64,10 +64,10 @@ class Interpretation {
     [[nodiscard]] bool is_permitted(const InputRow& input, std::span<const Word> got);
 
     // Whether an outcome contains these outputs.
-    [[nodiscard]] bool holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const;
+    [[nodiscard]] bool holds(const Sample::Outcome& outcome, std::span<const Word> got) const;
 
-    // Calculates everything that Vulkan permits.
-    void all_permitted(const InputRow& input, Permitted& permitted);
+    // Everything that Vulkan permits.
+    [[nodiscard]] Permitted all_permitted(const InputRow& input);
 
     // Number of instructions interpreted on intervals so far.
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
@@ -85,15 +85,13 @@ class Interpretation {
     template <class N>
     [[nodiscard]] InterpretedKernel<N>& kernel(std::size_t part);
     template <class N>
-    void explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
-                 std::span<const Word> until, Permitted& permitted);
+    [[nodiscard]] Permitted explore(const InputRow& input, std::span<const Word> until = {});
 
     const Decoded& decoded_;
     const std::vector<shader::Scalar>& outputs_;
     std::size_t results_;
     bool of_driver_;
     std::vector<Part> parts_;
-    Permitted found_;
     std::vector<Word> exact_;
     std::uint64_t steps_ = 0;
 };

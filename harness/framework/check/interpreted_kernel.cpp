@@ -8,12 +8,9 @@
 
 namespace gloam::check {
 
-std::vector<numeric::Bounds> hull_of(const Permitted& permitted) {
-    if (permitted.anything) return std::vector(permitted.width, numeric::Bounds::anything());
-    std::vector<numeric::Bounds> all(permitted.outcome(0).begin(), permitted.outcome(0).end());
-    for (std::size_t i = 1; i < permitted.count(); ++i) {
-        std::ranges::transform(all, permitted.outcome(i), all.begin(), numeric::hull);
-    }
+Sample::Outcome hull_of(const Permitted& permitted) {
+    Sample::Outcome all = permitted.front();
+    for (const Sample::Outcome& one : permitted) std::ranges::transform(all, one, all.begin(), numeric::hull);
     return all;
 }
 

@@ -18,23 +18,15 @@
 
 namespace gloam::check {
 
-// All outputs that Vulkan's precision rules permit for one input.
-struct Permitted {
-    bool anything = false;                  // every value; also if there were too many paths
-    std::size_t width = 0;                  // output words
-    std::vector<numeric::Bounds> outcomes;  // for each path through the function: bounds of every output word
+// All outputs that Vulkan's precision rules permit for one input: those of each path through the function.
+// Never empty: where anything is permitted, also if there were too many paths, one outcome holds everything.
+using Permitted = std::vector<Sample::Outcome>;
 
-    [[nodiscard]] std::size_t count() const { return width == 0 ? 0 : outcomes.size() / width; }
-    [[nodiscard]] std::span<const numeric::Bounds> outcome(std::size_t i) const {
-        return std::span(outcomes).subspan(i * width, width);
-    }
-};
-
-// More paths than this count as `anything`.
+// Paths beyond which anything counts as permitted.
 inline constexpr std::size_t most_paths = 256;
 
 // The smallest bounds that contain every outcome, one for each output word.
-[[nodiscard]] std::vector<numeric::Bounds> hull_of(const Permitted& permitted);
+[[nodiscard]] Sample::Outcome hull_of(const Permitted& permitted);
 
 // The distance of an output from `want`, as a fraction of the distance from `want` to the end of its bounds
 // on that side: 0 at `want`, 1 at the end, more outside. Infinity outside if the second distance is 0.
@@ -57,7 +49,7 @@ class InterpretedKernel {
   public:
     // `module` and `images` (image_words()) must outlive this object.
     InterpretedKernel(const interpreter::Program& program, const KernelModule& module,
-                      const std::vector<std::vector<Word>>& images)
+                      std::span<const std::vector<Word>> images)
         : machine_(program),
           team_(module.team),
           subgroup_size_(team_.kind == backend::Team::Kind::quad ? team_.count() : module.subgroup_size),
@@ -107,16 +99,6 @@ class InterpretedKernel {
     [[nodiscard]] KernelFaults faults() const {
         const auto word = [this](std::size_t k) { return machine_.read(0, KernelBinding::faults, k).bits(); };
         return {.count = word(0), .image = word(1), .x = word(2), .y = word(3), .input = word(4)};
-    }
-
-    // Reads the words of an image after the last run; the next run starts with them. `words`: those that this
-    // object was made with.
-    void read_image(std::size_t image, std::vector<Word>& words) {
-        const auto binding = KernelBinding::first_image + static_cast<unsigned>(image);
-        std::vector<Word> after;
-        for (std::size_t w = 0; w < words.size(); ++w) after.push_back(machine_.read(0, binding, w).bits());
-        words = std::move(after);
-        machine_.bind(0, binding, words);
     }
 
     [[nodiscard]] interpreter::Machine<Number>& machine() { return machine_; }

@@ -12,14 +12,20 @@
 #include "base/threads.hpp"
 #include "check/answer.hpp"
 #include "check/internal/budget_judge.hpp"
-#include "check/internal/rules_judge.hpp"
+#include "check/interpretation.hpp"
 #include "interpreter/program.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check {
 namespace {
 
+using numeric::Bounds;
 using numeric::infinity;
+
+// Whether each of the bounds contains the other one.
+bool covers(const Sample::Outcome& bounds, const Sample::Outcome& others) {
+    return std::ranges::equal(bounds, others, [](const auto& a, const auto& b) { return a.contains(b); });
+}
 
 // Decides which inputs of a run are judged by the rules, and for which of these all permitted results are
 // calculated. If the verdict is the budget, the rules are a second criterion for the first inputs, which
@@ -66,7 +72,7 @@ class Judge {
           budget_(question, images, scalars_),
           predicate_(std::ranges::all_of(
               scalars_.outputs, [](shader::Scalar scalar) { return scalar == shader::Scalar::bool_; })) {
-        if (decoded != nullptr) permitted_.emplace(*decoded, scalars_);
+        if (decoded != nullptr) rules_.emplace(*decoded, scalars_.outputs, scalars_.result_words);
     }
 
     void add(Answer& answer, Sample& sample, bool branch) {
@@ -96,7 +102,7 @@ class Judge {
         sample.budget_fraction = error.fraction;
         sample.fraction = error.fraction;
         const bool by_budget = options_.verdict == Verdict::budget && (promised || budget_.has_codomain());
-        const bool free = permitted_ && plan_.by_rules(sample.index)
+        const bool free = rules_ && plan_.by_rules(sample.index)
                               ? ask_rules(answer, sample, promised, !by_budget && !edge)
                               : true;
         const bool accurate = promised && sample.budget_fraction <= 1.0;
@@ -110,11 +116,9 @@ class Judge {
 
     // Number of instructions for the bounds of an input.
     [[nodiscard]] double cost_of(const InputRow& input) {
-        Permitted permitted;
-        Interpretation& interpretation = permitted_->interpretation();
-        const std::uint64_t before = interpretation.steps();
-        interpretation.all_permitted(input, permitted);
-        return static_cast<double>(interpretation.steps() - before);
+        const std::uint64_t before = rules_->steps();
+        static_cast<void>(rules_->all_permitted(input));
+        return static_cast<double>(rules_->steps() - before);
     }
 
   private:
@@ -122,7 +126,7 @@ class Judge {
         if (question_.reference) {
             question_.reference(images_, sample.inputs, sample.want);
         } else {
-            permitted_->interpretation().calculate({sample.index, sample.inputs}, sample.want);
+            rules_->calculate({sample.index, sample.inputs}, sample.want);
         }
         if (sample.want.size() != scalars_.outputs.size()) {
             throw std::logic_error(fmt::format("the reference gave {} output words, the signature has {}",
@@ -133,27 +137,105 @@ class Judge {
     // Whether the rules permit every result; false if that was not asked. `only_rules`: nothing else judges
     // this input.
     bool ask_rules(Answer& answer, Sample& sample, bool promised, bool only_rules) {
+        const InputRow input{sample.index, sample.inputs};
         const bool bounded = plan_.bounded(sample.index);
         const bool must_know = only_rules && options_.verdict == Verdict::budget;
         ++answer.by_rules;
-        if (!bounded && !must_know && permitted_->permits(sample)) {
+        if (!bounded && !must_know &&
+            (rules_->is_exact(input, sample.got) || rules_->is_permitted(input, sample.got))) {
             if (options_.verdict == Verdict::rules) sample.fraction = 0.0;
             return false;
         }
-        const bool anything = permitted_->measure(sample);
-        if (bounded) add_bounds(answer, sample, anything, promised);
+        measure(input, sample);
+        if (bounded) add_bounds(answer, sample, promised);
         if (options_.verdict == Verdict::budget)
             sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
-        return (bounded || must_know) && permitted_->permits_every(sample);
+        return (bounded || must_know) && permits_every(sample);
     }
 
-    void add_bounds(Answer& answer, const Sample& sample, bool anything, bool promised) {
+    // Sets the permitted bounds, the fraction of their width, and whether the outputs are forbidden: then the
+    // fraction is above 1, and the outcomes are set.
+    void measure(const InputRow& input, Sample& sample) {
+        permitted_ = rules_->all_permitted(input);
+        sample.permitted = hull_of(permitted_);
+        sample.fraction = infinity;
+        for (const Sample::Outcome& outcome : permitted_)
+            sample.fraction = std::min(sample.fraction, fraction_of(sample, outcome));
+        sample.forbidden = sample.fraction > 1.0;
+        if (sample.forbidden) sample.outcomes = outcomes_beside(sample.got);
+    }
+
+    [[nodiscard]] double fraction_of(const Sample& sample, const Sample::Outcome& outcome) const {
+        double fraction = 0.0;
+        for (std::size_t i = 0; i < outcome.size(); ++i)
+            fraction = std::max(fraction, fraction_of_width(number_at(scalars_.outputs[i], sample.got[i]),
+                                                            sample.want[i], outcome[i]));
+        return fraction;
+    }
+
+    // Sample::outcomes.
+    [[nodiscard]] std::vector<Sample::Outcome> outcomes_beside(std::span<const Word> got) const {
+        std::vector<Sample::Outcome> all;
+        for (const Sample::Outcome& outcome : permitted_) {
+            if (std::ranges::any_of(all, [&](const auto& other) { return covers(other, outcome); })) continue;
+            std::erase_if(all, [&](const auto& other) { return covers(outcome, other); });
+            all.push_back(outcome);
+        }
+        if (all.size() < 2) return {};
+        std::ranges::sort(all, [](const auto& a, const auto& b) {
+            return std::ranges::lexicographical_compare(a, b, {}, &Bounds::low, &Bounds::low);
+        });
+        for (bool merged = true; merged && all.size() > Sample::most_outcomes;) {
+            merged = false;
+            for (std::size_t i = 0; i + 1 < all.size() && all.size() > Sample::most_outcomes; ++i) {
+                Sample::Outcome both = all[i];
+                std::ranges::transform(both, all[i + 1], both.begin(), numeric::hull);
+                if (rules_->holds(both, got)) continue;
+                all[i] = std::move(both);
+                all.erase(all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+                merged = true;
+            }
+        }
+        return all;
+    }
+
+    // But for NaN: any number for each float and integer, both values for each bool.
+    [[nodiscard]] bool permits_every(const Sample& sample) const {
+        for (std::size_t i = 0; i < sample.permitted.size(); ++i) {
+            const Bounds& bounds = sample.permitted[i];
+            const bool is_bool = scalars_.outputs[i] == shader::Scalar::bool_;
+            if (bounds.low > (is_bool ? 0.0 : -infinity) || bounds.high < (is_bool ? 1.0 : infinity))
+                return false;
+        }
+        return true;
+    }
+
+    void add_bounds(Answer& answer, const Sample& sample, bool promised) {
         ++answer.bounded;
+        const bool anything = std::ranges::any_of(sample.permitted, &Bounds::is_anything);
         if (anything) answer.add_unbounded(sample);
-        const bool usual = sample.input_class <= InputClass::zero;
-        if (anything || !promised || !usual) return;
-        const internal::Error largest = permitted_->largest_permitted(sample, budget_);
-        answer.add_guarantee({largest.ulp, largest.absolute, largest.fraction});
+        if (!anything && promised && sample.input_class <= InputClass::zero)
+            answer.add_guarantee(largest_permitted(sample));
+    }
+
+    // The largest error, as the budget measures it, that the rules permit.
+    [[nodiscard]] Guarantee largest_permitted(const Sample& sample) const {
+        Guarantee largest;
+        std::size_t first = 0;
+        for (const std::size_t words : scalars_.output_values) {
+            const numeric::FloatFormat& format = format_of(scalars_.outputs[first]);
+            const double unit = budget_.unit_of(std::span(sample.want).subspan(first, words), format);
+            for (std::size_t i = first; i < first + words; ++i) {
+                if (!shader::is_float(scalars_.outputs[i])) continue;
+                for (const double end : {sample.permitted[i].low, sample.permitted[i].high}) {
+                    const internal::Error error = budget_.float_error(end, sample.want[i], unit, format);
+                    largest = {std::max(largest.ulp, error.ulp), std::max(largest.absolute, error.absolute),
+                               std::max(largest.fraction, error.fraction)};
+                }
+            }
+            first += words;
+        }
+        return largest;
     }
 
     const Question& question_;
@@ -163,7 +245,8 @@ class Judge {
     internal::Scalars scalars_;
     internal::BudgetJudge budget_;
     bool predicate_;  // all results are boolean
-    std::optional<internal::RulesJudge> permitted_;
+    std::optional<Interpretation> rules_;
+    Permitted permitted_;  // by the rules, of the input that was measured last
 };
 
 // The decoded modules. Empty if there are none. Also empty if they are not needed and the interpreter does

@@ -49,27 +49,23 @@ using shader::Direction;
 using shader::Scalar;
 using shader::Type;
 
-// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
-void scalar_paths(const Type& type, const std::string& variable,
-                  std::vector<std::pair<Scalar, std::string>>& paths) {
+void add_paths(const Type& type, const std::string& variable, ScalarPaths& paths) {
     if (type.scalar == Scalar::void_) return;
     if (!type.sizes.empty()) {
         const Type element = shader::element_of(type);
         for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
-            scalar_paths(element, fmt::format("{}[{}]", variable, i), paths);
+            add_paths(element, fmt::format("{}[{}]", variable, i), paths);
         return;
     }
     if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members) {
-            scalar_paths(member.type, variable + "." + member.name, paths);
-        }
+        for (const shader::Member& member : type.members)
+            add_paths(member.type, variable + "." + member.name, paths);
         return;
     }
     for (int column = 0; column < type.columns; ++column) {
         const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
-        for (int row = 0; row < type.rows; ++row) {
+        for (int row = 0; row < type.rows; ++row)
             paths.emplace_back(type.scalar, type.rows > 1 ? fmt::format("{}[{}]", base, row) : base);
-        }
     }
 }
 
@@ -100,32 +96,16 @@ std::string scalar_of_word(Scalar scalar, const std::string& word) {
     return converted(scalar, &Conversion::to_scalar, word);
 }
 
-std::string number_extensions(const KernelSource& source) {
-    std::vector<Scalar> scalars = scalars_of(source.function.result);
-    for (const shader::Parameter& parameter : source.function.parameters)
-        append_scalars(parameter.type, scalars);
-    for (const ImagePrototype& image : source.images) append_scalars(image.element, scalars);
-    return std::ranges::find(scalars, Scalar::float16_) == scalars.end()
-               ? ""
-               : "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n";
+ScalarPaths scalar_paths(const Type& type, const std::string& variable) {
+    ScalarPaths paths;
+    add_paths(type, variable, paths);
+    return paths;
 }
 
-std::size_t append_read(std::string& code, const Type& type, const std::string& variable,
-                        const InputText& input, std::size_t offset) {
-    std::vector<std::pair<Scalar, std::string>> paths;
-    scalar_paths(type, variable, paths);
-    for (const auto& [scalar, path] : paths)
+void append_read(std::string& code, const Type& type, const std::string& variable, const InputText& input,
+                 std::size_t offset) {
+    for (const auto& [scalar, path] : scalar_paths(type, variable))
         code += fmt::format("    {} = {};\n", path, input(scalar, offset++));
-    return paths.size();
-}
-
-std::size_t append_write(std::string& code, const Type& type, const std::string& variable,
-                         std::string_view buffer, std::string_view at, std::size_t offset) {
-    std::vector<std::pair<Scalar, std::string>> paths;
-    scalar_paths(type, variable, paths);
-    for (const auto& [scalar, path] : paths)
-        code += fmt::format("    {}[{} + {}u] = {};\n", buffer, at, offset++, word_of_scalar(scalar, path));
-    return paths.size();
 }
 
 namespace {
@@ -164,6 +144,17 @@ void gloam_kernel_fault(uint image, ivec2 pixel) {{
 }}
 )";
 
+// The #extension lines for the kernel's own conversions.
+std::string number_extensions(const KernelSource& source) {
+    std::vector<Scalar> scalars = scalars_of(source.function.result);
+    for (const shader::Parameter& parameter : source.function.parameters)
+        append_scalars(parameter.type, scalars);
+    for (const ImagePrototype& image : source.images) append_scalars(image.element, scalars);
+    return std::ranges::find(scalars, Scalar::float16_) == scalars.end()
+               ? ""
+               : "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n";
+}
+
 // The position of the invocation's input.
 const char* input_position(const backend::Team& team) {
     if (team.kind == backend::Team::Kind::quad) return "(uvec2(gl_FragCoord.xy) / 2u)";
@@ -188,41 +179,32 @@ std::string image_interface(const ImagePrototype& image, std::size_t index) {
         return fmt::format("layout(binding = {}) uniform highp {} {};\n", KernelBinding::first_image + index,
                            image.sampler, image.variable);
     return fmt::format(
-        "layout(std430, binding = {}) {}buffer GloamGeneratedImage{} {{ uint gloam_kernel_image{}[]; "
+        "layout(std430, binding = {}) readonly buffer GloamGeneratedImage{} {{ uint gloam_kernel_image{}[]; "
         "}};\n",
-        KernelBinding::first_image + index, image.stores ? "" : "readonly ", index, index);
+        KernelBinding::first_image + index, index, index);
 }
 
 // The definition of a prototype: it finds the pixel or reports the fault.
 std::string image_definition(const ImagePrototype& image, std::size_t index, const ImageWordText& read) {
-    const std::string buffer = fmt::format("gloam_kernel_image{}", index);
     const auto read_word = [&](const std::string& at) { return read(index, at); };
     const std::size_t scalars = scalars_of(image.element).size();
     const std::string type = name_of(image.element);
-    std::string code =
-        image.stores
-            ? fmt::format("void {}(ivec2 gloam_kernel_pixel, {} gloam_kernel_value) {{\n", image.name, type)
-            : fmt::format("{} {}(ivec2 gloam_kernel_pixel) {{\n", type, image.name);
-    code += fmt::format(
+    std::string code = fmt::format(
+        "{} {}(ivec2 gloam_kernel_pixel) {{\n"
         "    ivec2 gloam_kernel_size = ivec2({}, {});\n"
         "    ivec2 gloam_kernel_inside = clamp(gloam_kernel_pixel, ivec2(0), gloam_kernel_size - 1);\n"
         "    if (gloam_kernel_inside != gloam_kernel_pixel && {} == 0u)\n"
         "        gloam_kernel_fault({}u, gloam_kernel_pixel);\n"
         "    uint gloam_kernel_at = {}u + uint(gloam_kernel_inside.y * gloam_kernel_size.x +\n"
-        "                                       gloam_kernel_inside.x) * {}u;\n",
-        read_word("0"), read_word("1"), read_word("2"), index, image_header_words, scalars);
-    if (image.stores) {
-        code += "    if (gloam_kernel_inside != gloam_kernel_pixel) return;\n";
-        append_write(code, image.element, "gloam_kernel_value", buffer, "gloam_kernel_at", 0);
-    } else {
-        code += fmt::format("    {} gloam_kernel_value;\n", type);
-        const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
-            return scalar_of_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
-        };
-        append_read(code, image.element, "gloam_kernel_value", word, 0);
-        code += "    return gloam_kernel_value;\n";
-    }
-    return code + "}\n";
+        "                                       gloam_kernel_inside.x) * {}u;\n"
+        "    {} gloam_kernel_value;\n",
+        type, image.name, read_word("0"), read_word("1"), read_word("2"), index, image_header_words, scalars,
+        type);
+    const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
+        return scalar_of_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
+    };
+    append_read(code, image.element, "gloam_kernel_value", word, 0);
+    return code + "    return gloam_kernel_value;\n}\n";
 }
 
 // Whether this word can be the name of a macro.

@@ -15,8 +15,8 @@
 
 namespace gloam::check {
 
-// A prototype or a sampler with a synthetic image behind it, or an image of the function itself. A prototype
-// that stores is void name(ivec2 pixel, T value), another one T name(ivec2 pixel).
+// A prototype T name(ivec2 pixel) or a sampler with a synthetic image behind it, or an image of the function
+// itself.
 struct ImagePrototype : backend::KernelImage {
     std::string name;
     shader::Type element;
@@ -79,14 +79,11 @@ using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
 // their bits.
 [[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
 
-// The text of a compute shader like that of kernel_code(), but with the inputs as literals in the text:
-// invocation i evaluates input i. inputs: each of the same number of words, one after another. Throws
-// backend::Unsupported for a team.
-[[nodiscard]] std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs,
-                                              std::size_t count);
-
-// The same with `count` inputs as specialization constants of type uint: word w of input i has the
-// constant_id i x (words of an input) + w.
-[[nodiscard]] std::string specialized_kernel_code(const KernelSource& source, std::size_t count);
+// The text of a compute shader like that of kernel_code(), but with `count` inputs as constants; invocation i
+// evaluates input i. `inputs`: each of the same number of words, one after another. They stand in the text as
+// literals; or word w is the specialization constant w of type uint. Throws backend::Unsupported for a team.
+[[nodiscard]] std::string constant_kernel_code(const KernelSource& source,
+                                               shader::Variant::Constants constants,
+                                               std::span<const Word> inputs, std::size_t count);
 
 }  // namespace gloam::check

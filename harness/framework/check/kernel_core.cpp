@@ -67,14 +67,6 @@ void add_faults(const Part& part, const KernelFaults& faults, const KernelModule
                      .input = part.first + faults.input};
 }
 
-// The image after a run. `words`: header included.
-Image stored(const Image& before, std::span<const Word> words) {
-    const auto texels = words.subspan(image_header_words);
-    Image image = before;
-    image.words.assign(texels.begin(), texels.end());
-    return image;
-}
-
 }  // namespace
 
 std::string to_text(const ImageFault& fault) {
@@ -97,7 +89,7 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
     Result result;
     if (module_->judged_by_rules) result.modules = {module_};
     result.outputs.reserve(count * out);
-    std::vector<std::vector<Word>> words = image_words(module_->prototypes, images, module_->name);
+    const std::vector<std::vector<Word>> words = image_words(module_->prototypes, images, module_->name);
     for (Part part{.first = 0, .count = 0}; part.first < count; part.first += part.count) {
         part.count = std::min(kernel_->most_inputs(), count - part.first);
         backend::KernelMemory memory{.inputs = inputs.subspan(part.first * in, part.count * in),
@@ -108,10 +100,6 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
         kernel_->run(part.count, canary, memory);
         add_outputs(part, canary, out, memory.outputs, module_->name, result.outputs);
         add_faults(part, memory.faults, *module_, images, result.fault);
-    }
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const ImagePrototype& image = module_->prototypes[i];
-        if (image.stores) result.stored.emplace(image.name, stored(images.at(image.name), words[i]));
     }
     return result;
 }
@@ -138,9 +126,7 @@ class InterpreterKernel : public backend::Kernel {
     [[nodiscard]] std::size_t most_inputs() const override { return std::numeric_limits<std::size_t>::max(); }
 
     void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
-        // One share where there are stores: each input sees those of the inputs before it.
-        const bool stores = std::ranges::any_of(module_.images, &backend::KernelImage::stores);
-        const auto shares = base::shares_of(count, stores ? 1 : base::processors());
+        const auto shares = base::shares_of(count, base::processors());
         std::vector<KernelFaults> faults(shares.size());
         base::for_each_index(shares.size(), 0,
                              [&](std::size_t i) { run(shares[i], canary, memory, faults[i]); });
@@ -151,8 +137,7 @@ class InterpreterKernel : public backend::Kernel {
     // The inputs of a share, one after another.
     void run(const base::Range& share, Word canary, backend::KernelMemory& memory,
              KernelFaults& faults) const {
-        std::vector<std::vector<Word>>& images = memory.images;
-        InterpretedKernel<float> kernel(program_, module_, images);
+        InterpretedKernel<float> kernel(program_, module_, memory.images);
         const std::size_t row = module_.output_words + 1;
         for (std::size_t i = share.begin; i < share.end; ++i) {
             const std::size_t invocation = module_.fixed_inputs > 0 ? i : 0;
@@ -169,8 +154,6 @@ class InterpreterKernel : public backend::Kernel {
             KernelFaults fault = kernel.faults();
             fault.input = static_cast<Word>(i);
             add(fault, faults);
-            for (std::size_t image = 0; image < images.size(); ++image)
-                if (module_.images[image].stores) kernel.read_image(image, images[image]);
         }
     }
 

@@ -26,9 +26,9 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
         if (function.defined) continue;
         const auto image = image_prototype(function);
         if (!image) {
-            throw std::invalid_argument(fmt::format(
-                "{}: cannot serve the prototype \"{}\": expected T name(ivec2) or void name(ivec2, T)", file,
-                shader::to_glsl(function)));
+            throw std::invalid_argument(
+                fmt::format("{}: cannot serve the prototype \"{}\": expected T name(ivec2)", file,
+                            shader::to_glsl(function)));
         }
         images.push_back(*image);
     }
@@ -36,7 +36,7 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
 }
 
 void require_opengl_options(const LabOptions& options, shader::Language language) {
-    if (!options.variant.runs_on_opengl(internal::has_compute(language))) {
+    if (!options.variant.runs_on_opengl(shader::usual_stage(language) == shader::Stage::compute)) {
         throw std::invalid_argument(
             fmt::format("{}: OpenGL devices have the variant shipped only, and those with compute shaders "
                         "its steps, not {}",
@@ -86,13 +86,9 @@ std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
 std::optional<ImagePrototype> image_prototype(const shader::Function& function) {
     const auto& p = function.parameters;
     const bool by_pixel =
-        !p.empty() && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
-    const bool is_void = function.result.scalar == shader::Scalar::void_;
-    if (by_pixel && p.size() == 1 && !is_void) return ImagePrototype{{}, function.name, function.result};
-    if (by_pixel && p.size() == 2 && is_void && p[1].direction == shader::Direction::in) {
-        return ImagePrototype{{.stores = true}, function.name, p[1].type};
-    }
-    return std::nullopt;
+        p.size() == 1 && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
+    if (!by_pixel || function.result.scalar == shader::Scalar::void_) return std::nullopt;
+    return ImagePrototype{{}, function.name, function.result};
 }
 
 namespace {
@@ -175,10 +171,6 @@ shader::CompileOptions Lab::compile_options() const {
             .lines = !options_.excerpts.empty()};
 }
 
-std::vector<shader::Function> Lab::functions(const std::string& file) const {
-    return cache_.functions(probe_of(file), compile_options());
-}
-
 KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
     const std::vector<shader::Excerpt> excerpts = excerpts_of(options_, file);
@@ -253,10 +245,6 @@ void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
         shader::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
     module.before = std::move(stepped.before);
     module.spirv = std::move(stepped.after);
-}
-
-shader::Spirv Lab::compile(const shader::Source& text) const {
-    return compile(text, compile_options());
 }
 
 shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOptions& options) const {

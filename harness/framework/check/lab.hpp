@@ -41,7 +41,6 @@ class KernelCore {
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
-        ImageSet stored;            // images that the shader may have stored to
         std::optional<ImageFault> fault;
         KernelModules modules;  // the modules that produced the outputs; none where no rules hold for them
     };
@@ -65,10 +64,10 @@ class KernelCore {
 inline constexpr std::string_view interpreter_name = "interpreter";
 
 // float32 rounded to nearest even; NaN, infinity, -0 and subnormals preserved. Threads share the inputs of a
-// kernel; those of one that stores to images run one after another.
+// kernel.
 [[nodiscard]] std::shared_ptr<backend::Backend> interpreter();
 
-// The image that serves a prototype: T f(ivec2), or void f(ivec2, T). Empty for any other prototype.
+// The image that serves a prototype T f(ivec2). Empty for any other prototype.
 [[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
 
 // The samplers and images of an excerpt, then samplers that are parameters of the function.
@@ -109,22 +108,16 @@ class Lab {
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
 
-    // Every function that a file and its includes define or call, as the compiler reports it. Throws
-    // shader::CompileError.
-    [[nodiscard]] std::vector<shader::Function> functions(const std::string& file) const;
-
     // What the kernel of a function is generated from. Throws like kernel().
     [[nodiscard]] KernelSource source(const std::string& file, const std::string& function,
                                       const Signature& signature) const;
 
-    // The module of a compute shader, in the lab's variant. Throws shader::CompileError.
-    [[nodiscard]] shader::Spirv compile(const shader::Source& text) const;
-    // The same with other compile options.
+    // The module of a shader. Throws shader::CompileError.
     [[nodiscard]] shader::Spirv compile(const shader::Source& text,
                                         const shader::CompileOptions& options) const;
 
-    // The same for a kernel with these images. Also throws std::invalid_argument if the function uses other
-    // bindings, because no resource is bound to them.
+    // That of a kernel with these images, in the lab's variant. Also throws std::invalid_argument if the
+    // function uses other bindings, because no resource is bound to them.
     [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text,
                                                const std::vector<ImagePrototype>& images,
                                                shader::Stage stage = shader::Stage::compute) const;

@@ -13,17 +13,6 @@
 
 namespace gloam::check {
 
-namespace detail {
-
-template <class T>
-[[nodiscard]] std::vector<double> numbers_of(const T& value) {
-    std::vector<double> numbers;
-    visit_scalars(value, [&numbers](const auto& scalar) { numbers.push_back(static_cast<double>(scalar)); });
-    return numbers;
-}
-
-}  // namespace detail
-
 // EXPECT_THAT(answer, Passes()): of an Answer, a PropertyResult or an ImageComparison, whose text a failure
 // shows.
 MATCHER(Passes, negation ? "fails" : "passes") {
@@ -39,8 +28,10 @@ MATCHER(Passes, negation ? "fails" : "passes") {
 // one wanted, which may be in double; integers and bools are equal. Vectors, matrices, arrays and structures
 // by their scalars. A failure names the worst component.
 MATCHER_P2(WithinUlp, want, ulp, testing::PrintToString(ulp) + " ulp from " + testing::PrintToString(want)) {
-    const std::vector<double> got = detail::numbers_of(arg);
-    const std::vector<double> wanted = detail::numbers_of(want);
+    std::vector<double> got;
+    std::vector<double> wanted;
+    append_numbers(arg, got);
+    append_numbers(want, wanted);
     if (got.size() != wanted.size()) {
         *result_listener << got.size() << " numbers, expected " << wanted.size();
         return false;

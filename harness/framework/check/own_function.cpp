@@ -191,7 +191,7 @@ std::string definition_of(const shader::Function& function) {
 // Sorts the functions of one file.
 class Sorting {
   public:
-    explicit Sorting(const std::vector<std::string>& names) : names_(names), met_(names.size(), false) {}
+    explicit Sorting(const std::vector<std::string>& names) : names_(names) {}
 
     void add(const shader::Excerpt& excerpt, const std::vector<shader::Function>& compiled,
              const backend::Team& team) {
@@ -213,9 +213,8 @@ class Sorting {
             const shader::Function called = together(function, team);
             std::string why = why_not(function, excerpt, team);
             if (why.empty() && unserved != compiled.end())
-                why = fmt::format(
-                    "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",
-                    definition_of(*unserved));
+                why = fmt::format("it calls {}, which has no body; expected T name(ivec2)",
+                                  definition_of(*unserved));
             if (why.empty()) {
                 all_.found.push_back({own.size() > 1 ? definition : function.name, called, excerpt.text,
                                       images_of(excerpt, function), team, comment});
@@ -232,29 +231,27 @@ class Sorting {
     }
 
     OwnFunctions take(const std::string& file, const std::vector<shader::Excerpt>& excerpts) {
-        const auto unmet = std::ranges::find(met_, false) - met_.begin();
-        if (unmet == std::ssize(met_)) return std::move(all_);
+        const auto unmet = std::ranges::find_if(names_, [this](const std::string& name) {
+            return std::ranges::none_of(seen_, [&](const auto& one) { return is_named(one, name); });
+        });
+        if (unmet == names_.end()) return std::move(all_);
         std::string known;
         for (const shader::Excerpt& excerpt : excerpts)
             known += (known.empty() ? "" : ", ") + excerpt.function;
-        throw std::invalid_argument(fmt::format("{}: no function {}; it defines: {}", file,
-                                                names_[static_cast<std::size_t>(unmet)],
-                                                known.empty() ? "none" : known));
+        throw std::invalid_argument(
+            fmt::format("{}: no function {}; it defines: {}", file, *unmet, known.empty() ? "none" : known));
     }
 
   private:
     bool wants(const std::string& definition) {
-        bool wanted = names_.empty();
-        for (std::size_t i = 0; i < names_.size(); ++i) {
-            if (!is_named(definition, names_[i])) continue;
-            met_[i] = true;
-            wanted = true;
-        }
-        return wanted;
+        seen_.push_back(definition);
+        return names_.empty() || std::ranges::any_of(names_, [&](const std::string& name) {
+                   return is_named(definition, name);
+               });
     }
 
     const std::vector<std::string>& names_;
-    std::vector<bool> met_;
+    std::vector<std::string> seen_;
     OwnFunctions all_;
 };
 

@@ -42,52 +42,34 @@ bool allows_no_more(const Question& question, const std::vector<double>& want,
     return true;
 }
 
-class Preparation {
-  public:
-    Preparation(const Question& question, const ImageSet& images)
-        : question_(question), images_(images), scalars_(question.signature) {}
-
-    [[nodiscard]] Expectation expect(std::span<const Word> inputs, bool branch) const {
-        Sample sample{.inputs = {inputs.begin(), inputs.end()}};
-        sample.input_class = internal::class_of(sample.inputs, scalars_.inputs, branch);
-        question_.reference(images_, sample.inputs, sample.want);
-        Expectation expectation{.input_class = sample.input_class, .wants = {sample.want}};
-        if (internal::holds_special(sample, scalars_.inputs)) return expectation;
-        if (!question_.promised || question_.promised(sample.inputs)) {
-            expectation.criterion = Criterion::budget;
-            internal::visit_covered_inputs(question_.budget, scalars_.inputs, sample.inputs,
-                                           [&](const auto& moved) { return add(expectation, moved); });
-        } else if (internal::is_edge(sample, scalars_)) {
-            expectation.criterion = Criterion::edge;
-            internal::visit_edge_inputs(scalars_, sample.inputs,
-                                        [&](const auto& moved) { return add(expectation, moved); });
-        } else {
-            expectation.criterion = Criterion::codomain;
-        }
-        return expectation;
-    }
-
-  private:
-    bool add(Expectation& expectation, const std::vector<Word>& moved) const {
+Expectation expectation_of(const Question& question, const ImageSet& images, const internal::Scalars& scalars,
+                           std::span<const Word> inputs, bool branch) {
+    Sample sample{.inputs = {inputs.begin(), inputs.end()}};
+    sample.input_class = internal::class_of(sample.inputs, scalars.inputs, branch);
+    question.reference(images, sample.inputs, sample.want);
+    Expectation all{.input_class = sample.input_class, .wants = {sample.want}};
+    if (internal::holds_special(sample, scalars.inputs)) return all;
+    const bool promised = !question.promised || question.promised(sample.inputs);
+    const bool edge = !promised && internal::is_edge(sample, scalars);
+    all.criterion = promised ? Criterion::budget : edge ? Criterion::edge : Criterion::codomain;
+    const auto add = [&](const std::vector<Word>& moved) {
         std::vector<double> want;
-        question_.reference(images_, moved, want);
+        question.reference(images, moved, want);
         const auto is_covered = [&](const std::vector<double>& other) {
-            return expectation.criterion == Criterion::edge ? want == other
-                                                            : allows_no_more(question_, want, other);
+            return edge ? want == other : allows_no_more(question, want, other);
         };
-        if (std::ranges::none_of(expectation.wants, is_covered)) expectation.wants.push_back(std::move(want));
+        if (std::ranges::none_of(all.wants, is_covered)) all.wants.push_back(std::move(want));
         return false;
-    }
-
-    const Question& question_;
-    const ImageSet& images_;
-    internal::Scalars scalars_;
-};
+    };
+    if (promised) internal::visit_covered_inputs(question.budget, scalars.inputs, sample.inputs, add);
+    if (edge) internal::visit_edge_inputs(scalars, sample.inputs, add);
+    return all;
+}
 
 PreparedScenario prepare_scenario(const Question& question, const Domain& domain, const KernelSource& source,
                                   const ImageScenario& scenario, std::size_t count, std::uint64_t seed) {
     const ImageSet images = images_of(scenario, seed);
-    const Preparation preparation(question, images);
+    const internal::Scalars scalars(question.signature);
     PreparedScenario prepared{
         .name = scenario.name,
         .images = images,
@@ -97,7 +79,7 @@ PreparedScenario prepare_scenario(const Question& question, const Domain& domain
     internal::set_positive_zeros(prepared.inputs.words, question.signature.input_scalars());
     for (std::size_t i = 0; i < prepared.inputs.count(); ++i)
         prepared.expectations.push_back(
-            preparation.expect(prepared.inputs.row(i), prepared.inputs.branch[i]));
+            expectation_of(question, images, scalars, prepared.inputs.row(i), prepared.inputs.branch[i]));
     return prepared;
 }
 

@@ -120,11 +120,6 @@ struct Question {
 
 namespace detail {
 
-template <class T>
-void append(const T& value, std::vector<double>& outputs) {
-    visit_scalars(value, [&outputs](const auto& scalar) { outputs.push_back(static_cast<double>(scalar)); });
-}
-
 // Calls a reference, with the images as first argument if it takes them.
 template <class Callable, class... Values>
 decltype(auto) call(const Callable& callable, const ImageSet& images, Values&... values) {
@@ -140,38 +135,22 @@ struct ReferenceOf;
 
 template <class R, class... P>
 struct ReferenceOf<R(P...)> {
-    using Arguments = std::tuple<InDouble<typename ParameterOf<P>::value>...>;
-    static constexpr auto indices = std::index_sequence_for<P...>{};
-
-    template <std::size_t... I>
-    static Arguments read([[maybe_unused]] std::span<const Word> words, std::index_sequence<I...>) {
-        Arguments arguments{};
-        ((is_input<P> ? void(std::get<I>(arguments) = take_words<std::tuple_element_t<I, Arguments>>(words))
-                      : void()),
-         ...);
-        return arguments;
-    }
-
-    template <std::size_t... I>
-    static void append_outputs(const Arguments& arguments, std::vector<double>& outputs,
-                               std::index_sequence<I...>) {
-        ((is_output<P> ? append(std::get<I>(arguments), outputs) : void()), ...);
-    }
-
     // Appends the result, then every out and inout parameter.
     template <class Callable>
     static void run(const Callable& callable, const ImageSet& images, std::span<const Word> words,
                     std::vector<double>& outputs) {
-        Arguments arguments = read(words, indices);
-        const auto with = [&](auto&... values) -> decltype(auto) {
-            return call(callable, images, values...);
+        std::tuple<InDouble<typename ParameterOf<P>::value>...> arguments{};
+        const auto with = [&](auto&... values) {
+            ((is_input<P> ? void(values = take_words<std::remove_cvref_t<decltype(values)>>(words)) : void()),
+             ...);
+            if constexpr (std::is_void_v<R>) {
+                call(callable, images, values...);
+            } else {
+                append_numbers(static_cast<InDouble<R>>(call(callable, images, values...)), outputs);
+            }
+            ((is_output<P> ? append_numbers(values, outputs) : void()), ...);
         };
-        if constexpr (std::is_void_v<R>) {
-            std::apply(with, arguments);
-        } else {
-            append(static_cast<InDouble<R>>(std::apply(with, arguments)), outputs);
-        }
-        append_outputs(arguments, outputs, indices);
+        std::apply(with, arguments);
     }
 };
 
@@ -193,14 +172,7 @@ template <class Function, class Callable>
 template <class Function, class Predicate>
 [[nodiscard]] std::function<bool(std::span<const Word>)> make_predicate(Predicate predicate) {
     return [predicate](std::span<const Word> words) {
-        using Inputs = typename SignatureOf<Function>::Inputs;
-        Inputs inputs{};
-        std::apply(
-            [&words](auto&... value) {
-                ((value = take_words<std::remove_cvref_t<decltype(value)>>(words)), ...);
-            },
-            inputs);
-        return std::apply(predicate, inputs);
+        return std::apply(predicate, take_words<typename SignatureOf<Function>::Inputs>(words));
     };
 }
 

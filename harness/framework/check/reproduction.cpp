@@ -57,24 +57,9 @@ Session::Evaluated evaluated(const Lab& lab, const Question& question, const Run
 
 // The generated shader for one input. If the variant makes inputs literals, the input is in the text.
 std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
-    if (constants == Constants::specialization) return specialized_kernel_code(source, 1);
     if (constants == Constants::none) return kernel_code(source);
-    source.preserve_nan = false;  // as in a Session
-    return literal_kernel_code(source, inputs, 1);
-}
-
-// The texts for an OpenGL device, once what is allowed is known.
-void add_opengl(const Lab& lab, const KernelSource& source, Reproduction& all) {
-    const auto language = lab.language();
-    if (!language) return;
-    all.opengl = all.opengl_replay = internal::gl_kernel_code(*language, source, lab.options().include_roots);
-    if (internal::has_compute(*language)) return;
-    // Without compute shaders there are no precision rules, so no more than one outcome.
-    internal::GlReplay replay{.image_words = {}, .outputs = all.outputs, .allowed = {}};
-    if (!all.outcomes.empty()) replay.allowed = all.outcomes.front();
-    for (const Reproduction::ImageBuffer& image : all.images)
-        replay.image_words.push_back(image.words.size());
-    all.opengl_replay = internal::gl_replay_code(*language, source, replay, lab.options().include_roots);
+    if (constants == Constants::literals) source.preserve_nan = false;  // as in a Session
+    return constant_kernel_code(source, constants, inputs, 1);
 }
 
 Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,
@@ -106,7 +91,8 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
         all.images.push_back(
             {.name = image.name, .words = std::move(words[i]), .bound = !image.is_prototype()});
     }
-    add_opengl(lab, source, all);
+    if (const auto language = lab.language())
+        all.opengl = internal::gl_kernel_code(*language, source, lab.options().include_roots);
     return all;
 }
 
@@ -153,34 +139,18 @@ Lab with_steps(const Lab& lab, const std::vector<std::string>& steps) {
     return {std::move(options), lab.backend()};
 }
 
-// Whether one of these steps cannot be taken, or makes a module that cannot be run.
-bool cannot_run(const Lab& lab, const Question& question, const RunOptions& options,
-                const ImageScenario& scenario, const Steps& steps) {
+// What the lab with these steps answers; `cannot` where one of them cannot be taken, or makes a module that
+// cannot be run. Steps that leave the module as it is do not fail.
+bool after(const Steps& steps, const Lab& lab, bool cannot, const std::function<bool(const Lab&)>& fails) {
     try {
-        static_cast<void>(evaluated(with_steps(lab, steps), question, options, scenario));
+        return fails(with_steps(lab, steps));
     } catch (const backend::Fault&) {
-        return true;
+        return cannot;
     } catch (const shader::StepError&) {
-        return true;
+        return cannot;
     } catch (const shader::Unchanged&) {
         return false;
     }
-    return false;
-}
-
-// Whether these inputs fail after these steps. Those that cannot be taken, or leave the module as it is, do
-// not fail in this way.
-bool fails_after(const Lab& lab, const Question& question, const RunOptions& options, const Sample& failing,
-                 const Steps& steps) {
-    try {
-        const Lab other = with_steps(lab, steps);
-        const Session session = session_of(other, question, options, failing.scenario);
-        return session.first_failing(std::span(&failing.inputs, 1)).has_value();
-    } catch (const shader::StepError&) {
-    } catch (const shader::Unchanged&) {
-    } catch (const backend::Fault&) {
-    }
-    return false;
 }
 
 Reproduction reproduce_with(const Lab& lab, const Question& question, const RunOptions& options,
@@ -191,7 +161,6 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
     Reproduction all = without_verdict(lab, question, failing.scenario, session.images(), smallest.inputs);
     all.outcomes = allowed_outcomes(question, session.images(), smallest);
     if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
-    add_opengl(lab, lab.source(question.file, question.function, question.signature), all);
     all.failure = smallest;
     try {
         all.rules = rules_of(explain(lab.compile_options(),
@@ -207,8 +176,11 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
 Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options) {
     const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
     const std::vector<std::string>& steps = lab.options().variant.steps;
-    const auto fails = [&](const std::vector<std::string>& fewer) {
-        return cannot_run(lab, question, options, scenario, fewer);
+    const auto fails = [&](const Steps& fewer) {
+        return after(fewer, lab, true, [&](const Lab& other) {
+            static_cast<void>(evaluated(other, question, options, scenario));
+            return false;
+        });
     };
     const bool reducible = !steps.empty() && fails(steps);
     const Lab of_fewest = with_steps(lab, reducible ? shortest_steps(steps, fails) : steps);
@@ -220,8 +192,11 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
                        const Sample& failing) {
     const std::vector<std::string>& steps = lab.options().variant.steps;
     if (steps.empty()) return reproduce_with(lab, question, options, failing);
-    const auto fails = [&](const std::vector<std::string>& fewer) {
-        return fails_after(lab, question, options, failing, fewer);
+    const auto fails = [&](const Steps& fewer) {
+        return after(fewer, lab, false, [&](const Lab& other) {
+            const Session session = session_of(other, question, options, failing.scenario);
+            return session.first_failing(std::span(&failing.inputs, 1)).has_value();
+        });
     };
     return reproduce_with(with_steps(lab, shortest_steps(steps, fails)), question, options, failing);
 }

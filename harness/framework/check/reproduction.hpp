@@ -32,10 +32,7 @@ struct Reproduction {
     std::vector<std::string> steps = {};
     shader::Spirv before = {};
     backend::Team team = {};  // of a quad, the shader is a fragment shader
-    // Of an OpenGL device: the text that it was given; and a text that runs it on these inputs alone, which
-    // is the same compute shader, or a fragment shader that draws green where the results are allowed.
-    std::string opengl;
-    std::string opengl_replay;
+    std::string opengl;       // of an OpenGL device: the text that it was given
     std::string assembly;
     std::string scenario;  // of the images; empty without images
     // Buffers behind the kernel's own, in the order of their bindings: the name of an image's prototype, and

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/text.hpp"
 #include "check/explain.hpp"
 
 namespace gloam::check {
@@ -19,9 +20,9 @@ enum class Specials { bound, newer, unbound };
 
 struct Rule {
     std::string_view operations;  // names as ExplainedStep::operation has them, between blanks
-    std::string_view text;
-    Specials specials;
-    std::string_view clause;  // a quotation
+    std::string_view clause;      // a quotation
+    std::string_view text = {};   // what it means; empty: as it stands
+    Specials specials = Specials::unbound;
 };
 
 using enum Specials;
@@ -30,59 +31,58 @@ constexpr std::string_view correct = "Correct result.";
 
 // For float32: Vulkan specification 1.4.360, "Precision and Operation of SPIR-V Instructions".
 constexpr std::array rules{
-    Rule{" OpFAdd OpFSub OpFMul OpFConvert ", "correctly rounded, to either neighbour", bound, rounded},
-    Rule{" OpVectorTimesScalar OpMatrixTimesScalar OpOuterProduct ", "correctly rounded, to either neighbour",
-         newer, rounded},
+    Rule{" OpFAdd OpFSub OpFMul OpFConvert ", rounded, "correctly rounded, to either neighbour", bound},
+    Rule{" OpVectorTimesScalar OpMatrixTimesScalar OpOuterProduct ", rounded,
+         "correctly rounded, to either neighbour", newer},
     Rule{" OpConvertSToF OpConvertUToF Ldexp Round RoundEven Trunc Floor Ceil Fract Modf ModfStruct Step ",
-         "correctly rounded, to either neighbour", unbound, rounded},
-    Rule{" OpFNegate ", "the correct result", bound, correct},
-    Rule{" FAbs FSign FMin FMax FClamp NMin NMax NClamp Frexp FrexpStruct ", "the correct result", unbound,
-         correct},
-    Rule{" OpFDiv ",
+         rounded, "correctly rounded, to either neighbour"},
+    Rule{" OpFNegate ", correct, "the correct result", bound},
+    Rule{" FAbs FSign FMin FMax FClamp NMin NMax NClamp Frexp FrexpStruct ", correct, "the correct result"},
+    Rule{" OpFDiv ", "2.5 ULP for |y| = 0 or |y| in the range [2^-126, 2^126].",
          "2.5 ULP where the magnitude of the divisor is 2^-126 to 2^126; an infinity where it is 0; any "
-         "number "
-         "elsewhere",
-         bound, "2.5 ULP for |y| = 0 or |y| in the range [2^-126, 2^126]."},
-    Rule{" OpFRem ", "inherited from x - y * trunc(x / y)", unbound, "Inherited from x - y * trunc(x/y)."},
-    Rule{" OpFMod ", "inherited from x - y * floor(x / y)", unbound, "Inherited from x - y * floor(x/y)."},
+         "number elsewhere",
+         bound},
+    Rule{" OpFRem ", "Inherited from x - y * trunc(x/y).", "inherited from x - y * trunc(x / y)"},
+    Rule{" OpFMod ", "Inherited from x - y * floor(x/y).", "inherited from x - y * floor(x / y)"},
     Rule{" OpDot OpMatrixTimesVector OpVectorTimesMatrix OpMatrixTimesMatrix ",
-         "inherited from the sum of products", newer, "Inherited from sum x_i * y_i."},
-    Rule{" Fma ", "inherited from a product and a sum", unbound, "Inherited from OpFMul followed by OpFAdd."},
-    Rule{" OpQuantizeToF16 PackHalf2x16 ", "correctly rounded to 16 bits", unbound,
-         "Correctly rounded with implementation defined rounding mode."},
-    Rule{" Exp Exp2 ", "3 + 2 * abs(x) ULP", unbound, "3 + 2 * |x| ULP."},
-    Rule{" Log Log2 ", "3 ULP outside of [0.5, 2.0]; inside an absolute error below 2^-21", unbound,
-         "3 ULP outside the range [0.5, 2.0]. Absolute error < 2^-21 inside the range [0.5, 2.0]."},
-    Rule{" Pow ", "inherited from exp2(y * log2(x))", unbound, "Inherited from exp2(y * log2(x))."},
-    Rule{" InverseSqrt ", "2 ULP", unbound, "2 ULP."},
-    Rule{" Sqrt ", "inherited from 1.0 / inversesqrt(x)", unbound, "Inherited from 1.0 / inversesqrt()."},
-    Rule{" Radians ", "x times pi / 180, rounded to either neighbour", unbound,
-         "Inherited from x * C, where C is a correctly rounded approximation to pi/180."},
-    Rule{" Degrees ", "x times 180 / pi, rounded to either neighbour", unbound,
-         "Inherited from x * C, where C is a correctly rounded approximation to 180/pi."},
-    Rule{" Sin Cos ", "an absolute error of 2^-11 inside of [-pi, pi]; nothing elsewhere", unbound,
-         "Absolute error <= 2^-11 inside the range [-pi, pi]."},
-    Rule{" Tan ", "inherited from sin(x) / cos(x)", unbound, "Inherited from sin() / cos()."},
-    Rule{" Atan Atan2 ", "4096 ULP", unbound, "4096 ULP."},
-    Rule{" Asin ", "inherited from atan2(x, sqrt(1.0 - x * x))", unbound,
-         "Inherited from atan2(x, sqrt(1.0 - x * x))."},
-    Rule{" Acos ", "inherited from atan2(sqrt(1.0 - x * x), x)", unbound,
-         "Inherited from atan2(sqrt(1.0 - x * x), x)."},
-    Rule{" Sinh Cosh Tanh ", "inherited from sums and quotients of exp(x) and exp(-x)", unbound,
-         "Inherited from (exp(x) -+ exp(-x)) * 0.5, sinh()/cosh()."},
-    Rule{" Length ", "inherited from sqrt(dot(x, x))", unbound, "Inherited from sqrt(dot(x, x))."},
-    Rule{" Distance ", "inherited from length(x - y)", unbound, "Inherited from length(x - y)."},
-    Rule{" Normalize ", "inherited from x * inversesqrt(dot(x, x))", unbound,
-         "Inherited from x * inversesqrt(dot(x, x))."},
-    Rule{" Cross ", "inherited from differences of products", unbound,
-         "Inherited from OpFSub(OpFMul, OpFMul)."},
-    Rule{" Reflect ", "inherited from x - 2.0 * dot(y, x) * y", unbound,
-         "Inherited from x - 2.0 * dot(y, x) * y."},
-    Rule{" FMix ", "inherited from x * (1.0 - a) + y * a", unbound, "Inherited from x * (1.0 - a) + y * a."},
-    Rule{" SmoothStep ",
-         "inherited from t * t * (3.0 - 2.0 * t), t = clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0)",
-         unbound, "Inherited from t * t * (3.0 - 2.0 * t)."},
+         "Inherited from sum x_i * y_i.", "inherited from the sum of products", newer},
+    Rule{" Fma ", "Inherited from OpFMul followed by OpFAdd.", "inherited from a product and a sum"},
+    Rule{" OpQuantizeToF16 PackHalf2x16 ", "Correctly rounded with implementation defined rounding mode.",
+         "correctly rounded to 16 bits"},
+    Rule{" Exp Exp2 ", "3 + 2 * |x| ULP.", "3 + 2 * abs(x) ULP"},
+    Rule{" Log Log2 ",
+         "3 ULP outside the range [0.5, 2.0]. Absolute error < 2^-21 inside the range [0.5, 2.0].",
+         "3 ULP outside of [0.5, 2.0]; inside an absolute error below 2^-21"},
+    Rule{" Pow ", "Inherited from exp2(y * log2(x))."},
+    Rule{" InverseSqrt ", "2 ULP."},
+    Rule{" Sqrt ", "Inherited from 1.0 / inversesqrt().", "inherited from 1.0 / inversesqrt(x)"},
+    Rule{" Radians ", "Inherited from x * C, where C is a correctly rounded approximation to pi/180.",
+         "x times pi / 180, rounded to either neighbour"},
+    Rule{" Degrees ", "Inherited from x * C, where C is a correctly rounded approximation to 180/pi.",
+         "x times 180 / pi, rounded to either neighbour"},
+    Rule{" Sin Cos ", "Absolute error <= 2^-11 inside the range [-pi, pi].",
+         "an absolute error of 2^-11 inside of [-pi, pi]; nothing elsewhere"},
+    Rule{" Tan ", "Inherited from sin() / cos().", "inherited from sin(x) / cos(x)"},
+    Rule{" Atan Atan2 ", "4096 ULP."},
+    Rule{" Asin ", "Inherited from atan2(x, sqrt(1.0 - x * x))."},
+    Rule{" Acos ", "Inherited from atan2(sqrt(1.0 - x * x), x)."},
+    Rule{" Sinh Cosh Tanh ", "Inherited from (exp(x) -+ exp(-x)) * 0.5, sinh()/cosh().",
+         "inherited from sums and quotients of exp(x) and exp(-x)"},
+    Rule{" Length ", "Inherited from sqrt(dot(x, x))."},
+    Rule{" Distance ", "Inherited from length(x - y)."},
+    Rule{" Normalize ", "Inherited from x * inversesqrt(dot(x, x))."},
+    Rule{" Cross ", "Inherited from OpFSub(OpFMul, OpFMul).", "inherited from differences of products"},
+    Rule{" Reflect ", "Inherited from x - 2.0 * dot(y, x) * y."},
+    Rule{" FMix ", "Inherited from x * (1.0 - a) + y * a."},
+    Rule{" SmoothStep ", "Inherited from t * t * (3.0 - 2.0 * t).",
+         "inherited from t * t * (3.0 - 2.0 * t), t = clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0)"},
 };
+
+std::string text_of(const Rule& rule) {
+    if (!rule.text.empty()) return std::string(rule.text);
+    return base::lower(std::string(rule.clause.substr(0, 1))) +
+           std::string(rule.clause.substr(1, rule.clause.size() - 2));  // without its period
+}
 
 // What is said of NaN and infinity.
 std::string_view specials_text(Specials specials) {
@@ -108,7 +108,7 @@ std::vector<std::string> rules_of(const Explanation& explanation) {
             return candidate.operations.find(" " + name + " ") != std::string_view::npos;
         });
         if (rule == rules.end()) continue;
-        std::string line = fmt::format("{}: {} (\"{}\" {})", step.operation, rule->text, rule->clause,
+        std::string line = fmt::format("{}: {} (\"{}\" {})", step.operation, text_of(*rule), rule->clause,
                                        specials_text(rule->specials));
         if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
     }

@@ -131,11 +131,8 @@ Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& 
     return inputs.where([&](std::size_t i) { return is_long[i] == 0; });
 }
 
-// One input after another. Where an input stores to images, those after it depend on it.
 KernelCore::Result Session::run_each(const Domain::Inputs& inputs) const {
     constexpr Word undefined = 0xdeadbeefU;
-    if (std::ranges::any_of(kernel_.module().images, &backend::KernelImage::stores))
-        return kernel_.run(inputs.words, inputs.count(), images_);
     KernelCore::Result all;
     for (std::size_t i = 0; i < inputs.count(); ++i) {
         try {
@@ -152,15 +149,13 @@ KernelCore::Result Session::run_each(const Domain::Inputs& inputs) const {
 KernelCore::Result Session::run_constants(const Domain::Inputs& inputs) const {
     constexpr std::size_t of_a_module = 4;
     KernelCore::Result all;
-    ImageSet images = images_;
     for (std::size_t first = 0; first < inputs.count(); first += of_a_module) {
         const std::size_t count = std::min(of_a_module, inputs.count() - first);
         const auto words = std::span(inputs.words).subspan(first * inputs.width, count * inputs.width);
         KernelCore::Result part =
-            internal::constant_kernel(lab_, *constants_, words, count).run({}, count, images);
+            internal::constant_kernel(lab_, *constants_, words, count).run({}, count, images_);
         all.outputs.insert(all.outputs.end(), part.outputs.begin(), part.outputs.end());
         all.modules.insert(all.modules.end(), part.modules.begin(), part.modules.end());
-        for (auto& [name, image] : part.stored) images.insert_or_assign(name, std::move(image));
         if (!part.fault) continue;
         part.fault->input += first;
         part.fault->count += all.fault ? all.fault->count : 0;

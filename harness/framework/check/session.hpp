@@ -49,9 +49,9 @@ class Session {
 
   private:
     [[nodiscard]] std::vector<char> long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const;
+    // One input after another.
     [[nodiscard]] KernelCore::Result run_each(const Domain::Inputs& inputs) const;
-    // Every few inputs form a module of their own and cost one compilation. Later modules read what earlier
-    // ones stored to images.
+    // Every few inputs form a module of their own and cost one compilation.
     [[nodiscard]] KernelCore::Result run_constants(const Domain::Inputs& inputs) const;
 
     const Lab& lab_;

@@ -33,6 +33,12 @@ Values float_values(Scalar scalar, double low, double high, std::function<double
     return values;
 }
 
+double squared_length(std::span<const Word> vector) {
+    double squared = 0.0;
+    for (const Word word : vector) squared += from_word<double>(word) * from_word<double>(word);
+    return squared;
+}
+
 Values and_number(Values values, Scalar scalar, double number) {
     values.fixed.push_back({.words = {float_word(scalar, number)}});
     return values;
@@ -265,9 +271,7 @@ Values unit_vector(int components) {
         if (components == 3) words.push_back(to_word(static_cast<float>(z)));
     };
     values.contains = [](std::span<const Word> words) {
-        double squared = 0.0;
-        for (const Word word : words) squared += from_word<double>(word) * from_word<double>(word);
-        return std::abs(squared - 1.0) <= 0x1p-22;  // within the rounding error of drawn values
+        return std::abs(squared_length(words) - 1.0) <= 0x1p-22;  // within the rounding error of drawn values
     };
     for (int axis = 0; axis < components; ++axis) {
         for (const float sign : {1.0F, -1.0F}) {
@@ -292,9 +296,7 @@ Values vector_of_length(int components, const Values& length) {
         }
     };
     values.contains = [length](std::span<const Word> words) {
-        double squared = 0.0;
-        for (const Word word : words) squared += from_word<double>(word) * from_word<double>(word);
-        const Word measured = to_word(std::sqrt(squared));
+        const Word measured = to_word(std::sqrt(squared_length(words)));
         return length.admits(std::span(&measured, 1));
     };
     return values;

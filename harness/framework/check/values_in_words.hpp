@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -139,7 +140,12 @@ inline constexpr bool is_array = is_of_team<T>;
 template <class T, std::size_t N>
 inline constexpr bool is_array<std::array<T, N>> = true;
 
-// Calls visit(scalar&) for every scalar of the value, in order.
+template <class T>
+inline constexpr bool is_tuple = false;
+template <class... T>
+inline constexpr bool is_tuple<std::tuple<T...>> = true;
+
+// Calls visit(scalar&) for every scalar of a value, or of a tuple of values, in order.
 template <class T, class Visit>
 void visit_scalars(T& value, Visit&& visit) {
     using Value = std::remove_const_t<T>;
@@ -149,6 +155,8 @@ void visit_scalars(T& value, Visit&& visit) {
         for (glm::length_t i = 0; i < Value::length(); ++i) visit_scalars(value[i], visit);
     } else if constexpr (is_array<Value>) {
         for (auto& element : value) visit_scalars(element, visit);
+    } else if constexpr (is_tuple<Value>) {
+        std::apply([&visit](auto&... all) { (visit_scalars(all, visit), ...); }, value);
     } else {
         for_each_field(value, [&visit](auto& field) { visit_scalars(field, visit); });
     }
@@ -237,6 +245,12 @@ template <ScalarValue T>
 template <class T>
 void append_words(const T& value, std::vector<Word>& words) {
     visit_scalars(value, [&words](const auto& scalar) { words.push_back(to_word(scalar)); });
+}
+
+// Appends the numbers of all its scalars.
+template <class T>
+void append_numbers(const T& value, std::vector<double>& numbers) {
+    visit_scalars(value, [&numbers](const auto& scalar) { numbers.push_back(static_cast<double>(scalar)); });
 }
 
 // Reads a value from the first words and returns it; `words` then begins behind it.

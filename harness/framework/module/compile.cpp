@@ -183,7 +183,8 @@ Spirv varied(Spirv module, const Variant& variant) {
 
 Spirv compile(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
-    Spirv module = internal::to_spirv(source, options.stage, options.include_roots, {.lines = options.lines});
+    Spirv module = internal::to_spirv(source, options.stage, options.include_roots,
+                                      internal::Unreached::dropped, options.lines);
     try {
         return varied(std::move(module), options.variant);
     } catch (const CompileError&) {

@@ -313,8 +313,7 @@ std::vector<Function> functions(const Source& source, const CompileOptions& opti
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
     const std::vector<Declaration> declared = internal::each_once(internal::declarations(text));
     const Source whole{source.name, internal::completed(text, declared)};
-    const Spirv module =
-        internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
+    const Spirv module = internal::to_spirv(whole, options.stage, {}, internal::Unreached::kept);
     try {
         if (options.stage != Stage::fragment) require_no_bias(module, source.name);
         return listed(compiled(module), declared);

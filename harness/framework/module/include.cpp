@@ -89,13 +89,8 @@ class Closure {
     std::vector<IncludedFile> run(std::string_view text, const Path& from) {
         open(text, from);
         while (!open_.empty()) {
-            std::vector<Name>& names = open_.back();
-            if (names.empty()) {
-                open_.pop_back();
-                continue;
-            }
-            Name next = std::move(names.back());
-            names.pop_back();
+            const Name next = std::move(open_.back());
+            open_.pop_back();
             if (mentioned_.insert(next).second) mention(next);  // a repeated name is the same file
         }
         return std::move(files_);
@@ -108,14 +103,13 @@ class Closure {
         auto operator<=>(const Name&) const = default;
     };
 
-    // The includes of a text, the last one first.
+    // Puts the includes of a text before those that wait, the last one first.
     void open(std::string_view text, const Path& from) {
-        std::vector<Name> names;
+        const auto waiting = static_cast<std::ptrdiff_t>(open_.size());
         for (const internal::Line& line : internal::split_lines(text))
             if (const auto include = internal::include_of(line))
-                names.push_back({include->name, include->system ? Path() : from});
-        std::ranges::reverse(names);
-        open_.push_back(std::move(names));
+                open_.push_back({include->name, include->system ? Path() : from});
+        std::reverse(open_.begin() + waiting, open_.end());
     }
 
     void mention(const Name& name) {
@@ -139,7 +133,7 @@ class Closure {
     internal::IncludeFolders folders_;
     std::set<Name> mentioned_;
     std::set<Path> seen_;
-    std::vector<std::vector<Name>> open_;
+    std::vector<Name> open_;
     std::size_t bytes_ = 0;
     std::vector<IncludedFile> files_;
 };

@@ -53,11 +53,12 @@ class Reflector {
                                          std::pair(SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, sampler),
                                          std::pair(SPVC_RESOURCE_TYPE_STORAGE_BUFFER, storage_buffer),
                                          std::pair(SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, uniform_buffer)}) {
-            for (const spvc_reflected_resource& resource : list(kind))
+            for (const spvc_reflected_resource& resource : cross_.list(resources_, kind))
                 all.bindings.push_back(binding(resource, type));
         }
         std::ranges::sort(all.bindings, {}, [](const Binding& b) { return std::tuple(b.set, b.number); });
-        for (const spvc_reflected_resource& resource : list(SPVC_RESOURCE_TYPE_PUSH_CONSTANT))
+        for (const spvc_reflected_resource& resource :
+             cross_.list(resources_, SPVC_RESOURCE_TYPE_PUSH_CONSTANT))
             all.push_constants = block(resource);
         all.constants = constants();
         for (unsigned axis = 0; axis < 3; ++axis)
@@ -72,13 +73,6 @@ class Reflector {
     }
 
   private:
-    std::span<const spvc_reflected_resource> list(spvc_resource_type type) const {
-        const spvc_reflected_resource* first = nullptr;
-        std::size_t count = 0;
-        cross_.require(spvc_resources_get_resource_list_for_type(resources_, type, &first, &count));
-        return {first, count};
-    }
-
     std::string shape_of(const spvc_reflected_resource& resource) const {
         const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
         static const std::map<SpvDim, std::string> names{

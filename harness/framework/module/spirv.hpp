@@ -96,15 +96,15 @@ void validate(const Spirv& module);
 // not decorated.
 [[nodiscard]] Spirv with_relaxed_precision(const Spirv& module);
 
-// A resource that functions of the module use: a buffer, an image, a sampler, push constants.
+// A buffer, an image, a sampler, or the push constants.
 struct Resource {
     std::string kind;   // "uniform buffer", "storage buffer", "image or sampler", "push constants"
     std::string name;   // of the variable; empty if the text gives none
     std::string block;  // of the buffer's type
 };
 
-// Every resource that a function of the module reads or writes, in the order of declaration. Throws
-// std::runtime_error for words that are not a SPIR-V module.
+// The resources that main and the functions that it calls use. Throws std::runtime_error with SPIRV-Cross's
+// message.
 [[nodiscard]] std::vector<Resource> used_resources(const Spirv& module);
 
 }  // namespace gloam::shader

@@ -227,37 +227,13 @@ std::string run_compute(const KernelReplay& kernel) {
     return text;
 }
 
-std::string uniforms(const std::string& name, const Words& words) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        text += fmt::format("uniform uint {}[{}] {}\n", name, i, words[i]);
-    return text;
-}
-
-std::string draw(const KernelReplay& kernel) {
-    std::string text = uniforms("gloam_kernel_inputs", kernel.inputs);
-    for (std::size_t i = 0; i < kernel.images.size(); ++i)
-        text += uniforms(fmt::format("gloam_kernel_image{}", i), kernel.images[i].words);
-    for (std::size_t i = 0; i < kernel.outputs.size(); ++i)
-        text += fmt::format("# output {}: {}\n", i, kernel.outputs[i].comment);
-    return text + "draw rect -1 -1 2 2\nprobe all rgba 0.0 1.0 0.0 1.0\n";
-}
-
 }  // namespace
 
 std::string to_shader_test(const ShaderReplay& replay) {
     std::string text;
     for (const std::string& comment : replay.kernel.comments) text += "# " + comment + "\n";
-    text += fmt::format("\n[require]\n{}\n{}\n\n", replay.version, replay.glsl_version);
-    if (replay.compute) {
-        text += "[compute shader]\n" + replay.glsl + "\n[test]\n" + run_compute(replay.kernel);
-        return text;
-    }
-    const std::string version = replay.glsl.substr(0, replay.glsl.find('\n'));
-    text += "[vertex shader]\n" + version +
-            "\nin vec4 piglit_vertex;\nvoid main() { gl_Position = piglit_vertex; }\n\n";
-    return text + "[fragment shader]\n" + replay.glsl + "\n[test]\nclear color 0.0 0.0 1.0 1.0\nclear\n" +
-           draw(replay.kernel);
+    return text + fmt::format("\n[require]\n{}\n{}\n\n[compute shader]\n{}\n[test]\n{}", replay.version,
+                              replay.glsl_version, replay.glsl, run_compute(replay.kernel));
 }
 
 }  // namespace gloam::report

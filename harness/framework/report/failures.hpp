@@ -54,16 +54,15 @@ struct ReplayedModule {
 
 // One run of a generated OpenGL kernel for a single input.
 struct ShaderReplay {
-    std::string glsl;  // a compute shader; or a fragment shader that draws green if the results are allowed
-    bool compute = true;
+    std::string glsl;          // a compute shader
     std::string version;       // of the interface, as piglit requires it: "GL >= 4.5", "GL ES >= 3.0"
     std::string glsl_version;  // "GLSL >= 4.50", "GLSL ES >= 3.00"
     KernelReplay kernel;       // its comments, inputs, images and outputs
 };
 
-// A script for piglit's shader_runner (https://piglit.freedesktop.org). With a compute shader it probes what
-// to_amber() expects; with a fragment shader that the picture is green. Run it with
-// `shader_runner -auto -fbo -ignore-missing-uniforms FILE`, or shader_runner_gles3 for OpenGL ES.
+// A script for piglit's shader_runner (https://piglit.freedesktop.org). It probes what to_amber()
+// expects. Run it with `shader_runner -auto -fbo -ignore-missing-uniforms FILE`, or shader_runner_gles3 for
+// OpenGL ES.
 [[nodiscard]] std::string to_shader_test(const ShaderReplay& replay);
 
 // What is needed to reproduce a failure.

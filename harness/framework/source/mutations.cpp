@@ -9,7 +9,6 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <span>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -21,31 +20,16 @@ namespace {
 
 using internal::Piece;
 
-// A token and what can stand in its place; "_": nothing.
-using Row = const char*;
-constexpr std::array comparisons{"< <= >", "<= < >=", "> >= <", ">= > <=", "== !=", "!= =="};
-constexpr std::array operators{"+ -",   "- +",   "* /",     "/ *",    "% /",   "<< >>", ">> <<",
-                               "& |",   "| &",   "^ |",     "&& ||",  "|| &&", "+= -=", "-= +=",
-                               "*= /=", "/= *=", "|= &=",   "&= |=",  "^= |=", "++ --", "-- ++",
-                               "! _",   "~ _",   "<<= >>=", ">>= <<="};
-constexpr std::array functions{"min max",
-                               "max min",
-                               "sin cos",
-                               "cos sin",
-                               "floor ceil",
-                               "ceil floor",
-                               "abs _",
-                               "sqrt _",
-                               "sign _",
-                               "any all",
-                               "all any",
-                               "round floor",
-                               "isnan isinf",
-                               "isinf isnan",
-                               "normalize _",
-                               "roundEven floor",
-                               "lessThan lessThanEqual",
-                               "greaterThan greaterThanEqual"};
+// Rows of a token and what can stand in its place; "_": nothing.
+constexpr std::string_view comparisons = "< <= >, <= < >=, > >= <, >= > <=, == !=, != ==";
+constexpr std::string_view operators =
+    "+ -, - +, * /, / *, % /, << >>, >> <<, & |, | &, ^ |, && ||, || &&, += -=, -= +=, *= /=, /= *=, |= &=, "
+    "&= |=, "
+    "^= |=, ++ --, -- ++, ! _, ~ _, <<= >>=, >>= <<=";
+constexpr std::string_view functions =
+    "min max, max min, sin cos, cos sin, floor ceil, ceil floor, abs _, sqrt _, sign _, any all, all any, "
+    "round floor, isnan isinf, isinf isnan, normalize _, roundEven floor, lessThan lessThanEqual, "
+    "greaterThan greaterThanEqual";
 
 // Other numbers in the place of one.
 std::vector<std::string> other_numbers(const std::string& text) {
@@ -133,8 +117,9 @@ class Faults {
                           .function = function_});
     }
 
-    void found_others(const std::string& kind, std::span<const Row> table) {
-        for (const Row row : table) {
+    void found_others(const std::string& kind, std::string_view table) {
+        std::istringstream rows{std::string(table)};
+        for (std::string row; std::getline(rows, row, ',');) {
             std::istringstream words(row);
             std::string other;
             words >> other;

@@ -110,9 +110,7 @@ bool AuditRuns::is_undefined(std::span<const Word> input, const Reading& reading
 }
 
 std::vector<numeric::Bounds> AuditRuns::permitted(std::span<const Word> input) {
-    Permitted all;
-    interpretation_.all_permitted({0, input}, all);
-    return hull_of(all);
+    return hull_of(interpretation_.all_permitted({0, input}));
 }
 
 std::vector<double> AuditRuns::in_double(std::span<const Word> input) {

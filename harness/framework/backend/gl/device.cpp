@@ -199,8 +199,8 @@ const Functions& Context::use() const {
     const Egl& egl = display->egl();
     if (egl.GetCurrentContext() != handle &&
         egl.MakeCurrent(display->handle(), EGL_NO_SURFACE, EGL_NO_SURFACE, handle) == EGL_FALSE) {
-        throw CallFailed(fmt::format("a context of OpenGL cannot be used here: eglMakeCurrent gives 0x{:x}",
-                                     egl.GetError()));
+        throw backend::Error(fmt::format(
+            "a context of OpenGL cannot be used here: eglMakeCurrent gives 0x{:x}", egl.GetError()));
     }
     return functions;
 }
@@ -209,7 +209,7 @@ void Context::check(const std::string& what) const {
     const GLenum error = functions.GetError();
     if (error == GL_NO_ERROR) return;
     if (error == GL_OUT_OF_MEMORY) throw backend::OutOfMemory(what + ": OpenGL has not enough memory");
-    throw CallFailed(fmt::format("{}: OpenGL error 0x{:04x}", what, error));
+    throw backend::Error(fmt::format("{}: OpenGL error 0x{:04x}", what, error));
 }
 
 std::string Context::text(GLenum what) const {

@@ -13,34 +13,14 @@
 
 namespace gloam::gl {
 
-// What went wrong with OpenGL, in one line.
-class Error : public backend::Error {
+// There is no EGL library, no display without a window, or no such software renderer.
+class Unavailable : public backend::Error {
     using backend::Error::Error;
 };
 
-// There is no EGL library, no display without a window, or no such software renderer.
-class Unavailable : public Error {
-    using Error::Error;
-};
-
 // The driver makes no context of the version that was asked for.
-class VersionRefused : public Error {
-    using Error::Error;
-};
-
-// The driver rejected a shader: "NAME: line 12: its message [the text of that line]".
-class CompileFailed : public Error {
-    using Error::Error;
-};
-
-// The driver rejected a program whose shaders it had compiled.
-class LinkFailed : public Error {
-    using Error::Error;
-};
-
-// Any other error that a call set.
-class CallFailed : public Error {
-    using Error::Error;
+class VersionRefused : public Unavailable {
+    using Unavailable::Unavailable;
 };
 
 enum class Api { gl, es };
@@ -103,14 +83,14 @@ struct DeviceInfo : backend::DeviceInfo {
 // constructor sets LIBGL_ALWAYS_SOFTWARE and GALLIUM_DRIVER while it opens the display, and restores them: no
 // other thread may read the environment meanwhile. A process has devices of one executor at a time.
 //
-// Throws std::invalid_argument for a name that is none; Unavailable; VersionRefused.
+// Throws std::invalid_argument for a name that is none; Unavailable. What a driver rejects, and any other
+// error that a call sets, are backend::Error: "NAME: line 12: its message [the text of that line]".
 class Device : public backend::Backend {
   public:
     explicit Device(const std::string& name);
     ~Device() override;
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
-    // Also throws CompileFailed, LinkFailed.
     [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
         const backend::KernelProgram& program) const override;
     [[nodiscard]] internal::Context& context() const { return *context_; }

@@ -76,8 +76,6 @@ class ComputeKernel : public backend::Kernel {
         memory.outputs = outputs.read();
         const std::vector<Word> fault = faults.read();
         memory.faults = {fault[0], fault[1], fault[2], fault[3], fault[4]};
-        for (std::size_t i = 0; i < images_.size(); ++i)
-            if (images_[i].stores) memory.images[i] = images[i].read();
     }
 
   private:

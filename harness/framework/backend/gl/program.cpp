@@ -67,7 +67,7 @@ class Shader {
         if (compiled == GL_TRUE) return;
         const std::string message = with_line(shader, log_of(handle_, gl_.GetShaderiv, gl_.GetShaderInfoLog));
         gl_.DeleteShader(handle_);
-        throw CompileFailed(message);
+        throw backend::Error(message);
     }
     ~Shader() { gl_.DeleteShader(handle_); }
     Shader(const Shader&) = delete;
@@ -98,15 +98,15 @@ Program::Program(const Device& device, Stage stage, const ShaderText& shader)
     GLint linked = GL_FALSE;
     gl.GetProgramiv(handle(), GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE)
-        throw LinkFailed(fmt::format("{}: does not link: {}", shader.name,
-                                     one_line(log_of(handle(), gl.GetProgramiv, gl.GetProgramInfoLog))));
+        throw backend::Error(fmt::format("{}: does not link: {}", shader.name,
+                                         one_line(log_of(handle(), gl.GetProgramiv, gl.GetProgramInfoLog))));
 }
 
 void dispatch(const Device& device, const Dispatch& work) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
     if (!has_compute(device.info().id.version))
-        throw CallFailed(to_string(device.info().id.version) + " has no compute shaders");
+        throw backend::Error(to_string(device.info().id.version) + " has no compute shaders");
     gl.UseProgram(work.program.handle());
     for (const auto& [binding, image] : work.images) {
         const auto level = work.levels.find(binding);
@@ -204,7 +204,7 @@ std::vector<std::vector<Word>> draw(const Device& device, const Draw& work) {
     const Functions& gl = context.use();
     const Targets targets(context, work);
     context.check("the targets of a fragment shader");
-    if (!targets.complete()) throw CallFailed("OpenGL cannot draw to targets of four words");
+    if (!targets.complete()) throw backend::Error("OpenGL cannot draw to targets of four words");
     set_uniforms(gl, work);
     for (const GLenum test :
          std::array<GLenum, 5>{GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_SCISSOR_TEST})

@@ -27,7 +27,7 @@ class Program {
   public:
     enum class Stage { compute, fragment };
 
-    // Throws CompileFailed, LinkFailed.
+    // Throws backend::Error.
     Program(const Device& device, Stage stage, const ShaderText& shader);
 
     [[nodiscard]] std::uint32_t handle() const { return handle_.name(); }
@@ -48,7 +48,7 @@ struct Dispatch {
 };
 
 // Runs it and waits for its end. Runs that follow see what this one has written. Throws backend::OutOfMemory,
-// CallFailed.
+// backend::Error.
 void dispatch(const Device& device, const Dispatch& work);
 
 // One run of a fragment shader over all pixels of its targets. Targets have four unsigned channels of 32 bits
@@ -65,7 +65,7 @@ struct Draw {
 };
 
 // Runs it and waits for its end. Returns the words of each target: width x height x 4, the bottom row first.
-// Throws backend::OutOfMemory, CallFailed.
+// Throws backend::Error.
 [[nodiscard]] std::vector<std::vector<Word>> draw(const Device& device, const Draw& work);
 
 }  // namespace gloam::gl

@@ -55,7 +55,7 @@ std::vector<Word> Buffer::read() const {
     const auto bytes = static_cast<GLsizeiptr>(words_ * sizeof(Word));
     const void* const mapped = gl.MapBufferRange(target, 0, bytes, GL_MAP_READ_BIT);
     handle_.device().context().check("reading a buffer");
-    if (mapped == nullptr) throw CallFailed("reading a buffer: OpenGL maps no memory");
+    if (mapped == nullptr) throw backend::Error("reading a buffer: OpenGL maps no memory");
     const auto* const words = static_cast<const Word*>(mapped);
     std::vector<Word> copy(words, words + words_);
     gl.UnmapBuffer(target);
@@ -71,7 +71,7 @@ Image::Image(const Device& device, Format format, std::size_t width, std::size_t
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
     if (!has_compute(device.info().id.version))
-        throw CallFailed(to_string(device.info().id.version) + " has no images");
+        throw backend::Error(to_string(device.info().id.version) + " has no images");
     gl.BindTexture(GL_TEXTURE_2D, handle_.name());
     gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(levels), internal::format_of(format),
                     static_cast<GLsizei>(width), static_cast<GLsizei>(height));

@@ -56,7 +56,7 @@ class Image {
   public:
     enum class Format { r16f, r32f, r32ui, rgba16f, rgba32f };
 
-    // The first level is all zero. Throws backend::OutOfMemory; CallFailed on a device without compute
+    // The first level is all zero. Throws backend::Error, also on a device without compute
     // shaders.
     Image(const Device& device, Format format, std::size_t width, std::size_t height, std::size_t levels = 1);
 

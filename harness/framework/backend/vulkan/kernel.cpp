@@ -123,9 +123,6 @@ class VulkanKernel : public backend::Kernel {
         download(buffers[backend::KernelBinding::outputs], memory.outputs);
         download(buffers[backend::KernelBinding::faults], faults);
         memory.faults = std::bit_cast<backend::KernelFaults>(faults);
-        for (std::size_t i = 0; i < images_.size(); ++i)
-            if (images_[i].stores)
-                download(buffers[backend::KernelBinding::first_image + i], memory.images[i]);
     }
 
     void submit(Word columns, Word rows, const backend::KernelRun& run,

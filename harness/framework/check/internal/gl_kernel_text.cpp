@@ -88,49 +88,11 @@ void require_bindable(shader::Language language, const KernelSource& source) {
         if (!image.layered.empty())
             throw backend::Unsupported(fmt::format("{}: uses the image {}, which needs a Vulkan device",
                                                    source.function.name, image.name));
-        if (image.sampled && !has_compute(language))
+        if (image.sampled && shader::usual_stage(language) != shader::Stage::compute)
             throw backend::Unsupported(fmt::format(
                 "{}: reads the sampler {}, which needs a Vulkan device, OpenGL 4.3 or OpenGL ES 3.1",
                 source.function.name, image.name));
     }
-}
-
-void require_no_stores(const KernelSource& source) {
-    if (std::ranges::none_of(source.images, &ImagePrototype::stores)) return;
-    throw backend::Unsupported(source.function.name +
-                               ": stores to images, which needs OpenGL 4.3 or OpenGL ES 3.1");
-}
-
-std::string replay_interface(const Evaluation& calls, const GlReplay& replay) {
-    const auto array = [](const std::string& name, std::size_t words) {
-        return fmt::format("uint gloam_kernel_{}[{}];\n", name, std::max<std::size_t>(words, 1));
-    };
-    std::string code = "out vec4 gloam_kernel_color;\nuniform " + array("inputs", calls.input_words);
-    for (std::size_t i = 0; i < replay.image_words.size(); ++i)
-        code += "uniform " + array(fmt::format("image{}", i), replay.image_words[i]);
-    return code + array("outputs", calls.output_words) + array("faults", 1) +
-           "void gloam_kernel_fault(uint image, ivec2 pixel) {\n    gloam_kernel_faults[0] += 1u;\n}\n";
-}
-
-// A statement that clears gloam_kernel_good where an output is not allowed. Whether a float is NaN is asked
-// of its bits: compilers may take comparisons with NaN for true.
-std::string condition(std::size_t output, Scalar scalar, const numeric::Bounds& allowed) {
-    const std::string word = fmt::format("gloam_kernel_outputs[{}]", output);
-    if (scalar != Scalar::float_) {
-        const auto want = static_cast<Word>(static_cast<std::int64_t>(allowed.low));
-        return fmt::format("    gloam_kernel_good = gloam_kernel_good && {} == {}u;\n", word, want);
-    }
-    const auto literal = [](double x) {
-        return fmt::format("uintBitsToFloat({}u)", to_word(static_cast<float>(x)));
-    };
-    const std::string is_nan = fmt::format("({} & 0x7fffffffu) > 0x7f800000u", word);
-    std::string inside = "false";
-    if (!allowed.empty()) {
-        inside = fmt::format("(uintBitsToFloat({0}) >= {1} && uintBitsToFloat({0}) <= {2})", word,
-                             literal(allowed.low), literal(allowed.high));
-    }
-    return fmt::format("    gloam_kernel_good = gloam_kernel_good && ({} ? {} : {});\n", is_nan, allowed.nan,
-                       inside);
 }
 
 std::string gl_compute_text(const KernelSource& source) {
@@ -139,7 +101,6 @@ std::string gl_compute_text(const KernelSource& source) {
 }
 
 std::string gl_fragment_text(const KernelSource& source) {
-    require_no_stores(source);
     const auto input = [](Scalar scalar, std::size_t word) {
         return scalar_of_word(
             scalar, word_of_texture("gloam_kernel_inputs", fmt::format("gloam_kernel_input_at + {}u", word)));
@@ -164,33 +125,6 @@ std::string gl_fragment_text(const KernelSource& source) {
                begin + calls.code + fragment_end(calls.output_words, source.images.size(), targets));
 }
 
-std::string gl_replay_text(const KernelSource& source, const GlReplay& replay) {
-    require_no_stores(source);
-    const Evaluation calls = evaluation(source, input_of_buffer);
-    std::string rest =
-        "void main() {\n    uint gloam_kernel_output_at = 0u;\n    uint gloam_kernel_input_at = 0u;\n"
-        "    gloam_kernel_faults[0] = 0u;\n" +
-        calls.code + "    bool gloam_kernel_good = gloam_kernel_faults[0] == 0u;\n";
-    for (std::size_t i = 0; i < replay.allowed.size(); ++i)
-        rest += condition(i, replay.outputs[i], replay.allowed[i]);
-    rest +=
-        "    gloam_kernel_color = gloam_kernel_good ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, "
-        "1.0);\n}\n";
-    return replay_interface(calls, replay) + file_and_rest(source, word_of_buffer, rest);
-}
-
-// The text and what it includes as one text of the version.
-std::string packed(shader::Language language, const KernelSource& source, const std::string& text,
-                   const std::vector<std::filesystem::path>& include_roots) {
-    try {
-        return shader::pack({shader::Source{.name = "kernel of " + source.function.name, .text = text}},
-                            {.language = language}, include_roots);
-    } catch (const shader::CompileError& error) {  // it has been compiled as GLSL 450
-        throw backend::Unsupported(fmt::format("{} is no GLSL {}: {}", source.function.name,
-                                               to_string(language), base::one_line(error.what())));
-    }
-}
-
 // Of SPIR-V: OpExtInst, and the numbers of its set GLSL.std.450 from Sin to Atan2, and of two for matrices.
 constexpr std::uint32_t extended = 12;
 constexpr std::uint32_t sine = 13;
@@ -200,21 +134,19 @@ constexpr std::uint32_t inverse = 34;
 
 }  // namespace
 
-bool has_compute(shader::Language language) {
-    return language != shader::Language::gl330 && language != shader::Language::es300;
-}
-
 std::string gl_kernel_code(shader::Language language, const KernelSource& source,
                            const std::vector<std::filesystem::path>& include_roots) {
     require_alone(source, "OpenGL");
     require_bindable(language, source);
-    const std::string text = has_compute(language) ? gl_compute_text(source) : gl_fragment_text(source);
-    return packed(language, source, text, include_roots);
-}
-
-std::string gl_replay_code(shader::Language language, const KernelSource& source, const GlReplay& replay,
-                           const std::vector<std::filesystem::path>& include_roots) {
-    return packed(language, source, gl_replay_text(source, replay), include_roots);
+    const bool compute = shader::usual_stage(language) == shader::Stage::compute;
+    const shader::Source text{.name = "kernel of " + source.function.name,
+                              .text = compute ? gl_compute_text(source) : gl_fragment_text(source)};
+    try {
+        return shader::pack({text}, {.language = language}, include_roots);
+    } catch (const shader::CompileError& error) {  // it has been compiled as GLSL 450
+        throw backend::Unsupported(fmt::format("{} is no GLSL {}: {}", source.function.name,
+                                               to_string(language), base::one_line(error.what())));
+    }
 }
 
 bool has_precision_rules(shader::Language language) {

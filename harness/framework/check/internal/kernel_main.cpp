@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The main() of a kernel: it calls the function, and moves its values and the pixels of its images.
+// The main() of a kernel: it calls the function, and moves its values and the pixels of its images. Its
+// inputs come from memory, or are constants of its text.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "check/internal/kernel_text.hpp"
 
@@ -17,6 +19,13 @@ std::string argument_name(std::size_t parameter) {
 }
 
 namespace {
+
+// Appends statements that write a variable to the outputs, from gloam_kernel_output_at + `offset` on.
+void append_write(std::string& code, const Type& type, const std::string& variable, std::size_t offset) {
+    for (const auto& [scalar, path] : scalar_paths(type, variable))
+        code += fmt::format("    gloam_kernel_outputs[gloam_kernel_output_at + {}u] = {};\n", offset++,
+                            word_of_scalar(scalar, path));
+}
 
 // A statement that writes the canary, of which every invocation of a team adds its part.
 std::string write_canary(const backend::Team& team, std::size_t output_words) {
@@ -138,7 +147,7 @@ class Evaluator {
         const Type type = own_type(lifted, false);
         const std::size_t first = move_to_element("gloam_kernel_output_at", "gloam_kernel_output_row",
                                                   scalars_of(type).size(), result_.output_words, false);
-        append_write(result_.code, type, variable, "gloam_kernel_outputs", "gloam_kernel_output_at", first);
+        append_write(result_.code, type, variable, first);
         result_.output_words += scalars_of(lifted).size();
     }
 
@@ -163,12 +172,8 @@ class Evaluator {
     std::string arguments_;
 };
 
-}  // namespace
-
-Evaluation evaluation(const KernelSource& source, const InputText& input) {
-    return Evaluator(source, input).run();
-}
-
+// The beginning of main(): it declares `gloam_kernel_index`, `gloam_kernel_output_at` and (of a team)
+// `gloam_kernel_lane`, and returns from invocations without an input.
 std::string main_begin(const backend::Team& team, std::size_t output_words) {
     const bool alone = team.kind == backend::Team::Kind::alone;
     std::string code = fmt::format(
@@ -189,8 +194,10 @@ std::string main_begin(const backend::Team& team, std::size_t output_words) {
                           : "(uint(gl_FragCoord.y) & 1u) * 2u + (uint(gl_FragCoord.x) & 1u)");
 }
 
-std::string main_end(std::size_t output_words) {
-    return write_canary({}, output_words) + "}\n";
+}  // namespace
+
+Evaluation evaluation(const KernelSource& source, const InputText& input) {
+    return Evaluator(source, input).run();
 }
 
 std::string main_of(const KernelSource& source) {
@@ -209,3 +216,57 @@ void require_alone(const KernelSource& source, const char* what) {
 }
 
 }  // namespace gloam::check::internal
+
+namespace gloam::check {
+
+using shader::Scalar;
+using Constants = shader::Variant::Constants;
+
+std::string literal(Scalar scalar, Word word) {
+    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
+    if (!shader::is_float(scalar) || !std::isfinite(number_at(scalar, word)))
+        return internal::scalar_of_word(scalar, fmt::format("0x{:08x}u", word));
+    std::string text = fmt::format("{:.17g}", number_at(scalar, word));  // 17 digits identify a double
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return scalar == Scalar::float16_ ? fmt::format("float16_t({})", text) : text;
+}
+
+std::string constant_kernel_code(const KernelSource& source, Constants constants,
+                                 std::span<const Word> inputs, std::size_t count) {
+    internal::require_alone(source, "a kernel with constants");
+    std::string declared;
+    for (std::size_t id = 0; constants == Constants::specialization && id < inputs.size(); ++id)
+        declared += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
+    std::string cases;
+    std::size_t output_words = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto input = [&, first = i * (inputs.size() / count)](Scalar scalar, std::size_t word) {
+            if (constants == Constants::literals) return literal(scalar, inputs[first + word]);
+            return internal::scalar_of_word(scalar, fmt::format("gloam_kernel_constant{}", first + word));
+        };
+        const internal::Evaluation evaluation = internal::evaluation(source, input);
+        output_words = evaluation.output_words;
+        cases += fmt::format("    case {}u: {{\n{}    break; }}\n", i, evaluation.code);
+    }
+    return internal::kernel_text(source, declared + internal::main_begin({}, output_words) +
+                                             "    switch (gloam_kernel_index) {\n" + cases + "    }\n" +
+                                             internal::write_canary({}, output_words) + "}\n");
+}
+
+KernelCore internal::constant_kernel(const Lab& lab, const KernelSource& source, std::span<const Word> inputs,
+                                     std::size_t count) {
+    const Constants constants = lab.options().variant.constants;
+    const bool literals = constants == Constants::literals;
+    const shader::Source text{.name = fmt::format("kernel of {} with {}", source.function.name,
+                                                  literals ? "literals" : "specialization constants"),
+                              .text = constant_kernel_code(source, constants, inputs, count)};
+    KernelModule module = kernel_module(source, lab.compile_kernel(text, source.images));
+    module.input_words = 0;
+    module.fixed_inputs = count;
+    for (std::size_t word = 0; !literals && word < inputs.size(); ++word)
+        module.constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
+    lab.take_steps(module, text);
+    return lab.core(std::move(module));
+}
+
+}  // namespace gloam::check

@@ -9,7 +9,6 @@
 
 #include "check/kernel_code.hpp"
 #include "check/lab.hpp"
-#include "numeric/interval.hpp"
 
 // The parts of generated compute shaders.
 namespace gloam::check::internal {
@@ -22,9 +21,6 @@ namespace gloam::check::internal {
 // has main(). Every name that is not from the file begins with gloam_kernel_ or GloamGenerated. Macros of the
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
-
-// The #extension lines for the kernel's own conversions.
-[[nodiscard]] std::string number_extensions(const KernelSource& source);
 
 // The declarations that a kernel has on Vulkan and on OpenGL: the storage buffers of inputs, outputs, faults
 // and images, uint gloam_kernel_input() and void gloam_kernel_fault(uint image, ivec2 pixel).
@@ -45,12 +41,13 @@ using ImageWordText = std::function<std::string(std::size_t image, const std::st
 // The GLSL expression of an input scalar, given its position among the words of one input.
 using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
 
-// Append statements that set a variable from the input words from `offset` on, and that write it to the
-// buffer from index `at` + `offset` on; they return the number of words.
-std::size_t append_read(std::string& code, const shader::Type& type, const std::string& variable,
-                        const InputText& input, std::size_t offset);
-std::size_t append_write(std::string& code, const shader::Type& type, const std::string& variable,
-                         std::string_view buffer, std::string_view at, std::size_t offset);
+// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
+using ScalarPaths = std::vector<std::pair<shader::Scalar, std::string>>;
+[[nodiscard]] ScalarPaths scalar_paths(const shader::Type& type, const std::string& variable);
+
+// Appends statements that set a variable from the input words from `offset` on.
+void append_read(std::string& code, const shader::Type& type, const std::string& variable,
+                 const InputText& input, std::size_t offset);
 
 // That expression for inputs in a storage buffer, from index gloam_kernel_input_at on.
 [[nodiscard]] std::string input_of_buffer(shader::Scalar scalar, std::size_t word);
@@ -67,12 +64,6 @@ struct Evaluation {
 };
 [[nodiscard]] Evaluation evaluation(const KernelSource& source, const InputText& input);
 
-// The beginning and the end of main(). The beginning declares `gloam_kernel_index`, `gloam_kernel_output_at`
-// and (of a team) `gloam_kernel_lane`, and returns from invocations without an input. The end is that of
-// invocations that run alone; it writes the canary.
-[[nodiscard]] std::string main_begin(const backend::Team& team, std::size_t output_words);
-[[nodiscard]] std::string main_end(std::size_t output_words);
-
 // The whole main() of a kernel that reads its inputs from a storage buffer.
 [[nodiscard]] std::string main_of(const KernelSource& source);
 
@@ -87,24 +78,8 @@ void require_alone(const KernelSource& source, const char* what);
 
 // The kernel of a function as a device takes it whose kernels are texts in this language
 // (backend/gl/kernel.hpp): a compute shader, else a fragment shader. It includes nothing. Throws
-// backend::Unsupported for a function that is no text of this language, and where there are no compute
-// shaders for one that stores to images.
+// backend::Unsupported for a function that is no text of this language.
 [[nodiscard]] std::string gl_kernel_code(shader::Language language, const KernelSource& source,
-                                         const std::vector<std::filesystem::path>& include_roots);
-
-// Whether the language has compute shaders.
-[[nodiscard]] bool has_compute(shader::Language language);
-
-// A fragment shader that evaluates one input and draws green where every output is allowed, else red: for
-// scripts that run it elsewhere. Its inputs and images are arrays of uniforms, uint gloam_kernel_inputs[] and
-// gloam_kernel_image0[] ...; the bounds of its outputs are part of the text. Throws as gl_kernel_code() does.
-struct GlReplay {
-    std::vector<std::size_t> image_words;  // of each image
-    std::vector<shader::Scalar> outputs;
-    std::vector<numeric::Bounds> allowed;  // of each output; none: nothing is known to be wrong
-};
-[[nodiscard]] std::string gl_replay_code(shader::Language language, const KernelSource& source,
-                                         const GlReplay& replay,
                                          const std::vector<std::filesystem::path>& include_roots);
 
 // How far the precision rules of OpenGL agree with those of Vulkan, by which the interpreter judges

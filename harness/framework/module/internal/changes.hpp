@@ -8,7 +8,7 @@
 
 #include "module/internal/editable.hpp"
 
-// The changes of metamorphic.hpp. Each finds a place by chance and returns whether it found one.
+// The changes of metamorphic.hpp.
 namespace gloam::shader::internal {
 
 // Numbers that are equal on every machine for the same seed.
@@ -25,28 +25,13 @@ class Chance {
     std::mt19937_64 engine_;
 };
 
-// A place of an instruction.
-struct Spot {
-    std::size_t function = 0;
-    std::size_t block = 0;
-    std::size_t op = 0;
-};
-
 struct Change {
     std::string_view name;
-    bool (*make)(Editable& module, Chance& chance);
+    // Whether it can be made at this instruction; of one that changes a block, at its label.
+    bool (*accepts)(const Editable& module, const Spot& spot);
+    // Makes it at such a place; false: it could not be made there.
+    bool (*make)(Editable& module, const Spot& spot, Chance& chance);
 };
-
-// All instructions of all functions that a test accepts.
-template <class Accepts>
-[[nodiscard]] std::vector<Spot> spots(const Editable& module, const Accepts& accepts) {
-    std::vector<Spot> found;
-    for (std::size_t f = 0; f < module.functions.size(); ++f)
-        for (std::size_t b = 0; b < module.functions[f].blocks.size(); ++b)
-            for (std::size_t i = 0; i < module.functions[f].blocks[b].ops.size(); ++i)
-                if (accepts(module.functions[f].blocks[b].ops[i])) found.push_back({f, b, i});
-    return found;
-}
 
 // Instructions that calculate a false that no compiler knows, for a place in a function: whether the kernel
 // has no inputs. In a module that is no kernel of gloam, or by chance, it is the constant.
@@ -55,9 +40,6 @@ struct Opaque {
     Id id = 0;
 };
 [[nodiscard]] Opaque opaque_false(Editable& module, Chance& chance);
-
-// A type of numbers or truth values: scalars, vectors and matrices of them.
-[[nodiscard]] bool is_of_numbers(const Editable& module, Id type);
 
 [[nodiscard]] const std::vector<Change>& changes_of_values();
 [[nodiscard]] const std::vector<Change>& changes_of_flow();

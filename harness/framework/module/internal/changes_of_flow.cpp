@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <spirv.h>
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "module/internal/changes.hpp"
 
@@ -25,62 +23,63 @@ Block labelled(Id label, std::vector<Op> ops) {
     return block;
 }
 
-// Blocks that can be divided: a loop begins at its header, and must end there.
-struct Place {
-    FunctionBody* function = nullptr;
-    std::size_t block = 0;
+// Whether the spot is the label of a block that can be divided, with so many instructions. A loop begins at
+// its header, and must end there.
+bool is_divisible(const Editable& module, const Spot& spot, std::size_t least_ops) {
+    const Block& block = block_of(module, spot);
+    return spot.op == 0 && !block.is_loop_header() && block.last_free() >= block.first_free() + least_ops;
+}
 
-    [[nodiscard]] Block& get() const { return function->blocks[block]; }
-};
+bool has_one(const Editable& module, const Spot& spot) {
+    return is_divisible(module, spot, 1);
+}
 
-std::optional<Place> some_block(Editable& module, Chance& chance, std::size_t least_ops) {
-    std::vector<Place> all;
-    for (FunctionBody& function : module.functions)
-        for (std::size_t b = 0; b < function.blocks.size(); ++b) {
-            const Block& block = function.blocks[b];
-            if (!block.is_loop_header() && block.last_free() >= block.first_free() + least_ops)
-                all.push_back({&function, b});
-        }
-    return all.empty() ? std::nullopt : std::optional(chance.of(all));
+bool has_two(const Editable& module, const Spot& spot) {
+    return is_divisible(module, spot, 2);
+}
+
+bool has_four(const Editable& module, const Spot& spot) {
+    return is_divisible(module, spot, 4);
 }
 
 void append(Block& block, const std::vector<Op>& ops) {
     block.ops.insert(block.ops.end(), ops.begin(), ops.end());
 }
 
-void insert_after(const Place& place, const std::vector<Block>& blocks) {
-    std::vector<Block>& all = place.function->blocks;
-    all.insert(all.begin() + static_cast<std::ptrdiff_t>(place.block) + 1, blocks.begin(), blocks.end());
+// Inserts blocks behind that of the spot.
+void insert_blocks(Editable& module, const Spot& spot, const std::vector<Block>& made) {
+    std::vector<Block>& all = blocks_of(module, spot);
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(spot.block) + 1, made.begin(), made.end());
 }
 
 // A position between the instructions of a block.
-std::size_t some_position(const Block& block, Chance& chance) {
-    return block.first_free() + chance.below(block.last_free() - block.first_free() + 1);
+Spot some_position(const Editable& module, const Spot& spot, Chance& chance) {
+    const Block& block = block_of(module, spot);
+    const std::size_t free = block.last_free() - block.first_free() + 1;
+    return {spot.function, spot.block, block.first_free() + chance.below(free)};
 }
 
-bool divide(Editable& module, Chance& chance) {
-    const auto place = some_block(module, chance, 1);
-    if (!place) return false;
-    const Id rest = split(module, *place->function, place->block, some_position(place->get(), chance));
-    append(place->get(), {branch(rest)});
+bool divide(Editable& module, const Spot& spot, Chance& chance) {
+    const Id rest = module.split(some_position(module, spot, chance));
+    append(block_of(module, spot), {branch(rest)});
     return true;
 }
 
 // Instructions for a branch that is never taken: copies of those before it, and a store.
-std::vector<Op> dead_code(Editable& module, const Place& place, Chance& chance) {
+std::vector<Op> dead_code(Editable& module, const Spot& spot, Chance& chance) {
     std::vector<Op> code;
-    const Block& block = place.get();
+    const Block& block = block_of(module, spot);
     for (std::size_t i = block.first_free(); i < block.ops.size() && code.size() < 4; ++i) {
         Op copy = block.ops[i];
-        const bool is_value = copy.type() != 0 && is_of_numbers(module, copy.type());
-        if (!is_value || copy.opcode == SpvOpFunctionCall || !copy.visit_ids([](std::uint32_t&) {})) continue;
+        const bool is_value = copy.type() != 0 && module.is_of_numbers(copy.type());
+        if (!is_value || copy.opcode == SpvOpFunctionCall || !copy.knows_ids()) continue;
         if (chance.below(2) == 0) continue;
         copy.set_result(module.fresh());
         code.push_back(std::move(copy));
     }
     for (const Op& op : block.ops) {
         if (op.opcode != SpvOpLoad || chance.below(2) == 0) continue;
-        const Op* pointer = module.global(module.types_of(*place.function).at(op.operands()[0]));
+        const Op* pointer = module.global(module.types_of(spot).at(op.operands()[0]));
         if (pointer->operands()[0] != SpvStorageClassFunction) continue;
         code.push_back({SpvOpStore, {op.operands()[0], module.global_of(SpvOpConstantNull, op.type(), {})}});
         break;
@@ -88,104 +87,84 @@ std::vector<Op> dead_code(Editable& module, const Place& place, Chance& chance) 
     return code;
 }
 
-bool never_taken(Editable& module, Chance& chance) {
-    const auto place = some_block(module, chance, 1);
-    if (!place) return false;
-    const Id rest = split(module, *place->function, place->block, some_position(place->get(), chance));
-    std::vector<Op> code = dead_code(module, *place, chance);
+bool never_taken(Editable& module, const Spot& spot, Chance& chance) {
+    const Id rest = module.split(some_position(module, spot, chance));
+    std::vector<Op> code = dead_code(module, spot, chance);
     const Id dead = module.fresh();
     code.push_back(branch(rest));
     const Opaque no = opaque_false(module, chance);
-    append(place->get(), no.ops);
-    append(place->get(), {{SpvOpSelectionMerge, {rest, none}}, branch(no.id, dead, rest)});
-    insert_after(*place, {labelled(dead, std::move(code))});
+    append(block_of(module, spot), no.ops);
+    append(block_of(module, spot), {{SpvOpSelectionMerge, {rest, none}}, branch(no.id, dead, rest)});
+    insert_blocks(module, spot, {labelled(dead, std::move(code))});
     return true;
 }
 
-bool loop_once(Editable& module, Chance& chance) {
-    const auto place = some_block(module, chance, 2);
-    if (!place) return false;
-    const std::size_t begin = some_position(place->get(), chance);
-    const Id body = split(module, *place->function, place->block, begin);
-    const Place inside{place->function, place->block + 1};
-    const Id rest = split(module, *place->function, inside.block, some_position(inside.get(), chance));
+bool loop_once(Editable& module, const Spot& spot, Chance& chance) {
+    const Id body = module.split(some_position(module, spot, chance));
+    const Spot inside{spot.function, spot.block + 1, 0};
+    const Id rest = module.split(some_position(module, inside, chance));
     const Id header = module.fresh();
     const Id again = module.fresh();
-    append(place->get(), {branch(header)});
-    append(inside.get(), {branch(again)});
+    append(block_of(module, spot), {branch(header)});
+    append(block_of(module, inside), {branch(again)});
     Opaque no = opaque_false(module, chance);
     no.ops.push_back(branch(no.id, header, rest));
-    insert_after(inside, {labelled(again, no.ops)});
-    insert_after(*place, {labelled(header, {{SpvOpLoopMerge, {rest, again, none}}, branch(body)})});
+    insert_blocks(module, inside, {labelled(again, no.ops)});
+    insert_blocks(module, spot, {labelled(header, {{SpvOpLoopMerge, {rest, again, none}}, branch(body)})});
     return true;
 }
 
-// Branches of a selection, not those that leave or repeat a loop. Not in a function that has a switch: inside
-// a switch no branch may leave an outer one.
-std::vector<Spot> selections(const Editable& module) {
-    std::vector<Spot> found;
-    std::set<std::size_t> with_switch;
-    for (const Spot& spot : spots(module, [](const Op& op) { return op.opcode == SpvOpSwitch; }))
-        with_switch.insert(spot.function);
-    for (const Spot& spot : spots(module, [](const Op& op) { return op.opcode == SpvOpBranchConditional; })) {
-        const Block& block = module.functions[spot.function].blocks[spot.block];
-        if (block.ops[spot.op - 1].opcode == SpvOpSelectionMerge && !with_switch.contains(spot.function))
-            found.push_back(spot);
-    }
-    return found;
+bool is_branch(const Editable& module, const Spot& spot) {
+    return at(module, spot).opcode == SpvOpBranchConditional;
 }
 
-bool negate_condition(Editable& module, Chance& chance) {
-    const std::vector<Spot> all =
-        spots(module, [](const Op& op) { return op.opcode == SpvOpBranchConditional; });
-    if (all.empty()) return false;
-    const Spot spot = chance.of(all);
-    Block& block = module.functions[spot.function].blocks[spot.block];
+// A branch of a selection, not one that leaves or repeats a loop. Not in a function that has a switch: inside
+// a switch no branch may leave an outer one.
+bool is_selection(const Editable& module, const Spot& spot) {
+    const auto has_switch = [](const Block& block) { return block.end().opcode == SpvOpSwitch; };
+    return is_branch(module, spot) && block_of(module, spot).ops[spot.op - 1].opcode == SpvOpSelectionMerge &&
+           std::ranges::none_of(blocks_of(module, spot), has_switch);
+}
+
+bool negate_condition(Editable& module, const Spot& spot, Chance&) {
+    Block& block = block_of(module, spot);
     Op& end = block.ops.back();
     const Op inverse{SpvOpLogicalNot, {module.bool_type(), module.fresh(), end.words[0]}};
     end = branch(inverse.result(), end.words[2], end.words[1]);
-    block.ops.insert(block.ops.begin() + static_cast<std::ptrdiff_t>(block.last_free()), inverse);
+    module.insert({spot.function, spot.block, block.last_free()}, {inverse});
     return true;
 }
 
-bool branch_by_switch(Editable& module, Chance& chance) {
-    const std::vector<Spot> all = selections(module);
-    if (all.empty()) return false;
-    const Spot spot = chance.of(all);
-    Block& block = module.functions[spot.function].blocks[spot.block];
+bool branch_by_switch(Editable& module, const Spot& spot, Chance&) {
+    Block& block = block_of(module, spot);
     const Op end = block.ops.back();
     if (end.words[1] == end.words[2]) return false;
     const Op number{
         SpvOpSelect,
         {module.uint_type(), module.fresh(), end.words[0], module.uint_constant(1), module.uint_constant(0)}};
     block.ops.back() = {SpvOpSwitch, {number.result(), end.words[2], 1, end.words[1]}};
-    block.ops.insert(block.ops.begin() + static_cast<std::ptrdiff_t>(block.last_free()), number);
+    module.insert({spot.function, spot.block, block.last_free()}, {number});
     return true;
 }
 
-bool select_by_branches(Editable& module, Chance& chance) {
-    std::vector<Spot> found;
-    for (const Spot& spot : spots(module, [](const Op& op) { return op.opcode == SpvOpSelect; })) {
-        const FunctionBody& function = module.functions[spot.function];
-        const Block& block = function.blocks[spot.block];
-        const Id condition = module.types_of(function).at(block.ops[spot.op].operands()[0]);
-        if (module.global(condition)->opcode == SpvOpTypeBool && !block.is_loop_header())
-            found.push_back(spot);
-    }
-    if (found.empty()) return false;
-    const Spot spot = chance.of(found);
-    const Place place{&module.functions[spot.function], spot.block};
-    const Op select = place.get().ops[spot.op];
-    place.get().ops.erase(place.get().ops.begin() + static_cast<std::ptrdiff_t>(spot.op));
-    const Id rest = split(module, *place.function, place.block, spot.op);
+bool selects_by_one(const Editable& module, const Spot& spot) {
+    const Op& op = at(module, spot);
+    return op.opcode == SpvOpSelect && !block_of(module, spot).is_loop_header() &&
+           module.global(module.types_of(spot).at(op.operands()[0]))->opcode == SpvOpTypeBool;
+}
+
+bool select_by_branches(Editable& module, const Spot& spot, Chance&) {
+    const Op select = at(module, spot);
+    std::vector<Op>& ops = block_of(module, spot).ops;
+    ops.erase(ops.begin() + static_cast<std::ptrdiff_t>(spot.op));
+    const Id rest = module.split(spot);
     const Id yes = module.fresh();
     const Id no = module.fresh();
     const auto from = select.operands();
-    Block& after = place.function->blocks[place.block + 1];
-    after.ops.insert(after.ops.begin() + 1,
-                     Op{SpvOpPhi, {select.type(), select.result(), from[1], yes, from[2], no}});
-    append(place.get(), {{SpvOpSelectionMerge, {rest, none}}, branch(from[0], yes, no)});
-    insert_after(place, {labelled(yes, {branch(rest)}), labelled(no, {branch(rest)})});
+    module.insert({spot.function, spot.block + 1, 1},
+                  {{SpvOpPhi, {select.type(), select.result(), from[1], yes, from[2], no}}});
+    append(block_of(module, spot), {{SpvOpSelectionMerge, {rest, none}}, branch(from[0], yes, no)});
+    insert_blocks(module, spot, {labelled(yes, {branch(rest)}), labelled(no, {branch(rest)})});
     return true;
 }
 
@@ -198,10 +177,9 @@ struct Straight {
 std::optional<Straight> straight_code(const Editable& module, const Block& block, Chance& chance) {
     constexpr std::size_t least = 4;
     constexpr std::size_t most = 24;
-    const auto can_move = [&](Op op) {
+    const auto can_move = [&](const Op& op) {
         const bool is_store = op.opcode == SpvOpStore;
-        return (is_store || (op.type() != 0 && is_of_numbers(module, op.type()))) &&
-               op.visit_ids([](std::uint32_t&) {});
+        return (is_store || (op.type() != 0 && module.is_of_numbers(op.type()))) && op.knows_ids();
     };
     std::vector<Straight> runs;
     for (std::size_t i = block.first_free(); i < block.last_free(); ++i) {
@@ -217,24 +195,22 @@ std::optional<Straight> straight_code(const Editable& module, const Block& block
 // cases in variables, and get their own IDs behind the loop.
 class Dispatcher {
   public:
-    Dispatcher(Editable& module, const Place& place, std::size_t cases)
-        : module_(module), place_(place), cases_(cases) {}
+    Dispatcher(Editable& module, const Spot& spot, std::size_t cases)
+        : module_(module), spot_(spot), cases_(cases) {}
 
     void move(const Straight& run) {
-        Block& block = place_.get();
+        Block& block = block_of(module_, spot_);
         const auto begin = block.ops.begin() + static_cast<std::ptrdiff_t>(run.begin);
         const auto end = block.ops.begin() + static_cast<std::ptrdiff_t>(run.end);
         code_.assign(begin, end);
         block.ops.erase(begin, end);
-        rest_ = split(module_, *place_.function, place_.block, run.begin);
+        rest_ = module_.split({spot_.function, spot_.block, run.begin});
         state_ = variable(module_.uint_type());
-        std::vector<Block> made = cases();
-        append(place_.get(), {{SpvOpStore, {state_, module_.uint_constant(0)}}, branch(header_)});
-        insert_after(place_, made);
-        Block& rest = place_.function->blocks[place_.block + made.size() + 1];
-        rest.ops.insert(rest.ops.begin() + 1, given_.begin(), given_.end());
-        Block& entry = place_.function->blocks.front();
-        entry.ops.insert(entry.ops.begin() + 1, variables_.begin(), variables_.end());
+        const std::vector<Block> made = cases();
+        append(block_of(module_, spot_), {{SpvOpStore, {state_, module_.uint_constant(0)}}, branch(header_)});
+        insert_blocks(module_, spot_, made);
+        module_.insert({spot_.function, spot_.block + made.size() + 1, 1}, given_);
+        module_.insert({spot_.function, 0, 1}, variables_);
     }
 
   private:
@@ -314,7 +290,7 @@ class Dispatcher {
     };
 
     Editable& module_;
-    Place place_;
+    Spot spot_;
     std::size_t cases_;
     std::vector<Op> code_;
     std::map<Id, Kept> kept_;
@@ -325,13 +301,10 @@ class Dispatcher {
     Id header_ = module_.fresh();
 };
 
-bool flatten(Editable& module, Chance& chance) {
-    const auto place = some_block(module, chance, 4);
-    if (!place) return false;
-    const auto run = straight_code(module, place->get(), chance);
-    if (!run) return false;
-    Dispatcher(module, *place, 2 + chance.below(3)).move(*run);
-    return true;
+bool flatten(Editable& module, const Spot& spot, Chance& chance) {
+    const auto run = straight_code(module, block_of(module, spot), chance);
+    if (run) Dispatcher(module, spot, 2 + chance.below(3)).move(*run);
+    return run.has_value();
 }
 
 }  // namespace
@@ -357,13 +330,13 @@ Opaque opaque_false(Editable& module, Chance& chance) {
 }
 
 const std::vector<Change>& changes_of_flow() {
-    static const std::vector<Change> all{{"block divided", divide},
-                                         {"branch never taken", never_taken},
-                                         {"loop of one round", loop_once},
-                                         {"condition negated", negate_condition},
-                                         {"branch as a switch", branch_by_switch},
-                                         {"select as branches", select_by_branches},
-                                         {"flattened", flatten}};
+    static const std::vector<Change> all{{"block divided", has_one, divide},
+                                         {"branch never taken", has_one, never_taken},
+                                         {"loop of one round", has_two, loop_once},
+                                         {"condition negated", is_branch, negate_condition},
+                                         {"branch as a switch", is_selection, branch_by_switch},
+                                         {"select as branches", selects_by_one, select_by_branches},
+                                         {"flattened", has_four, flatten}};
     return all;
 }
 

@@ -28,6 +28,14 @@ void Cross::require(spvc_result result) const {
                              spvc_context_get_last_error_string(context_.get()));
 }
 
+std::span<const spvc_reflected_resource> Cross::list(spvc_resources resources,
+                                                     spvc_resource_type type) const {
+    const spvc_reflected_resource* first = nullptr;
+    std::size_t count = 0;
+    require(spvc_resources_get_resource_list_for_type(resources, type, &first, &count));
+    return {first, count};
+}
+
 namespace {
 
 constexpr unsigned hlsl_shader_model = 60;
@@ -35,10 +43,7 @@ constexpr unsigned hlsl_shader_model = 60;
 std::span<const spvc_reflected_resource> resources_of(const Cross& cross, spvc_resource_type type) {
     spvc_resources resources = nullptr;
     cross.require(spvc_compiler_create_shader_resources(cross.compiler(), &resources));
-    const spvc_reflected_resource* first = nullptr;
-    std::size_t count = 0;
-    cross.require(spvc_resources_get_resource_list_for_type(resources, type, &first, &count));
-    return {first, count};
+    return cross.list(resources, type);
 }
 
 // A buffer without a name of its own gets that of its block, which HLSL has not.
@@ -130,6 +135,26 @@ std::string cross_version() {
 }  // namespace gloam::shader::internal
 
 namespace gloam::shader {
+
+std::vector<Resource> used_resources(const Spirv& module) {
+    const internal::Cross cross(module, SPVC_BACKEND_NONE, "read the module");
+    spvc_set active = nullptr;
+    cross.require(spvc_compiler_get_active_interface_variables(cross.compiler(), &active));
+    spvc_resources all = nullptr;
+    cross.require(spvc_compiler_create_shader_resources_for_active_variables(cross.compiler(), &all, active));
+    std::vector<Resource> resources;
+    for (const auto& [type, kind] : {std::pair(SPVC_RESOURCE_TYPE_STORAGE_IMAGE, "image or sampler"),
+                                     std::pair(SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, "image or sampler"),
+                                     std::pair(SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, "image or sampler"),
+                                     std::pair(SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, "image or sampler"),
+                                     std::pair(SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, "uniform buffer"),
+                                     std::pair(SPVC_RESOURCE_TYPE_STORAGE_BUFFER, "storage buffer"),
+                                     std::pair(SPVC_RESOURCE_TYPE_PUSH_CONSTANT, "push constants")})
+        for (const spvc_reflected_resource& each : cross.list(all, type))
+            resources.push_back({kind, spvc_compiler_get_name(cross.compiler(), each.id),
+                                 spvc_compiler_get_name(cross.compiler(), each.base_type_id)});
+    return resources;
+}
 
 std::string opengl_text(const Spirv& module, Language language, unsigned push_constant_binding) {
     const internal::Cross cross(module, SPVC_BACKEND_GLSL, "write the module as GLSL for OpenGL");

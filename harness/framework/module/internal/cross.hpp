@@ -3,6 +3,7 @@
 
 #include <spirv_cross_c.h>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "module/compile.hpp"
@@ -19,6 +20,9 @@ class Cross {
 
     // Throws std::runtime_error unless the call has succeeded.
     void require(spvc_result result) const;
+
+    [[nodiscard]] std::span<const spvc_reflected_resource> list(spvc_resources resources,
+                                                                spvc_resource_type type) const;
 
   private:
     struct Destroy {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "module/internal/editable.hpp"
 
-#include <spirv.h>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -47,6 +46,7 @@ std::optional<std::size_t> leading_ids(std::uint32_t opcode) {
                                                              {SpvOpFunctionCall, all},
                                                              {SpvOpTranspose, all},
                                                              {SpvOpCopyObject, all},
+                                                             {SpvOpExtInst, all},
                                                              {SpvOpVectorExtractDynamic, all},
                                                              {SpvOpVectorInsertDynamic, all},
                                                              {SpvOpLoad, 1},
@@ -56,10 +56,6 @@ std::optional<std::size_t> leading_ids(std::uint32_t opcode) {
                                                              {SpvOpCompositeInsert, 2}};
     const auto found = others.find(opcode);
     return found == others.end() ? std::nullopt : std::optional(found->second);
-}
-
-Spirv joined(const Op& op) {
-    return instruction(op.opcode, op.words);
 }
 
 }  // namespace
@@ -82,16 +78,15 @@ std::span<const std::uint32_t> Op::operands() const {
     return std::span(words).subspan((shape.type ? 1U : 0U) + (shape.result ? 1U : 0U));
 }
 
-bool Op::visit_ids(const std::function<void(std::uint32_t& id)>& visit) {
-    const std::size_t first = words.size() - operands().size();
-    if (opcode == SpvOpExtInst) {  // the set, then the number of the instruction
-        for (std::size_t i = first + 2; i < words.size(); ++i) visit(words[i]);
-        return true;
-    }
-    const auto ids = leading_ids(opcode);
-    if (!ids) return false;
-    for (std::size_t i = first; i < words.size() && i - first < *ids; ++i) visit(words[i]);
-    return true;
+bool Op::knows_ids() const {
+    return leading_ids(opcode).has_value();
+}
+
+void Op::visit_ids(const std::function<void(std::uint32_t& id)>& visit) {
+    const std::size_t begin = opcode == SpvOpExtInst ? 2 : 0;  // the set, then the number of the instruction
+    const std::size_t first = words.size() - operands().size() + begin;
+    const std::size_t ids = leading_ids(opcode).value_or(0);
+    for (std::size_t i = first; i < words.size() && i - first < ids; ++i) visit(words[i]);
 }
 
 bool Block::is_loop_header() const {
@@ -148,7 +143,7 @@ Spirv Editable::words() const {
     module[bound_word] = bound_;
     const auto add = [&module](const std::vector<Op>& ops) {
         for (const Op& op : ops) {
-            const Spirv words = joined(op);
+            const Spirv words = instruction(op.opcode, op.words);
             module.insert(module.end(), words.begin(), words.end());
         }
     };
@@ -187,18 +182,22 @@ Id Editable::global_of(std::uint32_t opcode, Id type, const std::vector<std::uin
     return id;
 }
 
-Id Editable::uint_constant(std::uint32_t value) {
-    return global_of(SpvOpConstant, uint_type(), {value});
+bool Editable::is_of_numbers(Id type) const {
+    const Op* op = global(type);
+    if (op == nullptr) return false;
+    if (op->opcode == SpvOpTypeVector || op->opcode == SpvOpTypeMatrix)
+        return is_of_numbers(op->operands()[0]);
+    return op->opcode == SpvOpTypeBool || op->opcode == SpvOpTypeInt || op->opcode == SpvOpTypeFloat;
 }
 
-std::map<Id, Id> Editable::types_of(const FunctionBody& function) const {
+std::map<Id, Id> Editable::types_of(const Spot& spot) const {
     std::map<Id, Id> types;
     const auto add = [&types](const Op& op) {
         if (op.type() != 0 && op.result() != 0) types[op.result()] = op.type();
     };
     for (const Op& op : globals_) add(op);
-    for (const Op& op : function.parameters) add(op);
-    for (const Block& block : function.blocks)
+    for (const Op& op : functions[spot.function].parameters) add(op);
+    for (const Block& block : blocks_of(*this, spot))
         for (const Op& op : block.ops) add(op);
     return types;
 }
@@ -221,22 +220,28 @@ void Editable::share_decorations(Id from, Id to, bool moves) {
 std::string Editable::name_of(Id id) const {
     for (const Op& op : debug_) {
         if (op.opcode != SpvOpName || op.words[0] != id) continue;
-        const Spirv words = joined(op);
+        const Spirv words = instruction(op.opcode, op.words);
         return literal_string({.opcode = SpvOpName, .words = words}, 2);
     }
     return {};
 }
 
-Id split(Editable& module, FunctionBody& function, std::size_t at, std::size_t position) {
-    Block& first = function.blocks[at];
-    const Id label = module.fresh();
+void Editable::insert(const Spot& spot, const std::vector<Op>& ops) {
+    std::vector<Op>& all = block_of(*this, spot).ops;
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(spot.op), ops.begin(), ops.end());
+}
+
+Id Editable::split(const Spot& spot) {
+    std::vector<Block>& blocks = blocks_of(*this, spot);
+    Block& first = blocks[spot.block];
+    const Id label = fresh();
     Block second{{Op{SpvOpLabel, {label}}}};
-    const auto cut = first.ops.begin() + static_cast<std::ptrdiff_t>(position);
+    const auto cut = first.ops.begin() + static_cast<std::ptrdiff_t>(spot.op);
     second.ops.insert(second.ops.end(), cut, first.ops.end());
     first.ops.erase(cut, first.ops.end());
     const Id before = first.label();
-    function.blocks.insert(function.blocks.begin() + static_cast<std::ptrdiff_t>(at) + 1, std::move(second));
-    for (Block& block : function.blocks)  // what came from the first part comes from the second now
+    blocks.insert(blocks.begin() + static_cast<std::ptrdiff_t>(spot.block) + 1, std::move(second));
+    for (Block& block : blocks)  // what came from the first part comes from the second now
         for (Op& op : block.ops)
             for (std::size_t w = 3; op.opcode == SpvOpPhi && w < op.words.size(); w += 2)
                 if (op.words[w] == before) op.words[w] = label;

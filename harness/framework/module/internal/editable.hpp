@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <spirv.h>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -29,10 +30,11 @@ struct Op {
     // The words behind the result.
     [[nodiscard]] std::span<const std::uint32_t> operands() const;
 
-    // Calls visit(id) for every operand that is an ID, behind the result. Returns false, without a call, for
-    // an instruction whose operands it does not know: it knows those that calculate, select, load, store
-    // and call.
-    bool visit_ids(const std::function<void(std::uint32_t& id)>& visit);
+    // Whether it is known which operands are IDs: of instructions that calculate, select, load, store and
+    // call.
+    [[nodiscard]] bool knows_ids() const;
+    // Calls visit(id) for each of these operands, behind the result; none where they are not known.
+    void visit_ids(const std::function<void(std::uint32_t& id)>& visit);
 };
 
 // A basic block: its first instruction is its label, its last one ends it.
@@ -52,6 +54,13 @@ struct FunctionBody {
     Op header;
     std::vector<Op> parameters;
     std::vector<Block> blocks;
+};
+
+// A place of an instruction.
+struct Spot {
+    std::size_t function = 0;
+    std::size_t block = 0;
+    std::size_t op = 0;
 };
 
 // A module taken apart, so that instructions and blocks can be added. Its words() is a module again.
@@ -74,12 +83,22 @@ class Editable {
     // none. `type`: 0 for a type.
     Id global_of(std::uint32_t opcode, Id type, const std::vector<std::uint32_t>& operands);
 
-    [[nodiscard]] Id bool_type() { return global_of(opcode_type_bool, 0, {}); }
-    [[nodiscard]] Id uint_type() { return global_of(opcode_type_int, 0, {32, 0}); }
-    [[nodiscard]] Id uint_constant(std::uint32_t value);
+    [[nodiscard]] Id bool_type() { return global_of(SpvOpTypeBool, 0, {}); }
+    [[nodiscard]] Id uint_type() { return global_of(SpvOpTypeInt, 0, {32, 0}); }
+    [[nodiscard]] Id uint_constant(std::uint32_t value) {
+        return global_of(SpvOpConstant, uint_type(), {value});
+    }
+    // Whether a type is one of numbers or truth values: scalars, vectors and matrices of them.
+    [[nodiscard]] bool is_of_numbers(Id type) const;
 
-    // The types of all results of a function, and of all global values.
-    [[nodiscard]] std::map<Id, Id> types_of(const FunctionBody& function) const;
+    // The types of all results of the spot's function, and of all global values.
+    [[nodiscard]] std::map<Id, Id> types_of(const Spot& spot) const;
+
+    // Inserts instructions before that of the spot.
+    void insert(const Spot& spot, const std::vector<Op>& ops);
+    // Divides the spot's block before its instruction; the second part, a new block behind it, gets the
+    // terminator. Returns the label of the second part.
+    Id split(const Spot& spot);
 
     // The decorations of an ID apply to another one as well. NoContraction, which is for arithmetic alone,
     // moves if `moves`.
@@ -92,9 +111,6 @@ class Editable {
     [[nodiscard]] std::string name_of(Id id) const;
 
   private:
-    static constexpr std::uint32_t opcode_type_bool = 20;
-    static constexpr std::uint32_t opcode_type_int = 21;
-
     std::vector<std::uint32_t> header_;
     std::vector<Op> debug_;  // capabilities to names
     std::vector<Op> decorations_;
@@ -103,8 +119,18 @@ class Editable {
     Id bound_ = 0;
 };
 
-// Divides the block `at` of the function before the instruction `position`; the second part, a new block
-// behind it, gets the terminator. Returns the label of the second part.
-Id split(Editable& module, FunctionBody& function, std::size_t at, std::size_t position);
+// The blocks of a spot's function, its block and its instruction. `module`: an Editable.
+template <class Module>
+[[nodiscard]] auto& blocks_of(Module& module, const Spot& spot) {
+    return module.functions[spot.function].blocks;
+}
+template <class Module>
+[[nodiscard]] auto& block_of(Module& module, const Spot& spot) {
+    return blocks_of(module, spot)[spot.block];
+}
+template <class Module>
+[[nodiscard]] auto& at(Module& module, const Spot& spot) {
+    return block_of(module, spot).ops[spot.op];
+}
 
 }  // namespace gloam::shader::internal

@@ -188,14 +188,14 @@ std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client 
 }
 
 Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots,
-               const Translation& how) {
+               Unreached unreached, bool lines) {
     Parse parse(stage, Client::vulkan, source.name, {source}, roots);
     Spirv module;
     spv::SpvBuildLogger logger;
     glslang::SpvOptions options;
-    options.generateDebugInfo = how.lines;
+    options.generateDebugInfo = lines;
     options.disableOptimizer = true;  // ours runs after it, with the passes that the caller chose
-    glslang::GlslangToSpv(parse.link(how.unreached), module, &logger, &options);
+    glslang::GlslangToSpv(parse.link(unreached), module, &logger, &options);
     const std::string messages = logger.getAllMessages();
     for (const char* failure : {"error: ", "Missing functionality: "})
         if (messages.find(failure) != std::string::npos) throw CompileError(source.name + ": " + messages);

@@ -105,14 +105,11 @@ class Parse {
 [[nodiscard]] ActiveText active_text(std::vector<Source> given, Language language, Stage stage,
                                      const std::vector<std::filesystem::path>& roots);
 
-struct Translation {
-    Unreached unreached = Unreached::dropped;
-    bool lines = false;  // see CompileOptions
-};
-
-// The text translated to SPIR-V by glslang, neither optimised nor validated. Throws CompileError.
+// The text translated to SPIR-V by glslang, neither optimised nor validated. `lines`: as in CompileOptions.
+// Throws CompileError.
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
-                             const std::vector<std::filesystem::path>& roots, const Translation& how = {});
+                             const std::vector<std::filesystem::path>& roots,
+                             Unreached unreached = Unreached::dropped, bool lines = false);
 
 // The errors of glslang's log as "file:line: message" lines. `file`: for messages without a place.
 [[nodiscard]] std::string error_lines(const std::string& log, const std::string& file);

@@ -62,17 +62,6 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
     return replay;
 }
 
-// What a script has to require, and the shader.
-report::ShaderReplay shader_replay_of(const gl::Version& version, const check::Reproduction& all,
-                                      report::KernelReplay kernel) {
-    const bool es = version.api == gl::Api::es;
-    return {.glsl = all.opengl_replay,
-            .compute = gl::has_compute(version),
-            .version = fmt::format("GL{} >= {}.{}", es ? " ES" : "", version.major, version.minor),
-            .glsl_version = fmt::format("GLSL{} >= {}.{}0", es ? " ES" : "", version.major, version.minor),
-            .kernel = std::move(kernel)};
-}
-
 // The module that failed, then the one before the steps, if it is another.
 std::vector<report::ReplayedModule> modules_of(const check::Reproduction& all) {
     std::vector<report::ReplayedModule> modules{
@@ -110,13 +99,15 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
     };
     HandOver hand_over;
     if (const auto opengl = gl::device_name_from(device.name)) {
-        const gl::Version& version = opengl->version;
+        const bool es = opengl->version.api == gl::Api::es;
+        const std::string number = fmt::format("{}.{}", opengl->version.major, opengl->version.minor);
         hand_over.glsl = all.opengl;
-        if (!has_images)
-            hand_over.shader_test = report::to_shader_test(shader_replay_of(
-                version, all,
-                replay(fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
-                                   version.api == gl::Api::es ? "_gles3" : ""))));
+        if (!has_images && gl::has_compute(opengl->version))
+            hand_over.shader_test = report::to_shader_test(
+                {all.opengl, fmt::format("GL{} >= {}", es ? " ES" : "", number),
+                 fmt::format("GLSL{} >= {}0", es ? " ES" : "", number),
+                 replay(fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
+                                    es ? "_gles3" : ""))});
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
         // They run compute shaders and ask for no features.
@@ -204,9 +195,9 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
     how.steps = hand_over.steps;
     how.rules = hand_over.rules;
     out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, how));
-    if (hand_over.error.empty() && !hand_over.shader_test.empty()) {
+    if (hand_over.error.empty() && hand_over.spirv.empty()) {  // of OpenGL
         out.write("shader.glsl", hand_over.glsl);
-        out.write("repro.shader_test", hand_over.shader_test);
+        if (!hand_over.shader_test.empty()) out.write("repro.shader_test", hand_over.shader_test);
     } else if (hand_over.error.empty()) {
         out.write("shader.comp", hand_over.glsl);
         out.write("shader.spvasm", hand_over.assembly);

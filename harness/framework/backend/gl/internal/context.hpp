@@ -88,16 +88,16 @@ struct Functions {
 
 // A context and the functions of its version.
 struct Context {
-    // Throws Unavailable, VersionRefused.
+    // Throws Unavailable.
     explicit Context(const DeviceName& name);
     ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    // Other devices of this thread may be current: to be called before OpenGL is. Throws CallFailed.
+    // Other devices of this thread may be current: to be called before OpenGL is. Throws backend::Error.
     const Functions& use() const;
 
-    // Throws backend::OutOfMemory, CallFailed when a call since the last check failed. `what`: was done
+    // Throws backend::Error when a call since the last check failed. `what`: was done
     // meanwhile.
     void check(const std::string& what) const;
 
