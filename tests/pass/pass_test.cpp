@@ -199,13 +199,14 @@ TEST_P(OnEachDevice, SharesMemoryInAGroup) {
 }
 
 TEST_P(OnEachDevice, OfTheLibraryIsRunAsItIs) {
-    const Image wall = make_image<float>({8, 6}, [](glm::ivec2) { return 2.0F; });
+    const glm::ivec2 hole{5, 1};
+    const Image wall = make_image<float>({8, 6}, [&](glm::ivec2 p) { return p == hole ? 0.0F : 2.0F; });
     const PassResult out = Pass(lab, "passes/study/normals_from_depth.comp")
                                .run({{"depth_image", wall},
                                      {"p00_p11", glm::vec2(1.5F, -2.0F)},
                                      {"size", glm::ivec2(8, 6)},
                                      {"orthographic", 0U}});
-    const auto to_the_eye = [](glm::ivec2) { return glm::vec4(0, 0, 1, 0); };
+    const auto to_the_eye = [&](glm::ivec2 p) { return glm::vec4(0, 0, p == hole ? 0 : 1, 0); };
     EXPECT_TRUE(out.image("normal_image").compare(make_image<glm::vec4>({8, 6}, to_the_eye)));
 }
 
