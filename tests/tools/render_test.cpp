@@ -10,7 +10,9 @@ class Render : public InFolder {
     // Those words at a small size, into the folder of that name.
     template <class... Texts>
     void render(const std::string& out, const std::string& line, const Texts&... arguments) const {
-        expect_success(gloam("render " + line + " --size 64x36 --out {}", arguments..., path(out)));
+        const bool drawn = line.find("--gbuffer ") == std::string::npos;  // an engine's buffers have a size
+        expect_success(
+            gloam("render " + line + (drawn ? " --size 64x36" : "") + " --out {}", arguments..., path(out)));
     }
 
     // A folder of four frames of a scene that moves, and what was made of them in "drawn".

@@ -53,8 +53,8 @@ class MutantFile {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] const std::string& text() const { return text_; }
     [[nodiscard]] const std::vector<shader::Mutation>& mutations() const { return mutations_; }
-    // What the compiler says of the text by itself; empty: it is valid. An include may need what stands before
-    // it: which of its faults compile is then not known.
+    // What the compiler says of the text by itself; empty: it is valid. An include may need what stands
+    // before it: which of its faults compile is then not known.
     [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
     // What other files make of a fault outside of functions, and what code is under other conditions of the
