@@ -111,7 +111,7 @@ TEST_F(Render, CutsStartAfresh) {
                              "no geometry");
 }
 
-// What is set by name is what was used, and what is listed is what can be set.
+// The list says which settings a frame reads, and the defaults that it has.
 TEST_F(Render, SettingsAreAsTheyAreListed) {
     const json settings = json::parse(output_of(gloam("list settings --json"))).at("settings");
     render("plain", "corner --radius 1");

@@ -5,9 +5,9 @@
 //   > FILE                    a file; the lines behind it are its text, four blanks before each
 //   $ WORDS => A && B         gloam with these words: status 0, no standard error, and A and B in its output
 //   $1 WORDS => A && B        another status, and anything on standard error
-//   ! WORDS : ROW || ROW      each row behind the words cannot run: status 2, no folder "out", and one line
-//                             on standard error without control characters, with the text in brackets, or
-//                             behind =>
+//   ! WORDS : ROW || ROW      each row behind the words cannot run: status 2, no folder "out". One line on
+//                             standard error, without control characters, holds the text that stands in
+//                             brackets or behind =>.
 //   again WORDS               gloam with these words has the output of the last run
 //   < FILE                    what follows is about this file, which is not empty
 //   = A && B, - A && B        it holds the texts, or none of them; ~ REGEX: it matches; ^ TEXT: it begins so

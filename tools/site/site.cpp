@@ -79,8 +79,7 @@ struct Written {
     bool supported = true;
 };
 
-// Prepares the checks, one after another: the compiler runs in a forked copy of this process, and a copy of a
-// process with several threads may inherit locks that nobody opens.
+// Prepares the checks, one after another.
 std::vector<Written> prepare_all(const check::Lab& lab, const SiteOptions& options,
                                  const catalogue::Entries& entries, const std::function<void(double)>& told) {
     std::vector<Written> all;

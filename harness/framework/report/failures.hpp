@@ -55,8 +55,8 @@ struct ReplayedModule {
 // One run of a generated OpenGL kernel for a single input.
 struct ShaderReplay {
     std::string glsl;          // a compute shader
-    std::string version;       // of the interface, as piglit requires it: "GL >= 4.5", "GL ES >= 3.0"
-    std::string glsl_version;  // "GLSL >= 4.50", "GLSL ES >= 3.00"
+    std::string version;       // of the interface, as piglit requires it: "GL >= 4.5", "GL ES >= 3.1"
+    std::string glsl_version;  // "GLSL >= 4.50", "GLSL ES >= 3.10"
     KernelReplay kernel;       // its comments, inputs, images and outputs
 };
 

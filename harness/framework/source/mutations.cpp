@@ -24,8 +24,7 @@ using internal::Piece;
 constexpr std::string_view comparisons = "< <= >, <= < >=, > >= <, >= > <=, == !=, != ==";
 constexpr std::string_view operators =
     "+ -, - +, * /, / *, % /, << >>, >> <<, & |, | &, ^ |, && ||, || &&, += -=, -= +=, *= /=, /= *=, |= &=, "
-    "&= |=, "
-    "^= |=, ++ --, -- ++, ! _, ~ _, <<= >>=, >>= <<=";
+    "&= |=, ^= |=, ++ --, -- ++, ! _, ~ _, <<= >>=, >>= <<=";
 constexpr std::string_view functions =
     "min max, max min, sin cos, cos sin, floor ceil, ceil floor, abs _, sqrt _, sign _, any all, all any, "
     "round floor, isnan isinf, isinf isnan, normalize _, roundEven floor, lessThan lessThanEqual, "

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdint>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -123,17 +122,13 @@ std::vector<fs::path> shaders_of(const std::vector<std::string>& paths) {
     return files;
 }
 
-// Whether a shader below the folder names the file in an #include.
-bool is_included(const fs::path& file, const fs::path& folder) {
-    static const std::regex include(R"((?:^|\n)[ \t]*#[ \t]*include[ \t]*["<]([^">\n]+)[">])");
-    for (const fs::path& other : shaders_of({folder.string()})) {
-        const std::string text = shader::read_text(other);
-        for (std::sregex_iterator one(text.begin(), text.end(), include), end; one != end; ++one) {
-            const std::string name = fs::path((*one)[1].str()).lexically_normal().filename().string();
-            if (name == file.filename() && fs::canonical(other) != file) return true;
-        }
-    }
-    return false;
+// Whether a shader below the folder includes the file, at once or through others.
+bool is_included(const fs::path& file, const fs::path& folder, const std::vector<std::string>& includes) {
+    return std::ranges::any_of(shaders_of({folder.string()}), [&](const fs::path& other) {
+        const auto read = shader::include_closure(shader::read_text(other), include_roots_of(other, includes),
+                                                  other.parent_path());
+        return std::ranges::any_of(read, [&](const auto& one) { return fs::equivalent(one.path, file); });
+    });
 }
 
 fs::path common_folder(const std::vector<fs::path>& files) {
@@ -191,7 +186,7 @@ void Trials::read_files() {
     // Of folders all is taken: which file is read behind which is the engine's matter.
     for (const check::MutantFile& file : files_)
         if (std::ranges::find(named, file.path()) != named.end() && !file.trouble().empty() &&
-            !is_included(file.path(), root_))
+            !is_included(file.path(), root_, command_.includes))
             throw shader::CompileError(file.trouble());
 }
 

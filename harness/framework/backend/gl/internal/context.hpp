@@ -97,8 +97,7 @@ struct Context {
     // Other devices of this thread may be current: to be called before OpenGL is. Throws backend::Error.
     const Functions& use() const;
 
-    // Throws backend::Error when a call since the last check failed. `what`: was done
-    // meanwhile.
+    // Throws backend::Error when a call since the last check failed. `what`: was done meanwhile.
     void check(const std::string& what) const;
 
     [[nodiscard]] std::string text(GLenum what) const;
