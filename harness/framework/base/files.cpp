@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
@@ -80,17 +81,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Not derived from `path`, because its name may already have the maximal length.
-fs::path neighbour_of(const fs::path& path) {
+// A word that no name had before.
+std::string new_word() {
     std::random_device entropy;
-    return path.parent_path() / fmt::format(".gloam-{:08x}{:08x}.part", entropy(), entropy());
+    return fmt::format("{:08x}{:08x}", entropy(), entropy());
 }
 
 // Creates a file with an unpredictable name.
 std::pair<fs::path, FileDescriptor> new_neighbour_of(const fs::path& path) {
     constexpr int attempts = 8;
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        fs::path name = neighbour_of(path);
+        // Not derived from `path`, because its name may already have the maximal length.
+        fs::path name = path.parent_path() / fmt::format(".gloam-{}.part", new_word());
         FileDescriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
         if (file.is_open()) return {std::move(name), beyond_standard(std::move(file))};
         if (errno != EEXIST) fail_to_write(path, errno);
@@ -127,19 +129,50 @@ void write_file(const fs::path& path, std::string_view bytes) {
     fail_to_write(path, error);
 }
 
+namespace {
+
+// A folder, and those around it that are missing.
+std::vector<fs::path> with_missing(fs::path folder) {
+    std::vector<fs::path> all{std::move(folder)};
+    std::error_code none;
+    for (fs::path around = all[0].parent_path(); !around.empty() && !fs::exists(around, none);
+         around = around.parent_path())
+        all.push_back(around);
+    return all;
+}
+
+// Returns 0, or the error number.
+int make_folder(const fs::path& path) {
+    std::error_code error;
+    constexpr int attempts = 100;  // another process that made the parent may remove it between the two steps
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        fs::create_directories(path.parent_path(), error);
+        if (error) continue;
+        if (mkdir(path.c_str(), S_IRWXU) == 0) return 0;
+        if (errno != ENOENT) return errno;
+    }
+    return error ? error.value() : ENOENT;
+}
+
+}  // namespace
+
 TemporaryFolder::TemporaryFolder(std::string_view purpose)
-    : TemporaryFolder((fs::temp_directory_path() / fmt::format("gloam-{}-XXXXXX", purpose)).string(), {}) {}
+    : TemporaryFolder(
+          std::vector{fs::temp_directory_path() / fmt::format("gloam-{}-{}", purpose, new_word())}) {}
 
-TemporaryFolder::TemporaryFolder(const fs::path& parent, const std::vector<fs::path>& around)
-    : TemporaryFolder((parent / ".gloam-part-XXXXXX").string(), around) {}
+TemporaryFolder TemporaryFolder::in(const fs::path& parent) {
+    return TemporaryFolder(with_missing(parent / (".gloam-part-" + new_word())));
+}
 
-TemporaryFolder::TemporaryFolder(std::string name, const std::vector<fs::path>& around) {
-    leave_a_guard();  // before the folder, which is then never without one
-    if (mkdtemp(name.data()) == nullptr)
-        throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
-    path_ = name;
-    for (const fs::path& folder : around) name += '\0' + folder.string();
-    (void)!send(alive_.get(), name.data(), name.size() + 1, MSG_NOSIGNAL);
+TemporaryFolder::TemporaryFolder(std::vector<fs::path> made) : made_(std::move(made)) {
+    leave_a_guard();
+    std::string names;
+    for (const fs::path& folder : made_) names += folder.string() + '\0';
+    (void)!send(alive_.get(), names.data(), names.size(), MSG_NOSIGNAL);
+    if (const int error = make_folder(path())) {
+        remove();
+        fail_to_write(path().parent_path(), error);
+    }
 }
 
 // It reads the folders' names from its input, which ends with this process. It leads a session of its own:
@@ -165,8 +198,13 @@ void TemporaryFolder::leave_a_guard() {
 }
 
 TemporaryFolder::~TemporaryFolder() {
+    remove();
+}
+
+void TemporaryFolder::remove() {
     std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    fs::remove_all(path(), ignored);
+    for (const fs::path& folder : made_) rmdir(folder.c_str());
     if (guard_ > 0 && kill(guard_, SIGKILL) == 0) waitpid(guard_, nullptr, 0);
 }
 

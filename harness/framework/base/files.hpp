@@ -54,27 +54,28 @@ constexpr std::size_t largest_text = std::size_t{64} << 20;  // bytes
 [[nodiscard]] int write_all(FileDescriptor file, std::string_view bytes);
 
 // A new empty folder for files of this process. It is removed with the object, and all that it holds; if the
-// process is killed before, by a program that outlives it.
+// process is killed before, by a program that outlives it and that knows its name before the folder is there.
 class TemporaryFolder {
   public:
-    // `purpose`: a part of its name. Throws std::system_error.
+    // `purpose`: a part of its name. Throws std::runtime_error that names the parent.
     explicit TemporaryFolder(std::string_view purpose);
-    // In another folder, with a hidden name. `around`: folders that are removed, too, where the process is
-    // killed, as far as they are empty then; the innermost first.
-    TemporaryFolder(const std::filesystem::path& parent, const std::vector<std::filesystem::path>& around);
+    // In another folder, with a hidden name. Creates that folder if it is missing, and those around it; they
+    // are removed as well, as far as they are empty then.
+    static TemporaryFolder in(const std::filesystem::path& parent);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return made_.front(); }
 
   private:
-    TemporaryFolder(std::string name, const std::vector<std::filesystem::path>& around);
+    explicit TemporaryFolder(std::vector<std::filesystem::path> made);
     void leave_a_guard();
+    void remove();
 
-    std::filesystem::path path_;
-    FileDescriptor alive_;  // closed when this process ends
-    int guard_ = -1;        // the program's process
+    std::vector<std::filesystem::path> made_;  // it, and the folders around it, the innermost first
+    FileDescriptor alive_;                     // closed when this process ends
+    int guard_ = -1;                           // the program's process
 };
 
 // Creates or replaces a file atomically: no reader sees a part of it, not even when two processes write it at

@@ -97,45 +97,25 @@ class FolderLock {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
-    if (folder_.empty()) folder_ = ".";
-    std::error_code error;
-    for (fs::path missing = folder_; !missing.empty() && !fs::exists(missing, error);
-         missing = missing.parent_path())
-        made_.push_back(missing);
-    fs::create_directories(folder_, error);
-    if (error) {
-        for (const fs::path& made : made_) rmdir(made.c_str());
-        fail_to_write(folder_, error.value());
-    }
-    if (!fs::is_directory(folder_, error)) fail_to_write(folder_, ENOTDIR);
-    if (access(folder_.c_str(), W_OK | X_OK) != 0) fail_to_write(folder_, errno);
-}
-
-OutputFolder::~OutputFolder() {
-    waiting_.reset();
-    for (const fs::path& made : made_) rmdir(made.c_str());
-}
+OutputFolder::OutputFolder(fs::path folder)
+    : folder_(folder.empty() ? fs::path(".") : std::move(folder)),
+      waiting_(base::TemporaryFolder::in(folder_)) {}
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
     require_file_name(name);
     const fs::path file = folder_ / name;
     std::error_code none;
     if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
-    fs::create_directories(folder_, none);  // another run that had made it may have removed it
-    if (!waiting_) waiting_.emplace(folder_, made_);
     names_.insert(name);
-    write_in_place(waiting_->path() / name, bytes, file);
+    write_in_place(waiting_.path() / name, bytes, file);
 }
 
 void OutputFolder::keep() {
-    made_.clear();
     const FolderLock lock(folder_);
     for (const std::string& name : names_)
-        if (rename((waiting_->path() / name).c_str(), (folder_ / name).c_str()) != 0)
+        if (rename((waiting_.path() / name).c_str(), (folder_ / name).c_str()) != 0)
             fail_to_write(folder_ / name, errno);
     names_.clear();
-    waiting_.reset();
 }
 
 namespace {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -30,16 +29,13 @@ class OutputFile {
 
 // A folder that receives the files of one run: all of them, or none. They come into it when keep() is called.
 // Until then they are in a hidden folder below it, which is removed with the object, as are folders that it
-// created, and also where the process is killed. If several runs use one folder, each keeps all of its files
-// at once.
+// created and that are empty, and also where the process is killed. If several runs use one folder, each
+// keeps all of its files at once.
 class OutputFolder {
   public:
     // Creates the folder if it is missing. Throws std::runtime_error with its name if it cannot be created or
     // written to, before any work.
     explicit OutputFolder(std::filesystem::path folder);
-    ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
@@ -52,8 +48,7 @@ class OutputFolder {
 
   private:
     std::filesystem::path folder_;
-    std::vector<std::filesystem::path> made_;  // folders, innermost first
-    std::optional<base::TemporaryFolder> waiting_;
+    base::TemporaryFolder waiting_;
     std::set<std::string> names_;  // of the files in it
 };
 
