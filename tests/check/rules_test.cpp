@@ -210,6 +210,8 @@ TEST_F(RulesTest, SpecialsAreJudgedByInstruction) {
           {"abs_is_number", -2.0F, 0.0F, true},
           {"least", infinity, 7.0F, false},  // nor FMin
           {"least", 5.0F, 7.0F, true},
+          {"half_of", infinity, 7.0F, false},  // nor PackHalf2x16
+          {"half_of", 1e6F, 7.0F, true},
           {"difference", infinity, 7.0F, true},  // all list OpFSub
           {"difference", infinity, infinity, false},
           {"quotient", 1.0F, 5.0F, true},  // a division by zero is an infinity

@@ -20,7 +20,7 @@ enum class Specials { bound, newer, unbound };
 
 struct Rule {
     std::string_view operations;  // names as ExplainedStep::operation has them, between blanks
-    std::string_view clause;      // a quotation
+    std::string_view clause;      // a quotation, its formula in ASCII
     std::string_view text = {};   // what it means; empty: as it stands
     Specials specials = Specials::unbound;
 };
@@ -66,16 +66,17 @@ constexpr std::array rules{
     Rule{" Atan Atan2 ", "4096 ULP."},
     Rule{" Asin ", "Inherited from atan2(x, sqrt(1.0 - x * x))."},
     Rule{" Acos ", "Inherited from atan2(sqrt(1.0 - x * x), x)."},
-    Rule{" Sinh Cosh Tanh ", "Inherited from (exp(x) -+ exp(-x)) * 0.5, sinh()/cosh().",
-         "inherited from sums and quotients of exp(x) and exp(-x)"},
+    Rule{" Sinh ", "Inherited from (exp(x) - exp(-x)) * 0.5."},
+    Rule{" Cosh ", "Inherited from (exp(x) + exp(-x)) * 0.5."},
+    Rule{" Tanh ", "Inherited from sinh() / cosh().", "inherited from sinh(x) / cosh(x)"},
     Rule{" Length ", "Inherited from sqrt(dot(x, x))."},
     Rule{" Distance ", "Inherited from length(x - y)."},
     Rule{" Normalize ", "Inherited from x * inversesqrt(dot(x, x))."},
     Rule{" Cross ", "Inherited from OpFSub(OpFMul, OpFMul).", "inherited from differences of products"},
     Rule{" Reflect ", "Inherited from x - 2.0 * dot(y, x) * y."},
     Rule{" FMix ", "Inherited from x * (1.0 - a) + y * a."},
-    Rule{" SmoothStep ", "Inherited from t * t * (3.0 - 2.0 * t).",
-         "inherited from t * t * (3.0 - 2.0 * t), t = clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0)"},
+    Rule{" SmoothStep ",
+         "Inherited from t * t * (3.0 - 2.0 * t), where t = clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0)."},
 };
 
 std::string text_of(const Rule& rule) {

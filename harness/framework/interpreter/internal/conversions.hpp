@@ -205,8 +205,12 @@ void do_unpack_halves(State<N>& s, const Instruction& i) {
 
 template <class N>
 void pack_half(State<N>& s, const Instruction& i) {
-    const Word low = apply(HalfBits{}, s.number(i, i.a));
-    s.set(i, i.result, low | apply(HalfBits{}, s.number(i, i.a + 1)) << 16U);
+    const auto bits_of = [&](std::uint32_t slot) {
+        const N x = s.number(i, slot);
+        return apply(HalfBits{}, assumed(i, x, x));
+    };
+    const Word low = bits_of(i.a);
+    s.set(i, i.result, low | bits_of(i.a + 1) << 16U);
 }
 
 template <class N>
