@@ -46,6 +46,17 @@ TEST_F(PlainSlicesTest, EstimatesWhatGtaoEstimates) {
     EXPECT_GT(difference(0.4 * scene.ao_radius), 2.0 * same);
 }
 
+// Pixels of one slice and one tap, whose place is noise: other noise is another opponent.
+TEST_F(PlainSlicesTest, TakesTheNoiseThatItNames) {
+    const scene::Scene scene = scene::make_scene("columns");
+    const scene::GBuffer view = drawn(scene, extent);
+    const PlainFrame frame = plain(view, scene.ao_radius, {.slices = 1, .steps = 1});
+    constexpr auto known = std::to_array<std::pair<std::size_t, float>>(
+        {{185, 0.4720F}, {740, 0.5485F}, {2294, 0.8658F}, {3145, 0.7467F}, {5106, 0.5138F}});
+    for (const auto& [pixel, occlusion] : known)
+        EXPECT_NEAR(frame.occlusion[pixel], occlusion, 1e-3) << pixel;
+}
+
 // A blur removes noise and keeps to the surface; the second one takes what the first has made.
 TEST_F(PlainSlicesTest, BlursAsOftenAsAsked) {
     const scene::Scene scene = scene::make_scene("columns");
