@@ -143,15 +143,15 @@ std::vector<fs::path> with_missing(fs::path folder) {
 
 // Returns 0, or the error number.
 int make_folder(const fs::path& path) {
-    std::error_code error;
     constexpr int attempts = 100;  // another process that made the parent may remove it between the two steps
     for (int attempt = 0; attempt < attempts; ++attempt) {
+        std::error_code error;
         fs::create_directories(path.parent_path(), error);
-        if (error) continue;
-        if (mkdir(path.c_str(), S_IRWXU) == 0) return 0;
-        if (errno != ENOENT) return errno;
+        if (!error && mkdir(path.c_str(), S_IRWXU) == 0) return 0;
+        const int reason = error ? error.value() : errno;
+        if (reason != ENOENT) return reason;
     }
-    return error ? error.value() : ENOENT;
+    return ENOENT;
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ class FolderLock {
   public:
     explicit FolderLock(const fs::path& folder)
         : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        if (!file_.is_open()) return;  // put() reports the reason
+        if (!file_.is_open()) return;  // keep() reports the reason
         while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
         }
     }
