@@ -145,11 +145,13 @@ glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, 
     const double radius = double{settings.radius};
     numeric::Random random(11);
     glm::dvec3 sum(0);
-    constexpr int count = 80'000;
-    for (int i = 0; i < count; ++i) {
+    double count = 0.0;
+    for (int i = 0; i < 80'000; ++i) {
         const glm::dvec3 point =
             reference::gloam_hemisphere_uniform(glm::dvec3(random.unit(), random.unit(), random.unit()));
         const glm::dvec3 there = position + radius * (frame * point);
+        if (there.z >= 0.0) continue;  // behind the eye
+        count += 1.0;
         const glm::ivec2 seen =
             reference::gloam_nearest_pixel(reference::gloam_camera_uv(there, camera), camera.size);
         const glm::dvec2 ray(reference::gloam_camera_position(seen, 1.0, camera));
@@ -163,13 +165,14 @@ glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, 
                                             glm::dvec3(light.direct[at(seen)]), radius,
                                             double{settings.own.epsilon}, 0.0);
     }
-    return glm::dvec3(view.color[at(pixel)]) * sum / double{count};
+    return glm::dvec3(view.color[at(pixel)]) * sum / count;
 }
 
-// The corner's walls are red and green.
-TEST_F(Directions, AWallTintsTheFloorBesideIt) {
+// The corner's walls are red and green. Of the larger radius many samples are behind the eye.
+class Bounces : public Directions, public testing::WithParamInterface<float> {};
+TEST_P(Bounces, AWallTintsTheFloorBesideIt) {
     const scene::GBuffer view = drawn("corner", {64, 36}, {.color = true});
-    const Settings settings = many();
+    const Settings settings = many(GetParam());
     const DirectionalLight light = directional_.light(view, settings, Sky{});
     int red = 0;
     int green = 0;
@@ -192,10 +195,15 @@ TEST_F(Directions, AWallTintsTheFloorBesideIt) {
     EXPECT_GT(green, 20);
     EXPECT_GT(compared, 100);
 }
+INSTANTIATE_TEST_SUITE_P(Radii, Bounces, testing::Values(1.0F, 6.0F), testing::PrintToStringParamName());
 
-TEST_F(Directions, BackgroundHasNoBentNormal) {
+TEST_F(Directions, BackgroundHasNoBentNormalAndNoLight) {
     scene::GBuffer view = step(3.0F, 3.0F);
     view.depth[100] = infinity;
+    view.color.assign(view.depth.size(), glm::vec3(1));
+    const DirectionalLight light = directional_.light(view, many(), clear_sky);
+    EXPECT_EQ(light.direct[100], glm::vec3(0));
+    EXPECT_EQ(light.bounced[100], glm::vec3(0));
     for (const int interleave : {1, 4}) {
         const BentNormals bent = directional_.bent_normals(view, many(), {.interleave = interleave});
         EXPECT_EQ(bent.direction[100], glm::vec3(0)) << interleave;

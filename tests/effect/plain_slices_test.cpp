@@ -46,15 +46,22 @@ TEST_F(PlainSlicesTest, EstimatesWhatGtaoEstimates) {
     EXPECT_GT(difference(0.4 * scene.ao_radius), 2.0 * same);
 }
 
-// Pixels of one slice and one tap, whose place is noise: other noise is another opponent.
-TEST_F(PlainSlicesTest, TakesTheNoiseThatItNames) {
+// Pixels of one slice and one tap, whose place is noise, and of their blur: another one is another opponent.
+TEST_F(PlainSlicesTest, KeepsItsPixels) {
     const scene::Scene scene = scene::make_scene("columns");
     const scene::GBuffer view = drawn(scene, extent);
-    const PlainFrame frame = plain(view, scene.ao_radius, {.slices = 1, .steps = 1});
-    constexpr auto known = std::to_array<std::pair<std::size_t, float>>(
-        {{185, 0.4720F}, {740, 0.5485F}, {2294, 0.8658F}, {3145, 0.7467F}, {5106, 0.5138F}});
-    for (const auto& [pixel, occlusion] : known)
+    PlainSlices slices(device_, passes_, extent, {.slices = 1, .steps = 1}, 1);
+    slices.take(view, static_cast<float>(scene.ao_radius));
+    const PlainFrame frame = slices.next();
+    constexpr auto known = std::to_array<std::tuple<std::size_t, float, float>>({{185, 0.4720F, 0.2349F},
+                                                                                 {740, 0.5485F, 0.2414F},
+                                                                                 {2294, 0.8658F, 0.6575F},
+                                                                                 {3145, 0.7467F, 0.5493F},
+                                                                                 {5106, 0.5138F, 0.3450F}});
+    for (const auto& [pixel, occlusion, blurred] : known) {
         EXPECT_NEAR(frame.occlusion[pixel], occlusion, 1e-3) << pixel;
+        EXPECT_NEAR(frame.blurred[pixel], blurred, 1e-3) << pixel;
+    }
 }
 
 // A blur removes noise and keeps to the surface; the second one takes what the first has made.

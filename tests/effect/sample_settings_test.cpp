@@ -179,28 +179,6 @@ TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     EXPECT_LT(noise_after_filter(Rotation::lattice), 0.8 * noise_after_filter(Rotation::hash));
 }
 
-// What passes prepare is rotated as what reads it.
-TEST_F(SampleSettings, PreparedDirectionsAreRotatedAlike) {
-    Settings settings = plain("separable");
-    settings.c_rot = 2.0F;
-    const auto prepared_and_shown = [&](Rotation rotation) {
-        settings.rotation = rotation;
-        AmbientOcclusion effect(device_, passes_, {96, 64});
-        std::vector<float> prepared;
-        effect.watch([&](const Step& pass, bool after) {
-            if (after && pass.name == "first_direction") prepared = image_of(pass, 3).download();
-        });
-        effect.begin(drawn(scene_, {96, 64}), settings);
-        const std::vector<float> shown = effect.next().occlusion;
-        return std::pair(prepared, shown);
-    };
-    const auto hash = prepared_and_shown(Rotation::hash);
-    const auto lattice = prepared_and_shown(Rotation::lattice);
-    EXPECT_FALSE(hash.first.empty());
-    EXPECT_NE(hash.first, lattice.first);
-    EXPECT_NE(hash.second, lattice.second);
-}
-
 // The mean of two frames with the same number of samples, (a + b) / 2, determines the second one.
 TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
     scene_ = scene::make_scene("corner");
