@@ -212,6 +212,18 @@ TEST_F(RulesTest, SpecialsAreJudgedByInstruction) {
           {"least", 5.0F, 7.0F, true},
           {"half_of", infinity, 7.0F, false},  // nor PackHalf2x16
           {"half_of", 1e6F, 7.0F, true},
+          {"is_infinite", infinity, 0.0F, false},
+          {"is_infinite", 1.0F, 1.0F, true},
+          {"scaled", infinity, 7.0F, false},  // nor any other extended instruction
+          {"scaled", 8.0F, 7.0F, true},
+          {"whole_part", infinity, 7.0F, false},
+          {"whole_part", 8.5F, 7.0F, true},
+          {"packed", infinity, 7.0F, false},
+          {"packed", 1.0F, 7.0F, true},
+          {"beside", infinity, 7.0F, false},
+          {"beside", 3.0F, 1.0F, true},
+          {"facing", infinity, 7.0F, false},
+          {"facing", 2.0F, 7.0F, true},
           {"difference", infinity, 7.0F, true},  // all list OpFSub
           {"difference", infinity, infinity, false},
           {"quotient", 1.0F, 5.0F, true},  // a division by zero is an infinity

@@ -143,7 +143,8 @@ class Formula {
 [[nodiscard]] bool is_special(const Interval& x);
 
 // Comparisons: false with NaN, as in IEEE 754 (!= true). Undecided for NaN and infinity if these are not kept
-// (Paths::Specials): the first wordings of SignedZeroInfNanPreserve list no comparison.
+// (Paths::Specials): the first wordings of SignedZeroInfNanPreserve list no comparison, and none a test of
+// them.
 [[nodiscard]] bool operator<(const Interval& a, const Interval& b);
 [[nodiscard]] bool operator<=(const Interval& a, const Interval& b);
 [[nodiscard]] bool operator>(const Interval& a, const Interval& b);

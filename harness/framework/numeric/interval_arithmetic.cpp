@@ -312,10 +312,12 @@ bool operator!=(const Interval& a, const Interval& b) {
 }
 
 bool is_nan(const Interval& x) {
+    if (const auto answer = answer_of_specials(x, x)) return *answer;
     return decide(x.may_be_nan(), !x.bounds().empty());
 }
 
 bool is_infinite(const Interval& x) {
+    if (const auto answer = answer_of_specials(x, x)) return *answer;
     const bool infinite = !x.bounds().empty() && (x.low() == -infinity || x.high() == infinity);
     const bool finite = !x.bounds().empty() && (x.low() < infinity && x.high() > -infinity);
     return decide(infinite, finite || x.may_be_nan());

@@ -14,9 +14,10 @@ namespace gloam::interpreter::internal {
 
 // Whether SignedZeroInfNanPreserve binds an operation in each of its wordings, from Vulkan 1.1.95 on. Of the
 // division, which is listed since 1.3.296, the older ones say in a sentence what a zero gives.
-[[nodiscard]] constexpr bool keeps_specials(std::uint16_t opcode) {
-    return opcode == SpvOpFConvert || opcode == SpvOpFNegate || opcode == SpvOpFAdd || opcode == SpvOpFSub ||
-           opcode == SpvOpFMul || opcode == SpvOpFDiv;
+[[nodiscard]] constexpr bool keeps_specials(const Instruction& i) {
+    if ((i.flags & flags::derivative) != 0) return false;
+    return i.op == SpvOpFConvert || i.op == SpvOpFNegate || i.op == SpvOpFAdd || i.op == SpvOpFSub ||
+           i.op == SpvOpFMul || i.op == SpvOpFDiv;
 }
 
 // The result of an operation: anything if an operand is a NaN or an infinity that it need not keep.
@@ -26,7 +27,7 @@ template <class N, class... Operands>
     if constexpr (has_bounds<N>) {
         const auto is_special = [](const auto& x) { return numeric::is_special(settled(x)); };
         const bool kept = Paths::specials() == Paths::Specials::kept ||
-                          (Paths::specials() == Paths::Specials::listed && keeps_specials(i.op));
+                          (Paths::specials() == Paths::Specials::listed && keeps_specials(i));
         if (!kept && (is_special(operands) || ...)) return undefined_number<N>();
     }
     return result;

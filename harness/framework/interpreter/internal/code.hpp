@@ -72,6 +72,7 @@ inline constexpr std::uint8_t half = 4;             // 16-bit floats
 inline constexpr std::uint8_t is_signed = 8;        // integers
 inline constexpr std::uint8_t result_is_used = 16;  // of an atomic operation
 inline constexpr std::uint8_t reads_first = 32;     // all operands before the first result
+inline constexpr std::uint8_t derivative = 64;      // a part of one, though the operation is arithmetic
 }  // namespace flags
 
 struct Instruction {

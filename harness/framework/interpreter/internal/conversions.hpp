@@ -89,8 +89,10 @@ struct Scale {
 
 template <class N>
 void load_exponent(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, apply(Scale{as_int(s.bits(i.b + k))}, s.number(i, i.a + k)));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        s.set(i, i.result + k, assumed(i, apply(Scale{as_int(s.bits(i.b + k))}, x), x));
+    }
 }
 
 // The fraction of an infinite number is 0 or NaN: no text says which.
@@ -110,8 +112,8 @@ void modf(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N x = s.number(i, i.a + k);
         const N whole = apply(Trunc{}, x);
-        s.set(i, i.result + k, with_zero_of_infinity(x, apply(Subtract{}, x, whole)));
-        s.set(i, i.result + i.count + k, whole);
+        s.set(i, i.result + k, assumed(i, with_zero_of_infinity(x, apply(Subtract{}, x, whole)), x));
+        s.set(i, i.result + i.count + k, assumed(i, whole, x));
     }
 }
 
@@ -152,8 +154,9 @@ void pack(State<N>& s, const Instruction& i) {
     constexpr double scale = Signed ? (1U << (width - 1U)) - 1U : mask_of(width);
     Word packed = 0;
     for (std::uint32_t k = 0; k < Fields; ++k) {
+        const N x = s.number(i, i.a + k);
         const N clamped =
-            apply(Clamp{}, s.number(i, i.a + k), constant<N>(Signed ? -1.0 : 0.0), constant<N>(1.0));
+            assumed(i, apply(Clamp{}, x, constant<N>(Signed ? -1.0 : 0.0), constant<N>(1.0)), x);
         const N scaled = apply(Round{}, apply(Multiply{}, clamped, constant<N>(scale)));
         packed |= (static_cast<Word>(apply(ToInteger<std::int32_t>{}, scaled)) & mask_of(width))
                   << (k * width);

@@ -67,6 +67,7 @@ class Lowering {
     bool lower_composite(const shader::Instruction& i, Scope& scope);
     bool lower_matrix(const shader::Instruction& i, Scope& scope);
     bool lower_atomic(const shader::Instruction& i, Scope& scope);
+    void lower_fetch(const shader::Instruction& i, Scope& scope);
     bool lower_image(const shader::Instruction& i, Scope& scope);
     bool lower_sampling(const shader::Instruction& i, Scope& scope);
     bool lower_group(const shader::Instruction& i, Scope& scope);

@@ -45,6 +45,8 @@ bool Lowering::lower_group(const shader::Instruction& i, Scope& scope) {
     return false;
 }
 
+constexpr std::uint8_t of_derivative = flags::no_contraction | flags::derivative;
+
 // The difference between the two invocations of a row or a column of the quad.
 Slot Lowering::lower_difference(Slot of, std::uint32_t count, std::uint32_t pick, std::uint8_t how) {
     const Slot low = new_slots(count);
@@ -52,7 +54,7 @@ Slot Lowering::lower_difference(Slot of, std::uint32_t count, std::uint32_t pick
     const Slot result = new_slots(count);
     emit(neighbour, count, low, of).extra = pick;
     emit(neighbour, count, high, of).extra = pick | second;
-    emit(SpvOpFSub, count, result, high, low).flags = static_cast<std::uint8_t>(how | flags::no_contraction);
+    emit(SpvOpFSub, count, result, high, low).flags = how | of_derivative;
     return result;
 }
 
@@ -84,8 +86,7 @@ void Lowering::lower_derivative(const shader::Instruction& i, Scope& scope) {
         magnitudes.at(axis) = new_slots(count);
         emit(extended + GLSLstd450FAbs, count, magnitudes.at(axis), slope).flags = how;
     }
-    emit(SpvOpFAdd, count, result, magnitudes[0], magnitudes[1]).flags =
-        static_cast<std::uint8_t>(how | flags::no_contraction);
+    emit(SpvOpFAdd, count, result, magnitudes[0], magnitudes[1]).flags = how | of_derivative;
 }
 
 // Of a sampler without a level: its coordinates, divided if they are projected, whose derivatives select the

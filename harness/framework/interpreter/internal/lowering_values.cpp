@@ -225,6 +225,29 @@ void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
 
 // Images: fetches, loads, stores and sizes, without filtering.
 
+void Lowering::lower_fetch(const shader::Instruction& i, Scope& scope) {
+    const auto operand = [&](std::size_t word) { return slot_of(i.word(word), scope); };
+    const std::uint32_t components = module_.types.slots(type_of(i.word(4), scope));
+    // How integers of fewer bits become 32: texels are given with 32.
+    constexpr std::uint32_t extensions = SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask;
+    const std::uint32_t operands = i.words.size() > 5 ? i.word(5) & ~extensions : 0;
+    const bool level = (operands & SpvImageOperandsLodMask) != 0;
+    const bool offset = (operands & SpvImageOperandsConstOffsetMask) != 0;
+    if ((operands & ~(SpvImageOperandsLodMask | SpvImageOperandsConstOffsetMask)) != 0)
+        fail(Error::Kind::unknown_instruction, "a fetch of a sample, or with a variable offset");
+    Slot at = operand(4);
+    if (offset) {
+        const Slot moved = new_slots(components);
+        emit(SpvOpIAdd, components, moved, at, operand(level ? 7 : 6));
+        at = moved;
+    }
+    Instruction& instruction = emit(image_load, module_.types.slots(i.word(1)), operand(2), operand(3), at);
+    instruction.c = components;
+    instruction.flags = flags_of(i.word(2), i.word(1));
+    // Without a level operand it reads level 0.
+    instruction.extra = level ? operand(6) + 1 : 0;
+}
+
 bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
     const auto operand = [&](std::size_t word) { return slot_of(i.word(word), scope); };
     const auto components = [&](std::size_t word) {
@@ -236,29 +259,9 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
             emit(copy, 1, operand(2), operand(3));
             return true;
         case SpvOpImageFetch:
-        case SpvOpImageRead: {
-            // How integers of fewer bits become 32: texels are given with 32.
-            constexpr std::uint32_t extensions =
-                SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask;
-            const std::uint32_t operands = i.words.size() > 5 ? i.word(5) & ~extensions : 0;
-            const bool level = (operands & SpvImageOperandsLodMask) != 0;
-            const bool offset = (operands & SpvImageOperandsConstOffsetMask) != 0;
-            if ((operands & ~(SpvImageOperandsLodMask | SpvImageOperandsConstOffsetMask)) != 0)
-                fail(Error::Kind::unknown_instruction, "a fetch of a sample, or with a variable offset");
-            Slot at = operand(4);
-            if (offset) {
-                const Slot moved = new_slots(components(4));
-                emit(SpvOpIAdd, components(4), moved, at, operand(level ? 7 : 6));
-                at = moved;
-            }
-            Instruction& instruction =
-                emit(image_load, module_.types.slots(i.word(1)), operand(2), operand(3), at);
-            instruction.c = components(4);
-            instruction.flags = flags_of(i.word(2), i.word(1));
-            // Without a level operand it reads level 0.
-            instruction.extra = level ? operand(6) + 1 : 0;
+        case SpvOpImageRead:
+            lower_fetch(i, scope);
             return true;
-        }
         case SpvOpImageWrite: {
             const Type& image = module_.types.at(type_of(i.word(1), scope));
             Instruction& instruction = emit(image_store, std::min(components(3), channels_of(image)), 0,

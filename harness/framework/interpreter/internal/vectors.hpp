@@ -131,8 +131,10 @@ void distance(State<N>& s, const Instruction& i) {
 
 template <class N>
 void normalize(State<N>& s, const Instruction& i) {
-    const N scale =
-        numeric::Formula::step([&] { return apply(InverseSqrt{}, dot(s, i, i.a, i.a, i.count)); });
+    const N scale = numeric::Formula::step([&] {
+        const N square = dot(s, i, i.a, i.a, i.count);
+        return assumed(i, apply(InverseSqrt{}, square), square);
+    });
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N x = s.number(i, i.a + k);
         s.set(i, i.result + k, of_finite(i, apply(Multiply{}, x, scale)));
@@ -181,10 +183,11 @@ void refract(State<N>& s, const Instruction& i) {
 // N where dot(Nref, I) < 0, else -N.
 template <class N>
 void face_forward(State<N>& s, const Instruction& i) {
-    const bool same = apply(Less{}, dot(s, i, i.c, i.b, i.count), constant<N>(0.0));
+    const N cosine = dot(s, i, i.c, i.b, i.count);
+    const bool same = apply(Less{}, cosine, constant<N>(0.0));
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N x = s.number(i, i.a + k);
-        s.set(i, i.result + k, of_finite(i, same ? x : apply(Negate{}, x)));
+        s.set(i, i.result + k, assumed(i, same ? x : apply(Negate{}, x), x, cosine));
     }
 }
 
