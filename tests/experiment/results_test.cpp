@@ -250,7 +250,7 @@ TEST(ExperimentTable, LinesAreRepeatedForEachName) {
                                                  ", max(rmse) FILTER (WHERE candidate = '{}') AS '{}'",
                                                  ", '**' || max(1) || '**' AS 'b'", "FROM result"}}}};
     EXPECT_EQ(to_text(what, Database(record)).text,
-              "\n| case | it's | n | b |\n|---|--:|--:|--:|\n| a | 0.25 | 0.75 | **1** |\n");
+              "\n| case | it's | n | b |\n| --- | --: | --: | --: |\n| a | 0.25 | 0.75 | **1** |\n");
     EXPECT_EQ(to_text(what, Database(record)).named.at("block"),
               to_text(what, Database(record)).text.substr(1));
 }
@@ -263,7 +263,7 @@ TEST(ExperimentTable, ATableOfOneSizeStandsOnceForEach) {
     Experiment what{
         .tables = {{.in_report = true, .select = {"SELECT rmse FROM result WHERE size = :size"}}}};
     EXPECT_EQ(to_text(what, Database(record)).report,
-              "\n320 x 180:\n\n| rmse |\n|--:|\n| 0.25 |\n\n64 x 36:\n\n| rmse |\n|--:|\n| 0.5 |\n");
+              "\n320 x 180:\n\n| rmse |\n| --: |\n| 0.25 |\n\n64 x 36:\n\n| rmse |\n| --: |\n| 0.5 |\n");
     EXPECT_EQ(to_text(what, Database(record)).text, "");
 }
 

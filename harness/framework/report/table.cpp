@@ -45,8 +45,10 @@ std::string to_markdown(const Table& table) {
             text += " |";
         }
         text += "\n";
-        for (std::size_t i = 0; first && i < line.size(); ++i) text += i == 0 ? "| --- |" : " --- |";
-        if (first) text += "\n";
+        if (!first) continue;
+        text += "|";
+        for (const Column& column : table.columns) text += column.numeric ? " --: |" : " --- |";
+        text += "\n";
     }
     return text;
 }

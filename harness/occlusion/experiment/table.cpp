@@ -10,6 +10,7 @@
 
 #include "base/number.hpp"
 #include "base/version.hpp"
+#include "report/table.hpp"
 
 namespace gloam::experiment {
 namespace {
@@ -57,27 +58,19 @@ bool is_number(std::string_view cell) {
            (digits.size() == cell.size() || cell[digits.size()] != ' ' || cell.substr(digits.size()) == " %");
 }
 
-// In Markdown. Columns of numbers are aligned at the right.
-std::string markdown(const Rows& rows) {
-    std::string text = "|";
-    std::string rule = "\n|";
-    for (std::size_t column = 0; column < rows.headings.size(); ++column) {
-        text += fmt::format(" {} |", rows.headings[column]);
-        rule += std::ranges::all_of(rows.all,
-                                    [&](const std::vector<Value>& row) {
-                                        const std::string cell = text_of(row[column]);
-                                        return cell == "-" || is_number(cell);
-                                    })
-                    ? "--:|"
-                    : "---|";
-    }
-    text += rule + "\n";
-    for (const std::vector<Value>& row : rows.all) {
-        text += "|";
-        for (const Value& value : row) text += fmt::format(" {} |", text_of(value));
-        text += "\n";
-    }
-    return text;
+// Columns of numbers are aligned at the right.
+report::Table shown(const Rows& rows) {
+    report::Table table;
+    for (std::size_t i = 0; i < rows.headings.size(); ++i)
+        table.columns.push_back(
+            {.title = rows.headings[i], .numeric = std::ranges::all_of(rows.all, [&](const auto& row) {
+                                            const std::string cell = text_of(row[i]);
+                                            return cell == "-" || is_number(cell);
+                                        })});
+    for (const std::vector<Value>& row : rows.all)
+        for (auto& cells = table.rows.emplace_back(); const Value& value : row)
+            cells.emplace_back(text_of(value));
+    return table;
 }
 
 bool misses(const Rows& rows) {
@@ -106,7 +99,7 @@ void add_table(Text& all, const Table& table, const Database& database) {
         const Rows rows = database.select(expanded(table, database, size), size);
         all.missed |= misses(rows);
         const std::string heading = sizes.size() > 1 ? size + ":\n\n" : "";
-        if (!rows.all.empty()) add(all, table, heading + markdown(rows));
+        if (!rows.all.empty()) add(all, table, heading + report::to_markdown(shown(rows)));
     }
 }
 
