@@ -52,12 +52,13 @@ TEST_F(Directions, InterleavedPixelsShareOnePattern) {
     EXPECT_NEAR(shared.half_angle[48 * 16 + 24], alone.half_angle[48 * 16 + 24], 1e-5F);
 }
 
-// Interleaved, pixels on another surface do not count.
+// Interleaved, pixels on another surface do not count, in whatever unit of length.
 TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
-    const scene::GBuffer view = step(3.0F - high, 3.0F, close);
+    scene::GBuffer view = step(3.0F - high, 3.0F, close);
     const float diagonal = std::sqrt(0.5F);
-    for (const int interleave : {1, 4}) {
-        const BentNormals bent = directional_.bent_normals(view, many(), {.interleave = interleave});
+    for (const auto& [interleave, unit] : {std::pair(1, 1.0F), {4, 1.0F}, {4, 0.02F}}) {
+        view = step(unit * (3.0F - high), unit * 3.0F, double{unit} * close);
+        const BentNormals bent = directional_.bent_normals(view, many(unit), {.interleave = interleave});
         EXPECT_LT(degrees_between(bent.direction[beside], {diagonal, 0, diagonal}), 10.0) << interleave;
         EXPECT_LT(degrees_between(bent.direction[beside - 1], {0, 0, 1}), 0.5) << "on top";
         EXPECT_NEAR(bent.half_angle[beside], std::acos(std::sqrt(2.0) - 1.0), 0.1) << interleave;

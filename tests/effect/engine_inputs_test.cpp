@@ -97,6 +97,7 @@ TEST_P(EngineInputs, AreThePassesInputsWithinWhatTheFormatLoses) {
         const double depth = double{given.depth[i]};
         if (!std::isfinite(depth)) {
             EXPECT_EQ(converted.depth[i], given.depth[i]) << i;
+            EXPECT_EQ(converted.normal[i], glm::vec3(0)) << i;
             continue;
         }
         const double loss = depth_loss(depth, double{given.stored->depth[i]}, given.camera);

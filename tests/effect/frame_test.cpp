@@ -144,6 +144,24 @@ TEST_P(Frames, TilesThatAreLeftOutChangeNoPixel) {
             << i;
 }
 
+// Tiles of 16 x 8 texels: all in the first frame, then those with a surface in them.
+TEST_P(Frames, BackgroundIsSweptOnce) {
+    scene::GBuffer view = drawn("columns", odd);
+    for (std::uint32_t i = 0; i < odd.width * odd.height; ++i)
+        if (i % odd.width >= 32) view.depth[i] = infinity;
+    AmbientOcclusion effect(device_, passes_, odd);
+    std::vector<std::uint32_t> swept;
+    effect.watch([&](const Step& pass, bool after) {
+        if (!after && pass.groups_from) swept.push_back(pass.groups_from->as<std::uint32_t>()[0]);
+    });
+    Settings settings = with_radius(GetParam().settings, 0.6F);
+    settings.history = false;
+    effect.begin(view, settings);
+    for (int i = 0; i < 2; ++i) (void)effect.next();
+    const bool half = settings.resolution == Resolution::half;
+    EXPECT_EQ(swept, half ? (std::vector{3U * 3U, 1U * 3U}) : (std::vector{6U * 6U, 2U * 6U}));
+}
+
 // A view that stands still is taken no more taps of, until something enters it; then it settles again.
 TEST_P(Frames, ASettledViewStaysUntilSomethingMoves) {
     constexpr int settled = 68;
