@@ -209,7 +209,7 @@ void check_pieces(Language language, Stage stage, std::vector<Source> pieces, bo
                   const std::vector<std::filesystem::path>& include_roots) {
     const std::string name = pieces.back().name;
     const std::string local_size = stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
-    if (add_main) pieces.push_back({"main", "\n" + local_size + "void main() {}\n"});
+    if (add_main) pieces.push_back({name + ", behind its end", "\n" + local_size + "void main() {}\n"});
     internal::Parse parse(stage, internal::client_of(language), name, std::move(pieces), include_roots);
     static_cast<void>(parse.link(internal::Unreached::dropped));
 }

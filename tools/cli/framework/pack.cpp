@@ -118,7 +118,11 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
     const shader::PackRequest request{
         .language = *language, .functions = functions, .stage = stage_of(files)};
     const std::string packed = base::tried(files.front(), [&] {
-        return in_language(packed_text(files, request, roots), files.front(), target, request.stage);
+        const std::string text = packed_text(files, request, roots);
+        if (shader::code_lines(text) <= 1)  // its #version
+            throw std::invalid_argument(files.front().string() +
+                                        ": nothing was packed: expected a text with more than comments");
+        return in_language(text, files.front(), target, request.stage);
     });
     const std::string text = with_version(packed, target ? "" : api_of(*language));
     if (options.out.empty()) {
