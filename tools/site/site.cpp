@@ -11,7 +11,6 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "catalogue/catalogue.hpp"
 #include "effect/methods.hpp"
 #include "pictures/plot.hpp"
 #include "report/output.hpp"
@@ -202,7 +201,7 @@ void write_guides(const fs::path& documents, report::OutputFolder& folder) {
 SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
                        const std::function<void(double)>& told) {
     const std::filesystem::path& glsl = lab.options().include_roots.front();
-    catalogue::Entries entries = catalogue::select(catalogue::all_entries(glsl), options.equations);
+    catalogue::Entries entries = options.entries;
     SiteSummary summary;
     summary.left_out = std::erase_if(entries, [](const auto& entry) { return !has_accuracy(entry); });
     summary.checks = entries.size();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/catalogue.hpp"
 #include "check/lab.hpp"
 #include "effect/methods.hpp"
 #include "report/output.hpp"
@@ -23,8 +24,8 @@ struct SitePictures {
 };
 
 struct SiteOptions {
-    std::vector<std::string> equations;  // IDs, functions or globs; empty: all
-    std::size_t inputs = 128;            // of each check
+    catalogue::Entries entries;  // whose checks the page runs, if they have an accuracy
+    std::size_t inputs = 128;    // of each check
     std::uint64_t seed = 1;
     std::filesystem::path files;              // folder of the pages and the shaders
     std::filesystem::path documents;          // folder of methods.md

@@ -23,7 +23,8 @@ namespace {
 struct SiteCommand {
     std::filesystem::path folder;
     site::SiteOptions options;
-    std::vector<std::string> methods;  // that are shown; empty: all
+    std::vector<std::string> equations;  // IDs, functions or globs; empty: all
+    std::vector<std::string> methods;    // that are shown; empty: all
     bool pictures = true;
     std::string device;  // name or index; empty: the default
     bool quiet = false;
@@ -87,8 +88,8 @@ void run_site(SiteCommand command) {
     for (const std::string& name : command.methods)
         command.options.methods.push_back(effect::method_named(name));
     if (command.methods.empty()) command.options.methods = effect::methods();
-    // An unknown name is reported before the pictures are drawn, which takes longest.
-    (void)catalogue::select(catalogue::all_entries(glsl_directory()), command.options.equations);
+    // Before the pictures are drawn, which takes longest: an unknown name is reported here.
+    command.options.entries = catalogue::select(catalogue::all_entries(glsl_directory()), command.equations);
     command.options.pictures = write_site_pictures(command, folder);
     command.options.versions = versions();
     const check::Lab lab({.device = std::string(check::interpreter_name),
@@ -119,7 +120,7 @@ void add_site(CLI::App& app) {
     CLI::App* site = app.add_subcommand(
         "site", "write a static site: the effect live, its methods, and checks of the visitor's browser");
     site->add_option("folder", command->folder, "folder for the site")->required();
-    site->add_option("equation", command->options.equations, "IDs, functions or globs; none: all");
+    site->add_option("equation", command->equations, "IDs, functions or globs; none: all");
     site->add_option("--inputs", command->options.inputs, "inputs of each check")
         ->check(CLI::Range(1, 65'536))
         ->capture_default_str();
