@@ -198,6 +198,24 @@ TEST_P(Bounces, AWallTintsTheFloorBesideIt) {
 }
 INSTANTIATE_TEST_SUITE_P(Radii, Bounces, testing::Values(1.0F, 6.0F), testing::PrintToStringParamName());
 
+// Of eight samples: another number of them, or another sample, is seen.
+TEST_F(Directions, KeepTheirPixels) {
+    const scene::GBuffer view = drawn("corner", {64, 36}, {.color = true});
+    Settings few = many();
+    few.samples = 8;
+    const DirectionalLight light = directional_.light(view, few, clear_sky);
+    const BentNormals bent = directional_.bent_normals(view, few);
+    struct Known {
+        std::size_t pixel;
+        float direct, bounced, half_angle;
+    };
+    for (const Known& known : {Known{1369, 0.3428F, 0.0434F, 1.2464F}, {1554, 0.1710F, 0.0891F, 1.4791F}}) {
+        EXPECT_NEAR(light.direct[known.pixel].x, known.direct, 1e-3) << known.pixel;
+        EXPECT_NEAR(light.bounced[known.pixel].x, known.bounced, 1e-3) << known.pixel;
+        EXPECT_NEAR(bent.half_angle[known.pixel], known.half_angle, 1e-3) << known.pixel;
+    }
+}
+
 TEST_F(Directions, BackgroundHasNoBentNormalAndNoLight) {
     scene::GBuffer view = step(3.0F, 3.0F);
     view.depth[100] = infinity;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Depth and normals as engines store them: what the pass makes of them, and that the rest of the frame is
 // that of what it made. Output formats: the error that they add.
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "backend/vulkan/commands.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
@@ -47,6 +49,8 @@ class EngineInputs : public OnDevice<testing::TestWithParam<Engine>> {
     [[nodiscard]] scene::GBuffer view(int frame = 0) const {
         scene::GBuffer view = drawn(seen_by(GetParam()), extent, {.frame = frame});
         view.depth[5] = infinity;
+        // A world in which normals point to all sides.
+        view.camera.view = view.camera.view * glm::rotate(glm::mat4(1.0F), 3.0F, glm::vec3(2, 1, -2));
         store(GetParam(), view);
         return view;
     }
