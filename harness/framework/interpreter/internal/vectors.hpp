@@ -129,6 +129,7 @@ void distance(State<N>& s, const Instruction& i) {
     s.set(i, i.result, of_finite(i, apply(Sqrt{}, sum(squares, i.count))));
 }
 
+// Where a component is infinite, the others are open as well, though 1 by its root is 0.
 template <class N>
 void normalize(State<N>& s, const Instruction& i) {
     const N scale = numeric::Formula::step([&] {
