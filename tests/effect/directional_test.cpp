@@ -54,17 +54,16 @@ TEST_F(Directions, InterleavedPixelsShareOnePattern) {
 
 // Interleaved, pixels on another surface do not count, in whatever unit of length.
 TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
-    scene::GBuffer view = step(3.0F - high, 3.0F, close);
     const float diagonal = std::sqrt(0.5F);
     for (const auto& [interleave, unit] : {std::pair(1, 1.0F), {4, 1.0F}, {4, 0.02F}}) {
-        view = step(unit * (3.0F - high), unit * 3.0F, double{unit} * close);
+        const scene::GBuffer view = step(unit * (3.0F - high), unit * 3.0F, double{unit} * close);
         const BentNormals bent = directional_.bent_normals(view, many(unit), {.interleave = interleave});
         EXPECT_LT(degrees_between(bent.direction[beside], {diagonal, 0, diagonal}), 10.0) << interleave;
         EXPECT_LT(degrees_between(bent.direction[beside - 1], {0, 0, 1}), 0.5) << "on top";
         EXPECT_NEAR(bent.half_angle[beside], std::acos(std::sqrt(2.0) - 1.0), 0.1) << interleave;
     }
     for (const int sides : {0, 9, -1})
-        EXPECT_THROW((void)directional_.bent_normals(view, many(), {.interleave = sides}),
+        EXPECT_THROW((void)directional_.bent_normals(step(3.0F, 3.0F), many(), {.interleave = sides}),
                      std::invalid_argument);
 }
 

@@ -23,8 +23,9 @@ Settings single_frame(SliceTaps taps) {
 
 class PlainSlicesTest : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] PlainFrame plain(const scene::GBuffer& view, double radius, SliceTaps taps) const {
-        PlainSlices slices(device_, passes_, view.extent, taps);
+    [[nodiscard]] PlainFrame plain(const scene::GBuffer& view, double radius, SliceTaps taps,
+                                   int blurs = 0) const {
+        PlainSlices slices(device_, passes_, view.extent, taps, blurs);
         slices.take(view, static_cast<float>(radius));
         return slices.next();
     }
@@ -50,9 +51,7 @@ TEST_F(PlainSlicesTest, EstimatesWhatGtaoEstimates) {
 TEST_F(PlainSlicesTest, KeepsItsPixels) {
     const scene::Scene scene = scene::make_scene("columns");
     const scene::GBuffer view = drawn(scene, extent);
-    PlainSlices slices(device_, passes_, extent, {.slices = 1, .steps = 1}, 1);
-    slices.take(view, static_cast<float>(scene.ao_radius));
-    const PlainFrame frame = slices.next();
+    const PlainFrame frame = plain(view, scene.ao_radius, {.slices = 1, .steps = 1}, 1);
     constexpr auto known = std::to_array<std::tuple<std::size_t, float, float>>({{185, 0.4720F, 0.2349F},
                                                                                  {740, 0.5485F, 0.2414F},
                                                                                  {2294, 0.8658F, 0.6575F},
@@ -70,9 +69,7 @@ TEST_F(PlainSlicesTest, BlursAsOftenAsAsked) {
     const scene::GBuffer view = drawn(scene, extent);
     std::vector<PlainFrame> frames;
     for (const int blurs : {0, 1, 2}) {
-        PlainSlices slices(device_, passes_, view.extent, {.slices = 1, .steps = 2}, blurs);
-        slices.take(view, static_cast<float>(scene.ao_radius));
-        frames.push_back(slices.next());
+        frames.push_back(plain(view, scene.ao_radius, {.slices = 1, .steps = 2}, blurs));
         EXPECT_EQ(frames.back().occlusion, frames.front().occlusion);
         EXPECT_EQ(frames.back().blur_ms > 0.0, blurs > 0);
     }
