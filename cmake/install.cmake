@@ -53,7 +53,6 @@ if(NOT GLOAM_FRAMEWORK_ONLY)
   install(DIRECTORY tools/stress/shaders/ DESTINATION ${data}/stress COMPONENT program)
   install(DIRECTORY tools/site/effect tools/site/npm tools/site/page tools/site/shaders
     DESTINATION ${data}/site COMPONENT program)
-  install(FILES tools/site/template.html DESTINATION ${data}/site COMPONENT program)
 endif()
 
 include(cmake/spdx.cmake)

@@ -97,7 +97,6 @@ int run(int argc, char** argv) {
     gloam::cli::add_bench(app, status);
     gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
-    gloam::cli::add_site(app);
     gloam::cli::add_help_examples(app);
     gloam::cli::refuse_meaningless_values(app);
     try {

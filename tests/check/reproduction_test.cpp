@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "check/reproduction.hpp"
 #include "check/fixture_functions.hpp"
-#include "check/prepared_check.hpp"
 
 namespace gloam::check::reproduction_test {
 
@@ -141,57 +140,6 @@ TEST(AllowedOutcomes, AreThoseOfTheRulesWhereTheyForbidTheResult) {
     EXPECT_EQ(allowed_outcomes(question, {}, sample), (std::vector<Sample::Outcome>{sample.permitted}));
     sample.outcomes = {{Bounds::point(0.5)}, {Bounds::point(1.0)}};
     EXPECT_EQ(allowed_outcomes(question, {}, sample), sample.outcomes);
-}
-
-// Checks that are prepared for another program: what it may know before the shader has run.
-
-Lab interpreter_lab() {
-    return Lab({.device = std::string(interpreter_name), .include_roots = {FIXTURES}});
-}
-
-std::size_t count(const PreparedCheck& prepared, Criterion criterion) {
-    std::size_t found = 0;
-    for (const PreparedScenario& scenario : prepared.scenarios)
-        found += static_cast<std::size_t>(
-            std::ranges::count(scenario.expectations, criterion, &Expectation::criterion));
-    return found;
-}
-
-TEST(PreparedCheckTest, HasTheKernelAndAnExpectationForEachInput) {
-    const PreparedCheck prepared = prepare(interpreter_lab(), weight_question(), {.inputs = 300});
-    EXPECT_THAT(prepared.kernel, HasSubstr("#version 300 es"));
-    EXPECT_THAT(prepared.kernel, HasSubstr("float weight(float"));
-    EXPECT_THAT(prepared.unsupported, IsEmpty());
-    ASSERT_EQ(prepared.scenarios.size(), 1U);
-    EXPECT_EQ(prepared.scenarios.front().inputs.count(), 300U);
-    EXPECT_EQ(prepared.scenarios.front().expectations.size(), 300U);
-    EXPECT_EQ(prepared.row_words, 2U);  // the output and the canary
-    EXPECT_EQ(prepared.targets, 1U);
-    // Neither NaN nor infinity is judged, and there is no -0.
-    const PreparedScenario& scenario = prepared.scenarios.front();
-    for (std::size_t i = 0; i < scenario.inputs.count(); ++i) {
-        const auto distance = from_word<float>(scenario.inputs.row(i)[0]);
-        EXPECT_EQ(scenario.expectations[i].criterion == Criterion::recorded, !std::isfinite(distance))
-            << distance;
-        EXPECT_FALSE(distance == 0.0F && std::signbit(distance));
-    }
-    EXPECT_GT(count(prepared, Criterion::recorded), 5U);
-    EXPECT_GT(count(prepared, Criterion::budget), 200U);
-}
-
-TEST(PreparedCheckTest, WithoutAPromiseOnlyZerosAndTheCodomainAreJudged) {
-    Question question = weight_question();
-    question.promised = [](std::span<const Word>) { return false; };
-    const PreparedCheck prepared = prepare(interpreter_lab(), question, {.inputs = 300});
-    EXPECT_EQ(count(prepared, Criterion::budget), 0U);
-    EXPECT_GT(count(prepared, Criterion::edge), 0U);
-    EXPECT_GT(count(prepared, Criterion::codomain), 200U);
-}
-
-TEST(PreparedCheckTest, NeedsAReference) {
-    Question question = weight_question();
-    question.reference = {};
-    EXPECT_THROW((void)prepare(interpreter_lab(), question), std::invalid_argument);
 }
 
 }  // namespace gloam::check::reproduction_test

@@ -27,8 +27,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-
 
 
 # The code that Windows has for each key, and its text.
-KEYS = {"Tab": (9, None), "Enter": (13, "\r"), "Space": (32, " "), "ArrowRight": (39, None), "ArrowUp": (38, None),
-        "Minus": (189, "-"), "Escape": (27, None)}
+KEYS = {"Tab": (9, None), "Space": (32, " "), "ArrowRight": (39, None), "ArrowUp": (38, None), "Minus": (189, "-")}
 
 
 class Page:
@@ -134,7 +133,7 @@ class Browser(Page):
     def key(self, name):
         """Presses a key: one of KEYS."""
         code, text = KEYS[name]
-        press = {"key": text if text and text != "\r" else name, "code": name, "windowsVirtualKeyCode": code}
+        press = {"key": text or name, "code": name, "windowsVirtualKeyCode": code}
         self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": text} if text else {}))
         self.call("Input.dispatchKeyEvent", type="keyUp", **press)
 
@@ -167,9 +166,6 @@ class Browser(Page):
         self.evaluate("0")
         return [event["params"]["request"]["url"] for event in self.events
                 if event.get("method") == "Network.requestWillBeSent"]
-
-    def save_downloads_to(self, folder):
-        self.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
 
     def look(self, width, height, dark=False):
         """Sets the size of the window and its colours."""

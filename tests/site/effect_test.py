@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""effect_test.py GLOAM: the first page of the site in headless Chromium. Its occlusion is that of `gloam render`, and
-what a person does with the picture and the controls has an effect.
+"""effect_test.py GLOAM FOLDER: the live effect on the page of `gloam demo` in headless Chromium. Its occlusion is that of
+`gloam render`, and what a person does with the picture and the controls has an effect.
 
 Left with status 77 where there is no Chromium."""
 import subprocess
@@ -9,21 +9,17 @@ import tempfile
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
-from site_case import GLOAM, SIZE, SiteCase, main, read_pfm
+from site_case import GLOAM, SIZE, PageCase, main, read_pfm
 
-MOST_BYTES = 600_000  # of files, without compression, before the first interaction
+MOST_BYTES = 600_000  # of scripts, without compression, before the first interaction
 POSE = "gloam.live.state.orbit.pose"
 
 
-class EffectTest(SiteCase):
+class EffectTest(PageCase):
     def setUp(self):
         self.browser.look(390, 844)
         self.browser.call("Emulation.setEmulatedMedia", features=[])
         self.open()
-
-    def open(self):
-        self.browser.open(self.site / "index.html")
-        self.browser.wait("gloam.live.state.picture?.occlusion.frames > 1")
 
     def native(self, preset, frames, size):
         with tempfile.TemporaryDirectory(dir=self.folder) as out:
@@ -48,6 +44,8 @@ class EffectTest(SiteCase):
                           " || document.getElementById('told').textContent !== ''")
 
     def test_the_controls_choose(self):
+        names = "[...document.getElementById('preset').options].map((one) => one.textContent)"
+        self.assertEqual(["fast", "balanced", "quality", "reference"], self.browser.evaluate(names))
         self.choose(preset="quality", radius=2)
         effect = "gloam.live.state.picture.occlusion"
         self.assertEqual(("quality", 7), tuple(self.browser.evaluate(f"[{effect}.preset.name, {effect}.preset.steps]")))
@@ -66,6 +64,34 @@ class EffectTest(SiteCase):
         self.assertEqual(3, len(set(pictures)))
         self.assertEqual([], self.browser.problems())
 
+    def test_stop_stands_and_shows_what_is_chosen(self):
+        numbers = "[gloam.live.state.number, gloam.live.state.picture.occlusion.frames]"
+        self.browser.evaluate("document.getElementById('stop').click()")
+        self.assertEqual("Go on", self.browser.text("stop"))
+        before, frames = self.browser.evaluate(numbers)
+        pictures = set()
+        for shown in ("with occlusion", "without", "the occlusion alone"):
+            self.browser.evaluate(f"document.getElementById('show').value = '{shown}';"
+                                  "document.getElementById('show').dispatchEvent(new Event('input', {bubbles: true}))")
+            self.browser.wait("!gloam.live.state.changed")
+            pictures.add(self.browser.evaluate(f"gloam.live.state.picture.show({len(pictures)});"
+                                               "document.getElementById('canvas').toDataURL()"))
+        self.assertEqual(3, len(pictures))
+        self.browser.wait("new Promise((resolve) => setTimeout(() => resolve(true), 300))")
+        self.assertEqual([before, frames + 3], self.browser.evaluate(numbers))
+        self.browser.evaluate("document.getElementById('stop').click()")
+        self.assertEqual("Stop", self.browser.text("stop"))
+        self.browser.wait(f"gloam.live.state.picture.occlusion.frames > {frames + 5}")
+
+    def test_the_keyboard_is_enough_to_stop(self):
+        self.browser.evaluate("document.getElementById('scene').focus()")
+        while self.browser.evaluate("document.activeElement.id") != "stop":
+            self.browser.key("Tab")
+            self.assertTrue(self.browser.evaluate("document.activeElement.matches('#controls *')"))
+            self.assertRegex(self.browser.evaluate("getComputedStyle(document.activeElement).outline"), "solid 2px")
+        self.browser.key("Space")
+        self.assertEqual("Go on", self.browser.text("stop"))
+
     def test_a_shader_that_does_not_compile_is_told(self):
         self.browser.evaluate("gloam.effect.filter += 'no_such;'")
         self.choose(preset="quality")
@@ -75,13 +101,15 @@ class EffectTest(SiteCase):
         already = len(self.browser.requests())
         self.open()
         asked = self.browser.requests()[already:]
-        files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:")}
-        self.assertIn(self.site / "scene-room.js", files)
+        files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:") and url.endswith(".js")}
+        self.assertEqual({"live.js", "scene-room.js"}, {file.name for file in files})
         self.assertEqual([], [url for url in asked if not url.startswith(("file:", "data:", "about:"))])
         self.assertLessEqual(sum(file.stat().st_size for file in files), MOST_BYTES,
                              {file.name: file.stat().st_size for file in files})
 
     def middle(self):
+        """The point of the window where the middle of the picture is, once the page is scrolled there."""
+        self.browser.evaluate("document.getElementById('canvas').scrollIntoView({block: 'center'})")
         return self.browser.evaluate("(({left, top, width, height}) => [left + width / 2, top + height / 2])"
                                      "(document.getElementById('canvas').getBoundingClientRect())")
 
@@ -114,8 +142,10 @@ class EffectTest(SiteCase):
 
     def test_the_wheel_scrolls_the_page_until_the_picture_has_the_focus(self):
         self.browser.look(1000, 400)
-        self.browser.wheel(*self.middle(), 100)
-        self.browser.wait("scrollY > 0")
+        x, y = self.middle()
+        before = self.browser.evaluate("scrollY")
+        self.browser.wheel(x, y, 100)
+        self.browser.wait(f"scrollY > {before}")
         self.assertIsNone(self.browser.evaluate(POSE))
 
     def test_nothing_moves_for_who_wants_no_motion(self):

@@ -120,10 +120,9 @@ class Firefox(Page):
 
     def evaluate(self, script):
         """The value of an expression in the page; a promise is awaited."""
-        text = ("const done = arguments[arguments.length - 1];"
-                "Promise.resolve().then(() => window.eval(arguments[0]))"
+        text = (f"const done = arguments[arguments.length - 1]; (async () => ({script}))()"
                 ".then((value) => done([true, value ?? null]), (error) => done([false, String(error)]))")
-        asked = {"script": text, "args": [script], "sandbox": None}
+        asked = {"script": text, "args": [], "sandbox": None}
         fine, value = self.call("WebDriver:ExecuteAsyncScript", asked)["value"]
         if not fine:
             raise BrowserError(value)

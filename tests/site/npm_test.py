@@ -262,4 +262,4 @@ if __name__ == "__main__":
         subprocess.run(["npx", "esbuild", "page.js", "--bundle", "--outfile=page-bundle.js", "--log-level=warning"],
                        cwd=FOLDER, check=True)
         (FOLDER / "test.html").write_text('<!DOCTYPE html><script src="page-bundle.js"></script>', encoding="utf-8")
-        main(2)
+        main()

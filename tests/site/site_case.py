@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Tests in one browser, most of them of a site that `gloam site` writes once for all of them."""
+"""Tests in one browser, most of them of the page that `gloam demo` has written (demo_test.py)."""
 import array
 import base64
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -50,17 +49,18 @@ class BrowserCase(unittest.TestCase):
         cls.addClassCleanup(cls.browser.__exit__)
 
 
-class SiteCase(BrowserCase):
-    @classmethod
-    def words(cls):
-        """What `gloam site` takes behind the folder."""
-        return ["TSSAO-5", "--method", "sweep", "--no-pictures"]
+class PageCase(BrowserCase):
+    """Tests of the page in the folder that is the script's second argument."""
 
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.site = cls.folder / "site"
-        subprocess.run([GLOAM, "site", cls.site, "--quiet", *cls.words()], check=True)
+        cls.page = Path(sys.argv[2]) / "index.html"
+
+    def open(self):
+        """Opens the page, and waits until the live effect has drawn."""
+        self.browser.open(self.page)
+        self.browser.wait("gloam.live.state.picture?.occlusion.frames > 1")
 
     def compare(self, got, want, bounds=1):
         """The G-buffers are of a rasterizer and of rays, and drivers round a depth of 16 bits or cut it, so some pixels
@@ -73,10 +73,10 @@ class SiteCase(BrowserCase):
         self.assertLess(errors[len(errors) // 2], 2e-5 * bounds)
         self.assertLess(errors[len(errors) * 95 // 100], 2.5 / 255 * bounds)
 
-    def shade(self, page, preset="balanced", frames=4, size=SIZE):
-        """What a page of the site makes of the first frames in columns."""
+    def shade(self, browser, preset="balanced", frames=4, size=SIZE):
+        """What the open page makes of the first frames in columns."""
         script = SHADE.format(width=size[0], height=size[1], preset=preset, frames=frames)
-        return array.array("f", base64.b64decode(page.evaluate(script)))
+        return array.array("f", base64.b64decode(browser.evaluate(script)))
 
 
 def skip(reason):
@@ -84,9 +84,9 @@ def skip(reason):
     sys.exit(77)
 
 
-def main(arguments=1, missing=None):
-    """Runs the tests of the script, which takes so many arguments; skips them where what they need is missing."""
+def main(missing=None):
+    """Runs the tests of the script, which takes two arguments; skips them where what they need is missing."""
     missing = missing or (None if program() else "no Chromium")
     if missing:
         skip(missing)
-    unittest.main("__main__", argv=sys.argv[:1] + sys.argv[1 + arguments:])
+    unittest.main("__main__", argv=sys.argv[:1] + sys.argv[3:])

@@ -22,7 +22,6 @@ constexpr std::pair<const char*, const char*> examples[]{
      "  gloam demo                                  pictures, a check, a page\n"
      "  gloam check --device all --html check.html  every equation on every Vulkan device\n"
      "  gloam render mesh.obj                       a mesh in light, with and without\n"
-     "  gloam site my-site                          checks for any browser\n"
      "  gloam COMMAND --help                        the options of a command\n"},
     {"demo", "  gloam demo --out first-look\n"},
     {"devices", "  gloam devices --json\n"},
@@ -73,10 +72,7 @@ constexpr std::pair<const char*, const char*> examples[]{
     {"stress",
      "  gloam stress --brief                           seconds instead of minutes\n"
      "  gloam stress --only worst-inputs --equation 'TSSAO-*'\n"},
-    {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"},
-    {"site",
-     "  gloam site my-site                             then open my-site/index.html\n"
-     "  gloam site few 'TSSAO-*' --inputs 2048         some equations, with more inputs\n"}};
+    {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"}};
 
 }  // namespace
 

@@ -37,7 +37,6 @@ void add_render(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
 void add_stress(CLI::App& app, int& status);
 void add_pack(CLI::App& app);
-void add_site(CLI::App& app);
 // With a subcommand for each description in experiments_directory(), and for a user's own file.
 void add_bench(CLI::App& app, int& status);
 // words: its COMMAND, see take_command().

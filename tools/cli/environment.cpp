@@ -64,7 +64,7 @@ fs::path stress_shaders_directory() {
 }
 
 fs::path site_directory() {
-    return data_in("gloam/site", GLOAM_SITE_FILES, "page/check.html");
+    return data_in("gloam/site", GLOAM_SITE_FILES, "page/live.html");
 }
 
 fs::path documents_directory() {

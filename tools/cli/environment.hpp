@@ -28,7 +28,7 @@ void add_include_option(CLI::App& command, std::vector<std::string>& further);
 // The folder of the shaders that only `gloam stress` uses, found in the same way.
 [[nodiscard]] std::filesystem::path stress_shaders_directory();
 
-// The folder that contains the pages and the shaders of `gloam site`, found in the same way.
+// The folder of what runs in a browser (npm package, live effect), found in the same way.
 [[nodiscard]] std::filesystem::path site_directory();
 
 // The folder of the Markdown pages, found in the same way.

@@ -7,7 +7,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <vector>
 
+#include "base/image_files.hpp"
 #include "site/page_data.hpp"
 
 namespace gloam::site {
@@ -15,6 +17,22 @@ namespace gloam::site {
 namespace {
 
 using nlohmann::ordered_json;
+
+// Little-endian bytes of values one after another, which the pages read.
+class Bytes {
+  public:
+    template <class T>
+    void add(T value) {
+        static_assert(std::endian::native == std::endian::little);
+        const auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
+        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    }
+    // Compressed, as base64: gloam.values() reads it.
+    [[nodiscard]] std::string text() const { return base::deflated_base64(bytes_); }
+
+  private:
+    std::vector<unsigned char> bytes_;
+};
 
 // Position, normal and colour as bits: zeros of both signs stay what they are.
 using Vertex = std::array<std::uint32_t, 7>;

@@ -116,14 +116,6 @@ std::string escaped_html(std::string_view text) {
     return html;
 }
 
-std::string_view page_style() {
-    return internal::page_style;
-}
-
-std::string_view page_script() {
-    return internal::page_script;
-}
-
 Page::Page(std::string_view title) : title_(title) {}
 
 void Page::heading(std::string_view text) {
@@ -150,6 +142,10 @@ void Page::source(const std::vector<PageLine>& lines) {
 
 void Page::markup(std::string_view html) {
     body_ += html;
+}
+
+void Page::script(std::string_view file) {
+    scripts_ += fmt::format("<script src=\"{}\" defer></script>\n", url_of(file));
 }
 
 void Page::fold(std::string_view summary) {
@@ -181,7 +177,10 @@ void Page::table(const Table& table) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         if (table.columns[i].filter) body_ += choice_html(table, i);
     }
-    body_ += "<output></output></div>\n<div class=\"wide\"><table>\n" + head_html(table) + "<tbody>\n";
+    body_ +=
+        "<output></output></div>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" "
+        "aria-label=\"Table\"><table>\n" +
+        head_html(table) + "<tbody>\n";
     for (const auto& row : table.rows) {
         body_ += "<tr>";
         for (std::size_t i = 0; i < row.size(); ++i) body_ += cell_html(table.columns[i], row[i]);
@@ -194,13 +193,14 @@ std::string Page::html() const {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' file:; "
-        "style-src 'unsafe-inline'; script-src 'sha256-{}'\">\n"
+        "style-src 'unsafe-inline'; script-src 'sha256-{}'{}\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"generator\" content=\"gloam {}\">\n<title>{}</title>\n"
-        "<style>\n{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n{}{}</main>\n<script>{}</script>\n"
+        "<style>\n{}</style>\n{}</head>\n<body>\n<main>\n<h1>{}</h1>\n{}{}</main>\n<script>{}</script>\n"
         "</body>\n</html>\n",
-        base64_of_hex(internal::page_script_sha256), base::version(), escaped_html(title_), page_style(),
-        escaped_html(title_), body_, folded_ ? "</details>\n" : "", page_script());
+        base64_of_hex(internal::page_script_sha256), scripts_.empty() ? "" : " 'self' file:", base::version(),
+        escaped_html(title_), internal::page_style, scripts_, escaped_html(title_), body_,
+        folded_ ? "</details>\n" : "", internal::page_script);
 }
 
 }  // namespace gloam::report

@@ -25,7 +25,7 @@ struct PageLine {
 
 // An HTML page in one file, without network or library. It is light or dark like the reader's system, and
 // every control is accessible by keyboard. Texts can be untrusted: they are escaped, and the content security
-// policy permits the page's own script only.
+// policy permits the page's own script only, and those of script().
 class Page {
   public:
     explicit Page(std::string_view title);
@@ -37,6 +37,9 @@ class Page {
 
     // Elements of HTML as they are: the caller has escaped what they contain.
     void markup(std::string_view html);
+
+    // A script in a file beside the page. It runs when the page has been read.
+    void script(std::string_view file);
 
     // Folds what follows, to the end of the page, below a line that opens it. Once.
     void fold(std::string_view summary);
@@ -52,19 +55,13 @@ class Page {
     // The complete file.
     [[nodiscard]] std::string html() const;
 
-    // What a page of another maker contains: elements, without the title.
-    [[nodiscard]] const std::string& body() const { return body_; }
-
   private:
     std::string title_;
     std::string body_;
+    std::string scripts_;  // elements
     int choices_ = 0;
     bool folded_ = false;
 };
-
-// The style and the script of every page, for those that are files beside it.
-[[nodiscard]] std::string_view page_style();
-[[nodiscard]] std::string_view page_script();
 
 // Escapes a text for HTML, in element content and in quoted attributes: & < > " ' become entities, control
 // characters except tab and line break become U+FFFD. Bytes that are not UTF-8 stay; a browser shows them as

@@ -88,12 +88,12 @@ class Debian(unittest.TestCase):
         self.assertIn(" 0 failed", machine.run("gloam check TSSAO-5 HALTON --inputs 512 --device interpreter"))
         self.assertIn("gloam_remap(", machine.run("gloam pack gloam/shading/ambient.glsl"))
         machine.run("gloam pack --npm npm && test -s npm/LICENSE")
-        machine.run("gloam site site HALTON --no-pictures && test -s site/check.html")
         machine.install("mesa-vulkan-drivers")
         machine.run("gloam render corner --size 32x18 --radius 1 --out corner && test -s corner/render.json")
+        machine.run("gloam demo --quiet && test -s gloam-demo/live.js")
         for name in PROGRAM:
             self.assertIn("MIT License", machine.run(f"cat /usr/share/doc/{name}/copyright"))
-        machine.run("rm -r npm site corner ~/.cache && apt-get -q -y purge " + " ".join(PROGRAM))
+        machine.run("rm -r npm gloam-demo corner ~/.cache && apt-get -q -y purge " + " ".join(PROGRAM))
         self.assertEqual(before, machine.run("find / -xdev -name '*gloam*' ! -path '/packages/*'"))
 
     def framework(self, machine):

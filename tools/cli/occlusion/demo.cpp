@@ -8,17 +8,21 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/files.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/occlusion/names.hpp"
 #include "cli/occlusion/render.hpp"
 #include "cli/progress.hpp"
+#include "effect/methods.hpp"
+#include "pictures/plot.hpp"
 #include "report/check_page.hpp"
 #include "report/page.hpp"
-#include "site/site.hpp"
+#include "site/live_page.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -72,6 +76,31 @@ void render_scene(Shown& scene, const DemoOptions& demo, RenderBench& bench) {
     scene.run = render(options, input, bench, {});
 }
 
+// Time against error: each preset as `gloam bench presets` has measured it.
+std::string presets_plot() {
+    std::vector<pictures::PlotPoint> points;
+    for (const effect::Preset& preset : effect::presets())
+        points.push_back({preset.name, preset.time, preset.error, !preset.published});
+    return "<figure>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Time and error\">\n" +
+           pictures::to_plot_svg(points, "time of a frame, in that of fast (llvmpipe)", "error") +
+           "</div>\n<figcaption>gloam's own presets in blue, published ones in grey; error: root mean square "
+           "against ray-traced occlusion, of sequences on unseen views (gloam bench presets).</figcaption>\n"
+           "</figure>\n";
+}
+
+// The guides as texts beside the page, with a link to each.
+void add_guides(report::Page& page, report::OutputFolder& out) {
+    constexpr std::pair<const char*, const char*> guides[]{{"copy-a-shader", "Copy a shader"},
+                                                           {"testing", "Test a function"},
+                                                           {"judge-a-driver", "Judge a driver"}};
+    page.heading("Guides");
+    for (const auto& [name, title] : guides) {
+        out.write(fmt::format("{}.txt", name),
+                  base::read_file(documents_directory() / fmt::format("{}.md", name)));
+        page.markup(fmt::format("<p><a href=\"{}.txt\">{}</a></p>\n", name, title));
+    }
+}
+
 report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out) {
     report::Page page("gloam demo");
     page.paragraph(
@@ -82,12 +111,10 @@ report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out
         page.heading(scene.name + ": " + scene.what);
         add_pictures(page, out, scene.name + "_", scene.run);
     }
+    site::add_live_effect(page, out, glsl_directory(), site_directory());
     page.heading("Time and error");
-    page.markup(site::presets_plot());
-    page.heading("Guides");
-    site::write_guides(documents_directory(), out);
-    for (const site::Guide& guide : site::guides)
-        page.markup(fmt::format("<p><a href=\"{}.txt\">{}</a></p>\n", guide.name, guide.title));
+    page.markup(presets_plot());
+    add_guides(page, out);
     return page;
 }
 
@@ -161,7 +188,8 @@ int run_demo(const DemoOptions& demo) {
     out.write("index.html", page.html());
     out.keep();
     say(demo, check_line(outcome));
-    say(demo, "look at   " + (folder / "index.html").string() + " (pictures, and the check's table)");
+    say(demo, "look at   " + (folder / "index.html").string() +
+                  " (pictures, the live effect, and the check's table)");
     say(demo, "next      gloam check --help, gloam render --help");
     return std::max(validation_status(bench.device), outcome.counts.exit_status());
 }
@@ -170,8 +198,8 @@ int run_demo(const DemoOptions& demo) {
 
 void add_demo(CLI::App& app, int& status) {
     auto options = std::make_shared<DemoOptions>();
-    CLI::App* command =
-        app.add_subcommand("demo", "render three scenes, check the default device, make a page of both");
+    CLI::App* command = app.add_subcommand(
+        "demo", "render three scenes, check the default device, make a page of both, with the live effect");
     command->add_option("--device", options->device, "name or index of the device (gloam devices)");
     command->add_option("--out", options->out, "folder for the page and its pictures")->capture_default_str();
     command->add_flag("--quiet", options->quiet, "print nothing but errors");

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The effect on the first page: its controls, and its loop of frames.
+// The live effect: its controls, and its loop of frames.
 "use strict";
 
 gloam.live = (() => {
     const at = (id) => document.getElementById(id);
-    const state = {picture: null, orbit: null, scene: null, number: 0, step: 1, times: [], fence: null, failed: false};
+    const state = {picture: null, orbit: null, scene: null, number: 0, step: 1, times: [], fence: null, failed: false,
+        stopped: false, changed: false};  // changed: the picture that stands since Stop is no longer that of the controls
     const mostWidth = 960;  // pixels of the picture
 
     async function applyScene() {
@@ -32,7 +33,7 @@ gloam.live = (() => {
 
     // The camera of the next frame: where the person has turned it, or on its path, to the end and back.
     function nextCamera() {
-        if (at("moves").checked) {
+        if (at("moves").checked && !state.stopped) {
             state.orbit.pose = null;
             if (state.number + state.step < 0 || state.number + state.step >= state.scene.frames) state.step *= -1;
             state.number += state.step;
@@ -53,16 +54,27 @@ gloam.live = (() => {
     function draw(now) {
         if (state.failed) return;
         const {gl} = state.picture.passes;
-        if (!document.hidden && !isBusy(gl)) {
+        if (!document.hidden && !isBusy(gl) && (!state.stopped || state.changed)) {
+            state.changed = false;
             state.picture.frame(nextCamera());
             state.picture.show(at("show").selectedIndex);
             gl.deleteSync(state.fence);
             state.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
             gl.flush();
-            tellTime(now);
+            if (!state.stopped) tellTime(now);
         }
         requestAnimationFrame(guarded(draw));
     }
+
+    // Stops the frames, or goes on. While they stand, a change of a control or of the view draws one.
+    function toggle() {
+        Object.assign(state, {stopped: !state.stopped, times: []});
+        at("stop").textContent = state.stopped ? "Go on" : "Stop";
+    }
+
+    const change = () => {
+        state.changed = true;
+    };
 
     function fail(error) {
         state.failed = true;
@@ -79,7 +91,8 @@ gloam.live = (() => {
     };
 
     async function beginPage() {
-        at("preset").append(...gloam.effect.presets.map(({name}) => gloam.element("option", {}, name)));
+        at("scene").append(...gloam.sceneNames.map((name) => new Option(name)));
+        at("preset").append(...gloam.effect.presets.map(({name}) => new Option(name)));
         at("preset").value = gloam.effect.preset;
         at("moves").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
         const width = Math.min(at("canvas").clientWidth, mostWidth);
@@ -90,6 +103,9 @@ gloam.live = (() => {
         at("told").textContent = "";
         at("scene").addEventListener("change", guarded(applyScene));
         for (const id of ["preset", "radius"]) at(id).addEventListener("input", guarded(applySettings));
+        at("stop").addEventListener("click", toggle);
+        at("controls").addEventListener("input", change);
+        for (const event of ["pointermove", "wheel", "keydown"]) at("canvas").addEventListener(event, change);
         requestAnimationFrame(guarded(draw));
     }
 

@@ -263,6 +263,20 @@ bool same_outputs(std::span<const Word> got, const std::vector<double>& want, co
     return true;
 }
 
+// Visits the inputs a few ULP away, whose results an edge may also have. Returns whether a visit ended it.
+bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (!shader::is_float(scalars.inputs[i])) continue;
+        if (!is_usual(std::abs(from_word<double>(inputs[i])))) continue;
+        for (int steps = -most_steps; steps <= most_steps; ++steps) {
+            std::vector<Word> moved(inputs.begin(), inputs.end());
+            moved[i] = stepped_float(scalars.inputs[i], moved[i], steps);
+            if (visit(moved)) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 bool is_edge(const Sample& sample, const Scalars& scalars) {
@@ -275,19 +289,6 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
         if (std::isfinite(value) && value != 0.0 && !is_usual(value)) return false;
     }
     return true;
-}
-
-bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit) {
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (!shader::is_float(scalars.inputs[i])) continue;
-        if (!is_usual(std::abs(from_word<double>(inputs[i])))) continue;
-        for (int steps = -most_steps; steps <= most_steps; ++steps) {
-            std::vector<Word> moved(inputs.begin(), inputs.end());
-            moved[i] = stepped_float(scalars.inputs[i], moved[i], steps);
-            if (visit(moved)) return true;
-        }
-    }
-    return false;
 }
 
 bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
