@@ -32,7 +32,7 @@ function(gloam_debian COMPONENT PACKAGE SUMMARY)
 endfunction()
 
 set(same "(= ${PROJECT_VERSION})")
-gloam_debian(common gloam-common "GLSL ambient occlusion, measured: CMake package, licences" SECTION libdevel
+gloam_debian(common gloam-common "GLSL ambient occlusion, measured: CMake package, licence" SECTION libdevel
   ARCHITECTURE all)
 gloam_debian(glsl gloam-glsl "GLSL ambient occlusion, measured: the shader library" SECTION libdevel ARCHITECTURE all
   DEPENDS "gloam-common ${same}")
