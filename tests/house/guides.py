@@ -29,7 +29,6 @@ WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",
     "engine": "needs a cluster or a build: tests/laboratory, tests/tools/check_steps_test.cpp",
-    "piglit": "needs a package and a failure",
 }
 BLOCK = re.compile(r"^```(\S*) ?(\S*)\n(.*?)^```$", re.S | re.M)
 CITED = re.compile(r"([A-Z][\w-]+(?:, [A-Z][\w-]+)*(?: and [A-Z][\w-]+)?(?: et al\.)? \d{4})")

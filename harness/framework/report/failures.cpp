@@ -7,8 +7,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
+
+#include "base/text.hpp"
 
 namespace gloam::report {
 
@@ -36,7 +37,7 @@ std::string image_comment(const KernelReplay::Image& image) {
     return fmt::format("# {}: width, height, clamped, then the pixels row by row\n", image.name);
 }
 
-// The hull of an output's ranges, as it is expected where a script cannot say "or".
+// The hull of an output's ranges, as a script cannot say "or".
 numeric::Bounds hull_at(const KernelReplay& replay, std::size_t output) {
     numeric::Bounds all = replay.outcomes.front().at(output);
     for (const check::Sample::Outcome& outcome : replay.outcomes)
@@ -51,42 +52,36 @@ bool is_inside(const KernelReplay::Output& output, const numeric::Bounds& bounds
     return bounds.contains(static_cast<double>(number));
 }
 
-// A comparison of an output, as the float or the word that it is, with a number.
-struct Comparison {
-    std::string_view sign;
-    std::string number;
-};
-using Comparisons = std::vector<Comparison>;
+// Of an output, as the float or the word that it is, with a number: "GE 1.00000000".
+using Comparisons = std::vector<std::string>;
 
-// Amber reads a number without a point as an integer. Neither script has a word for infinity. Ends of a range
-// are floats inside it.
+// Amber reads a number without a point as an integer, and has no word for infinity. Its comparisons are true
+// for NaN, so NaN is excluded by one of them. Ends of a range are floats inside it.
 void compare_float(const numeric::Bounds& allowed, Comparisons& all) {
-    const auto add = [&](std::string_view sign, float x) {
-        all.push_back({sign, fmt::format("{:#.9g}", x)});
-    };
+    const auto add = [&](const char* sign, float x) { all.push_back(fmt::format("{} {:#.9g}", sign, x)); };
     if (allowed.low > allowed.high) {
-        if (allowed.nan) all.push_back({"==", "nan"});
+        if (allowed.nan) all.push_back("EQ nan");
         return;
     }
-    if (!allowed.nan) all.push_back({"!=", "nan"});
+    if (!allowed.nan) all.push_back("NE nan");
     auto low = static_cast<float>(allowed.low);
     auto high = static_cast<float>(allowed.high);
     if (static_cast<double>(low) < allowed.low) low = std::nextafter(low, INFINITY);
     if (static_cast<double>(high) > allowed.high) high = std::nextafter(high, -INFINITY);
-    if (low >= -largest) add(low > largest ? ">" : ">=", std::min(low, largest));
-    if (high <= largest) add(high < -largest ? "<" : "<=", std::max(high, -largest));
+    if (low >= -largest) add(low > largest ? "GT" : "GE", std::min(low, largest));
+    if (high <= largest) add(high < -largest ? "LT" : "LE", std::max(high, -largest));
 }
 
 // As unsigned: in two's complement a range from below 0 to above it has no comparison.
 void compare_word(const numeric::Bounds& allowed, Comparisons& all) {
-    const auto add = [&](std::string_view sign, double x) {
+    const auto add = [&](const char* sign, double x) {
         const auto number = static_cast<std::int64_t>(std::clamp(x, -0x1p31, 0x1p32 - 1.0));
-        all.push_back({sign, std::to_string(static_cast<std::uint32_t>(number))});
+        all.push_back(fmt::format("{} {}", sign, static_cast<std::uint32_t>(number)));
     };
-    if (allowed.is_point()) return add("==", allowed.low);
+    if (allowed.is_point()) return add("EQ", allowed.low);
     if (allowed.low < 0.0 && allowed.high >= 0.0) return;
-    add(">=", allowed.low);
-    add("<=", allowed.high);
+    add("GE", allowed.low);
+    add("LE", allowed.high);
 }
 
 // Those with the hull, and with what was found where that is in the hull, but in no outcome's range.
@@ -101,8 +96,8 @@ Comparisons comparisons_of(const KernelReplay& replay, std::size_t i) {
             return is_inside(output, outcome.at(i));
         });
     if (between)
-        all.push_back({"!=", output.is_float ? fmt::format("{:#.9g}", std::bit_cast<float>(output.found))
-                                             : std::to_string(output.found)});
+        all.push_back(output.is_float ? fmt::format("NE {:#.9g}", std::bit_cast<float>(output.found))
+                                      : fmt::format("NE {}", output.found));
     return all;
 }
 
@@ -144,14 +139,11 @@ std::string view_of(const KernelReplay& replay, bool floats) {
     text += "# the kernel ran to its end\n";
     text += fmt::format("EXPECT {} IDX {} EQ {}\n", view, 4 * replay.outputs.size(),
                         floats ? "1.0" : std::to_string(canary));
-    // Its comparisons are true for NaN, so NaN is excluded by one of them.
-    const std::map<std::string_view, const char*> words{{"==", "EQ"}, {"!=", "NE"}, {">", "GT"},
-                                                        {">=", "GE"}, {"<", "LT"},  {"<=", "LE"}};
     for (std::size_t i = 0; i < replay.outputs.size(); ++i) {
         if (replay.outputs[i].is_float != floats) continue;
         text += output_comments(replay, i);
-        for (const auto& [sign, number] : comparisons_of(replay, i))
-            text += fmt::format("EXPECT {} IDX {} {} {}\n", view, 4 * i, words.at(sign), number);
+        for (const std::string& comparison : comparisons_of(replay, i))
+            text += fmt::format("EXPECT {} IDX {} {}\n", view, 4 * i, comparison);
     }
     return text + "\n";
 }
@@ -180,60 +172,6 @@ std::string to_amber(const KernelReplay& replay) {
     if (!std::ranges::all_of(replay.outputs, is_float)) text += view_of(replay, false);
     if (!replay.images.empty()) text += "# no access fell outside an image\nEXPECT faults IDX 0 EQ 0\n";
     return text;
-}
-
-namespace {
-
-constexpr unsigned first_image = 3;
-
-std::string storage(unsigned binding, const Words& words, std::size_t count) {
-    std::string text = fmt::format("ssbo {} {}\n", binding, 4 * std::max<std::size_t>(count, 1));
-    for (std::size_t i = 0; i < words.size(); ++i)
-        text +=
-            fmt::format("ssbo {} subdata int {} {}\n", binding, 4 * i, std::bit_cast<std::int32_t>(words[i]));
-    return text;
-}
-
-// NaN fails every comparison of a probe but "!=": where it is allowed, no range can be told.
-std::string probes(const KernelReplay& kernel, std::size_t i) {
-    const bool is_float = kernel.outputs[i].is_float;
-    std::string text = output_comments(kernel, i);
-    for (auto [sign, number] : comparisons_of(kernel, i)) {
-        if (is_float && sign != "!=" && hull_at(kernel, i).nan) continue;
-        if (number == "nan") sign = ">=", number = "-inf";
-        text += fmt::format("probe ssbo {} 1 {} {} {}\n", is_float ? "float" : "uint", 4 * i, sign, number);
-    }
-    return text;
-}
-
-std::string run_compute(const KernelReplay& kernel) {
-    std::string text = "# inputs; outputs and a canary; accesses outside an image\n";
-    text += storage(0, kernel.inputs, kernel.inputs.size());
-    text += storage(1, {}, kernel.outputs.size() + 1);
-    text += storage(2, Words(fault_words), fault_words);
-    for (std::size_t i = 0; i < kernel.images.size(); ++i) {
-        text += image_comment(kernel.images[i]);
-        text += storage(first_image + static_cast<unsigned>(i), kernel.images[i].words,
-                        kernel.images[i].words.size());
-    }
-    text += fmt::format(
-        "uniform uint gloam_kernel_count 1\nuniform uint gloam_kernel_row_length 64\n"
-        "uniform uint gloam_kernel_canary {}\ncompute 1 1 1\n",
-        canary);
-    text += fmt::format("# the kernel ran to its end\nprobe ssbo uint 1 {} == {}\n",
-                        4 * kernel.outputs.size(), canary);
-    for (std::size_t i = 0; i < kernel.outputs.size(); ++i) text += probes(kernel, i);
-    if (!kernel.images.empty()) text += "# no access fell outside an image\nprobe ssbo uint 2 0 == 0x0\n";
-    return text;
-}
-
-}  // namespace
-
-std::string to_shader_test(const ShaderReplay& replay) {
-    std::string text;
-    for (const std::string& comment : replay.kernel.comments) text += "# " + comment + "\n";
-    return text + fmt::format("\n[require]\n{}\n{}\n\n[compute shader]\n{}\n[test]\n{}", replay.version,
-                              replay.glsl_version, replay.glsl, run_compute(replay.kernel));
 }
 
 }  // namespace gloam::report

@@ -52,19 +52,6 @@ struct ReplayedModule {
 [[nodiscard]] std::string to_c_program(const KernelReplay& replay,
                                        const std::vector<ReplayedModule>& modules);
 
-// One run of a generated OpenGL kernel for a single input.
-struct ShaderReplay {
-    std::string glsl;          // a compute shader
-    std::string version;       // of the interface, as piglit requires it: "GL >= 4.5", "GL ES >= 3.1"
-    std::string glsl_version;  // "GLSL >= 4.50", "GLSL ES >= 3.10"
-    KernelReplay kernel;       // its comments, inputs, images and outputs
-};
-
-// A script for piglit's shader_runner (https://piglit.freedesktop.org). It probes what to_amber()
-// expects. Run it with `shader_runner -auto -fbo -ignore-missing-uniforms FILE`, or shader_runner_gles3 for
-// OpenGL ES.
-[[nodiscard]] std::string to_shader_test(const ShaderReplay& replay);
-
 // What is needed to reproduce a failure.
 struct RunAgain {
     std::string command;   // complete; empty: gloam check with the equation and the variant alone

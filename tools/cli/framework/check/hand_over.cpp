@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "backend/gl/device.hpp"
 #include "backend/sampled.hpp"
 #include "base/text.hpp"
 #include "check/answer.hpp"
@@ -89,31 +88,22 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                         const HandOverRequest& request, const check::RunOptions& options) {
     const check::Reproduction all = reproduction_of(lab, question, request, options);
     const backend::DeviceInfo& device = lab.info();
-    // The scripts have storage buffers and no images; the program has images for single samplers as well.
-    const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
-    const bool has_others = std::ranges::any_of(all.images, [](const auto& image) {  // layers
-        return image.bound && image.words.empty();
-    });
     const auto replay = [&](const std::string& how) {
         return replay_of(all, question, request.task, device, how);
     };
     HandOver hand_over;
-    if (const auto opengl = gl::device_name_from(device.name)) {
-        const bool es = opengl->version.api == gl::Api::es;
-        const std::string number = fmt::format("{}.{}", opengl->version.major, opengl->version.minor);
+    if (!all.opengl.empty()) {
         hand_over.glsl = all.opengl;
-        if (!has_images && gl::has_compute(opengl->version))
-            hand_over.shader_test = report::to_shader_test(
-                {all.opengl, fmt::format("GL{} >= {}", es ? " ES" : "", number),
-                 fmt::format("GLSL{} >= {}0", es ? " ES" : "", number),
-                 replay(fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
-                                    es ? "_gles3" : ""))});
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
         // They run compute shaders and ask for no features.
         if (all.team.kind != backend::Team::Kind::quad && !shader::has_float16(all.spirv)) {
+            // The script has no images; the program has those of single samplers, not of layers.
+            const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
+            const bool has_layers = std::ranges::any_of(
+                all.images, [](const auto& image) { return image.bound && image.words.empty(); });
             if (!has_images) hand_over.amber = report::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
-            if (!has_others)
+            if (!has_layers)
                 hand_over.c_program = report::to_c_program(
                     replay("cc repro.c -o repro -lvulkan -lm && ./repro"), modules_of(all));
         }
@@ -197,7 +187,6 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
     out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, how));
     if (hand_over.error.empty() && hand_over.spirv.empty()) {  // of OpenGL
         out.write("shader.glsl", hand_over.glsl);
-        if (!hand_over.shader_test.empty()) out.write("repro.shader_test", hand_over.shader_test);
     } else if (hand_over.error.empty()) {
         out.write("shader.comp", hand_over.glsl);
         out.write("shader.spvasm", hand_over.assembly);

@@ -60,12 +60,10 @@ struct HandOverRequest {
 
 // A failure, prepared for a report.
 struct HandOver {
-    std::string glsl;  // self-contained compute shader
-    std::string assembly;
+    std::string glsl;      // self-contained compute shader; of an OpenGL device, the text that it was given
+    std::string assembly;  // empty, as all to `before`, of an OpenGL device
     std::vector<std::uint32_t> spirv;
     std::string amber;
-    std::string
-        shader_test;  // of an OpenGL device, instead of `amber`: `glsl` is then the text that it was given
     std::string c_program = {};           // report::to_c_program()
     std::vector<std::string> steps = {};  // check::Reproduction
     std::vector<std::string> rules = {};
@@ -83,8 +81,8 @@ void members(Io& io, HandOverRequest& request) {
 template <class Io>
 void members(Io& io, HandOver& all) {
     report::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
-                 "shader_test", all.shader_test, "c_program", all.c_program, "steps", all.steps, "rules",
-                 all.rules, "before", all.before, "smallest", all.smallest, "error", all.error);
+                 "c_program", all.c_program, "steps", all.steps, "rules", all.rules, "before", all.before,
+                 "smallest", all.smallest, "error", all.error);
 }
 
 // Whether a line is a HandOverRequest; else it is a CheckTask.
