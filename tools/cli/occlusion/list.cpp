@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,8 +22,6 @@
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "module/compile.hpp"
-#include "report/output.hpp"
-#include "report/page.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -34,7 +31,6 @@ struct ListOptions {
     std::vector<std::string> names;  // empty: all
     bool json = false;
     bool markdown = false;
-    std::filesystem::path html;
 };
 
 std::vector<Named> equation_names() {
@@ -185,29 +181,6 @@ void print_each(const nlohmann::ordered_json& all) {
     }
 }
 
-// A page of all equations that can be searched and sorted.
-std::string equations_page() {
-    report::Page page("Equations of gloam");
-    page.paragraph(
-        "Occlusion is 1 where blocked, visibility 1 where open. View space is right-handed and looks down "
-        "-z; depth d = -z is eye-linear. The error is what the function may differ from the exact "
-        "mathematics.");
-    report::Table table{{{"ID"},
-                         {"title"},
-                         {"function"},
-                         {.title = "file", .filter = true},
-                         {"error"},
-                         {"source"},
-                         {"formula"}}};
-    for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
-        const catalogue::Description& d = entry.description;
-        table.rows.push_back(
-            {d.id, d.title, d.function, d.file, check::to_text(entry.question.budget), d.source, d.formula});
-    }
-    page.table(table);
-    return page.html();
-}
-
 // One name a line, and its meaning.
 void print_names(const std::vector<Named>& names, const std::string& kind) {
     std::size_t width = 18;
@@ -255,11 +228,6 @@ void run_list(const ListOptions& given) {
             throw std::invalid_argument("--markdown goes with `gloam list numbers`");
         return fmt::print("{}", catalogue::printed_page(catalogue::all_entries(glsl_directory())));
     }
-    if (!options.html.empty()) {
-        if (options.kind != "equations")
-            throw std::invalid_argument("--html goes with `gloam list equations`");
-        return report::OutputFile(options.html).write(equations_page());
-    }
     nlohmann::ordered_json json{{"gloam", base::version()}};
     for (const auto& [kind, names] : all_kinds()) {
         if (!options.kind.empty() && options.kind != kind) continue;
@@ -286,8 +254,6 @@ void add_list(CLI::App& app) {
     command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
     command->add_flag("--markdown", options->markdown,
                       "numbers only: a page of them, a table for each paper");
-    command->add_option("--html", options->html,
-                        "equations only: write a page of them all that is searched and sorted");
     command->callback([options] { run_list(*options); });
 }
 
