@@ -9,6 +9,9 @@
 
 namespace gloam::report {
 
+// A row for each equation: documented error, error on any driver, and measured error of each driver.
+[[nodiscard]] Table accuracy_table(const std::vector<CheckReport>& reports);
+
 // Every check of every device, failures first: a row each, with its results and its worst input. There is a
 // column for the device if there are several.
 [[nodiscard]] Table check_table(const std::vector<CheckReport>& reports);

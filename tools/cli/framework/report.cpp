@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "report/accuracy.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
 #include "report/output.hpp"
@@ -26,7 +25,6 @@ struct ReportOptions {
     std::filesystem::path json;
     std::filesystem::path html;
     bool markdown = false;
-    bool accuracy = false;
 };
 
 std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
@@ -46,7 +44,6 @@ std::vector<report::ReportFile> read_reports(const std::vector<std::string>& fil
 }
 
 std::string page_of(const report::MergedReports& merged, const ReportOptions& options) {
-    if (options.accuracy) return report::to_accuracy_markdown(merged.reports);
     return options.markdown ? report::to_matrix_markdown(merged.reports) : report::to_matrix(merged.reports);
 }
 
@@ -66,8 +63,7 @@ int run_report(const ReportOptions& options) {
     std::vector<std::string> notes = merged.conflicts;
     std::ranges::move(changes_of(merged, options), std::back_inserter(notes));
     fmt::print("{}", page_of(merged, options));
-    for (const std::string& note : notes)
-        fmt::print("\n{}{}\n", options.markdown || options.accuracy ? "- " : "", note);
+    for (const std::string& note : notes) fmt::print("\n{}{}\n", options.markdown ? "- " : "", note);
     json.write(report::to_json(merged.reports));
     html.write(report::to_check_page(merged.reports, notes));
     return counts_of(merged.reports).exit_status();
@@ -81,10 +77,6 @@ void add_report(CLI::App& app, int& status) {
         app.add_subcommand("report", "merge the results of `gloam check --json` from many machines");
     command->add_option("file", options->files, "JSON files of gloam check")->required();
     command->add_flag("--markdown", options->markdown, "a Markdown page instead of a table for the terminal");
-    command
-        ->add_flag("--accuracy", options->accuracy,
-                   "tables of Markdown: how much of their documented error equations use on each device")
-        ->excludes("--markdown");
     command->add_option("--json", options->json, "write the merged results to this file");
     command->add_option("--since", options->since,
                         "results of an earlier run: say what got better and worse since then");
