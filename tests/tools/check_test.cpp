@@ -57,17 +57,20 @@ TEST_F(CheckResume, AKilledRunLeavesItsResultsAndTheNextGoesOnFromThere) {
     write("results.json.journal", whole + "{}\n");
     expect_could_not_run(run_command(command(words("--resume"))), journal().string() + ", line ");
 
-    write("results.json.journal", whole + R"({"device": "cut of)");  // as a kill may leave it
-    const std::string resumed = output_of(run_command(command(words("--resume"))));
-    EXPECT_FALSE(fs::exists(journal()));
-    const json rows = json::parse(read_file(results())).at("results");
-    EXPECT_GT(rows.size(), seconds.size());
-    for (const auto& [equation, time] : seconds) {
-        const auto row = std::find_if(rows.begin(), rows.end(),
-                                      [&name = equation](const json& r) { return r.at("equation") == name; });
-        ASSERT_NE(row, rows.end()) << equation;
-        EXPECT_EQ(row->at("seconds"), time) << equation << " was run again";
-        EXPECT_THAT(resumed, HasSubstr(equation));
+    for (const char* how : {"--resume", "--resume --in-process"}) {
+        write("results.json.journal", whole + R"({"device": "cut of)");  // as a kill may leave it
+        const std::string resumed = output_of(run_command(command(words(how))));
+        EXPECT_FALSE(fs::exists(journal()));
+        const json rows = json::parse(read_file(results())).at("results");
+        EXPECT_GT(rows.size(), seconds.size());
+        for (const auto& [equation, time] : seconds) {
+            const auto row = std::find_if(rows.begin(), rows.end(), [&name = equation](const json& r) {
+                return r.at("equation") == name;
+            });
+            ASSERT_NE(row, rows.end()) << equation;
+            EXPECT_EQ(row->at("seconds"), time) << equation << " was run again";
+            EXPECT_THAT(resumed, HasSubstr(equation));
+        }
     }
 }
 

@@ -125,21 +125,9 @@ class CheckRun {
                    options.resume),
           failures_(options.failures),
           left_(tasks_.size() * devices),
-          progress_(progress_bar("checks", options.progress)) {
-        if (options.budget > 0.0)
-            until_ = std::chrono::steady_clock::now() +
-                     std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                         std::chrono::duration<double>(options.budget));
-    }
+          progress_(progress_bar("checks", options.progress)) {}
 
     ~CheckRun() { progress_(-1.0); }
-
-    // Checks of a device that a run to its end would have, and this one has not.
-    [[nodiscard]] std::size_t left_out_of(const report::CheckReport& report) const {
-        return until_ == std::chrono::steady_clock::time_point::max()
-                   ? 0
-                   : tasks_.size() - std::min(tasks_.size(), report.rows.size());
-    }
 
     report::CheckReport on_device(const std::string& device) {
         DeviceRun run{.checker = {.equations = options_.named,
@@ -149,7 +137,6 @@ class CheckRun {
                                       std::max(1L, std::lround(options_.timeout * 1000.0)))},
                       .tasks = tasks_,
                       .jobs = jobs_of(options_, tasks_.size()),
-                      .until = until_,
                       .in_process = options_.in_process,
                       .known = [this](const auto& on, const CheckTask& task) { return known(on, task); },
                       .on_device = [this](const auto& on) { begin(on); },
@@ -207,7 +194,6 @@ class CheckRun {
     std::size_t done_ = 0;  // checks, without those that are known
     std::size_t left_;
     std::function<void(double)> progress_;
-    std::chrono::steady_clock::time_point until_ = std::chrono::steady_clock::time_point::max();
 };
 
 // A driver that cannot be loaded is reported by a row, if it was selected, and by a line; others are not
@@ -245,14 +231,7 @@ void run_devices(const CheckOptions& options, CheckOutcome& outcome) {
         reports = reports_of_bad_drivers(options, tasks.size());
     const std::vector<std::string> devices = devices_to_check(options.device);
     CheckRun run(options, std::move(tasks), devices.size());
-    for (const std::string& device : devices) {
-        reports.push_back(run.on_device(device));
-        outcome.not_run += run.left_out_of(reports.back());
-    }
-    if (outcome.not_run > 0)
-        outcome.notes.push_back(fmt::format("{} checks were not run: the budget of {:g} s is spent{}",
-                                            outcome.not_run, options.budget,
-                                            options.json.empty() ? "" : "; --resume runs them"));
+    for (const std::string& device : devices) reports.push_back(run.on_device(device));
 }
 
 }  // namespace
@@ -272,8 +251,8 @@ CheckOutcome check(const CheckOptions& options) {
     json.write(report::to_json(outcome.reports));
     junit.write(report::to_junit(outcome.reports));
     html.write(report::to_check_page(outcome.reports));
-    if (!options.json.empty() && outcome.not_run == 0) {  // the results are now in the result file
-        std::error_code still_there;                      // harmless: the next run starts it anew
+    if (!options.json.empty()) {      // the results are now in the result file
+        std::error_code still_there;  // harmless: the next run starts it anew
         std::filesystem::remove(journal_of(options), still_there);
     }
     return outcome;
@@ -346,10 +325,6 @@ void add_run_options(CLI::App& command, CheckOptions& options) {
             "seconds that one check may take; one that takes longer is stopped and reported as a hang")
         ->check(CLI::Range(0.001, 1e6))
         ->capture_default_str();
-    command
-        .add_option("--budget", options.budget,
-                    "seconds for all checks: none begins after them, and --resume runs those that are left")
-        ->check(CLI::Range(0.001, 1e9));
     CLI::Option* jobs = command.add_option("--jobs", options.jobs, "worker processes for each device")
                             ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
                             ->default_str("one a core, fewer for a short check");

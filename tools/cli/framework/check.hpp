@@ -33,7 +33,6 @@ struct CheckOptions {
     bool coverage = false;
     bool validation = false;
     double timeout = 120.0;  // seconds for each check
-    double budget = 0.0;     // seconds for all; 0: as long as it takes
     std::size_t jobs = 0;    // worker processes for each device; 0: chosen by the amount of work
     bool in_process = false;
     std::filesystem::path json;
@@ -50,7 +49,6 @@ struct CheckOutcome {
     std::vector<report::CheckReport> reports;
     report::OutcomeCounts counts;
     std::vector<std::string> notes;  // on a user's file, a line each: what was left out, and why
-    std::size_t not_run = 0;         // checks that the budget of time left out
     bool complete = true;            // no function was left out that was named or that does not compile
 };
 

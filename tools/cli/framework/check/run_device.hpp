@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -18,9 +17,7 @@ namespace gloam::cli {
 struct DeviceRun {
     CheckerOptions checker;  // its timeout is that of each check, too
     std::vector<CheckTask> tasks;
-    std::size_t jobs = 1;  // worker processes
-    // No check begins after it; those that are left have no row.
-    std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+    std::size_t jobs = 1;     // worker processes
     bool in_process = false;  // without workers: a crash of a driver ends the whole run
     // The known row of a task, which is not run then; empty: every task runs.
     std::function<std::optional<check::Answer>(const report::DeviceSummary&, const CheckTask&)> known;
