@@ -83,6 +83,18 @@ class PageTest(PageCase):
         self.assertTrue(all("halton" in name.lower() for name in found), found)
         self.assertEqual(self.count(), f"{len(found)} of {len(rows)} rows")
 
+    def test_a_choice_filters(self):
+        chosen, shown = self.browser.evaluate("""(() => {
+            const choice = document.querySelector('section.table select');
+            choice.selectedIndex = 1;
+            choice.dispatchEvent(new Event('input'));
+            return [choice.value, [...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden)
+                .map((row) => row.cells[choice.dataset.column].textContent)];
+        })()""")
+        self.assertTrue(shown)
+        self.assertEqual({chosen}, set(shown))
+        self.assertRegex(self.count(), f"^{len(shown)} of ")
+
 
 if __name__ == "__main__":
     main()
