@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/output.hpp"
 
-#include <sys/wait.h>
-#include <unistd.h>
-#include <csignal>
-
 #include "support/files.hpp"
 #include "support/full_disk.hpp"
 
@@ -105,26 +101,6 @@ TEST_F(OutputFolderTest, NothingIsLeftOfWhatWasNotKept) {
         OutputFolder(folder.path() / "a" / "b").write("x", "one");
     }
     EXPECT_TRUE(fs::is_empty(folder.path()));
-}
-
-TEST_F(OutputFolderTest, NothingIsLeftWhereTheProcessIsKilled) {
-    const auto waits_until = [&](bool empty) {
-        for (int i = 0; i < 6000 && fs::is_empty(folder.path()) != empty; ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        return fs::is_empty(folder.path()) == empty;
-    };
-    for (const int signal : {SIGTERM, SIGKILL}) {
-        const pid_t child = fork();
-        if (child == 0) {
-            OutputFolder out(folder.path() / "a" / "b");
-            out.write("x", "one");
-            pause();
-        }
-        EXPECT_TRUE(waits_until(false)) << signal;
-        ASSERT_EQ(kill(child, signal), 0);
-        waitpid(child, nullptr, 0);
-        EXPECT_TRUE(waits_until(true)) << signal;
-    }
 }
 
 TEST_F(OutputFolderTest, WhatWasThereStaysUntilKept) {

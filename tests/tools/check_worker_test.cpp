@@ -124,23 +124,6 @@ TEST(CheckWorker, AnInterruptEndsTheWorkersToo) {
     }
 }
 
-// Whatever ends the processes: another program removes what they put beside.
-TEST(CheckWorker, AnInterruptLeavesNoFolder) {
-    const TemporaryDirectory place;
-    const auto waits_until = [&](bool empty) {
-        for (int i = 0; i < 6000 && fs::is_empty(place.path()) != empty; ++i)
-            std::this_thread::sleep_for(10ms);
-        return fs::is_empty(place.path()) == empty;
-    };
-    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
-        WorkerProcess check({"env", "TMPDIR=" + place.path().string(), GLOAM_BUILT_BINARY, "check", "HALTON",
-                             "--inputs", "64", "--compiler", "tail -f {in} {out}"});
-        EXPECT_TRUE(waits_until(false)) << signal;
-        ASSERT_EQ(kill(check.id(), signal), 0);
-        EXPECT_TRUE(waits_until(true)) << signal;
-    }
-}
-
 // Whose driver failed once, perhaps; one that fails again is no worker.
 TEST(WorkerSession, AWorkerThatDoesNotGreetIsTriedTwice) {
     const TemporaryDirectory folder;

@@ -3,16 +3,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
-#include <cstdint>
 #include <cstring>
 #include <random>
 #include <stdexcept>
@@ -165,36 +161,10 @@ TemporaryFolder TemporaryFolder::in(const fs::path& parent) {
 }
 
 TemporaryFolder::TemporaryFolder(std::vector<fs::path> made) : made_(std::move(made)) {
-    leave_a_guard();
-    std::string names;
-    for (const fs::path& folder : made_) names += folder.string() + '\0';
-    (void)!send(alive_.get(), names.data(), names.size(), MSG_NOSIGNAL);
     if (const int error = make_folder(path())) {
         remove();
         fail_to_write(path().parent_path(), error);
     }
-}
-
-// It reads the folders' names from its input, which ends with this process. It leads a session of its own:
-// what ends this process's group, or its terminal's, does not end it.
-void TemporaryFolder::leave_a_guard() {
-    auto [end, alive] = connected_pair();
-    alive_ = std::move(alive);
-    std::array<std::string, 3> words{
-        "sh", "-c",
-        "trap '' HUP INT TERM; exec xargs -0 -r sh -c 'rm -rf -- \"$1\"; shift; rmdir -- \"$@\"' -"};
-    std::array<char*, 4> command{words[0].data(), words[1].data(), words[2].data(), nullptr};
-    posix_spawn_file_actions_t streams{};
-    posix_spawn_file_actions_init(&streams);
-    posix_spawn_file_actions_adddup2(&streams, end.get(), STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&streams, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&streams, STDOUT_FILENO, STDERR_FILENO);
-    posix_spawnattr_t session{};
-    posix_spawnattr_init(&session);
-    posix_spawnattr_setflags(&session, POSIX_SPAWN_SETSID);
-    if (posix_spawnp(&guard_, "sh", &streams, &session, command.data(), environ) != 0) guard_ = -1;
-    posix_spawnattr_destroy(&session);
-    posix_spawn_file_actions_destroy(&streams);
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -205,7 +175,6 @@ void TemporaryFolder::remove() {
     std::error_code ignored;
     fs::remove_all(path(), ignored);
     for (const fs::path& folder : made_) rmdir(folder.c_str());
-    if (guard_ > 0 && kill(guard_, SIGKILL) == 0) waitpid(guard_, nullptr, 0);
 }
 
 }  // namespace gloam::base

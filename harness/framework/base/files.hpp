@@ -53,8 +53,8 @@ constexpr std::size_t largest_text = std::size_t{64} << 20;  // bytes
 // Writes all bytes to an open file and closes it. Returns 0, or the error number.
 [[nodiscard]] int write_all(FileDescriptor file, std::string_view bytes);
 
-// A new empty folder for files of this process. It is removed with the object, and all that it holds; if the
-// process is killed before, by a program that outlives it and that knows its name before the folder is there.
+// A new empty folder for files of this process. It is removed with the object, and all that it holds; a
+// process that is killed leaves it.
 class TemporaryFolder {
   public:
     // `purpose`: a part of its name. Throws std::runtime_error that names the parent.
@@ -70,12 +70,9 @@ class TemporaryFolder {
 
   private:
     explicit TemporaryFolder(std::vector<std::filesystem::path> made);
-    void leave_a_guard();
     void remove();
 
     std::vector<std::filesystem::path> made_;  // it, and the folders around it, the innermost first
-    FileDescriptor alive_;                     // closed when this process ends
-    int guard_ = -1;                           // the program's process
 };
 
 // Creates or replaces a file atomically: no reader sees a part of it, not even when two processes write it at

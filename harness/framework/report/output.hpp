@@ -29,8 +29,7 @@ class OutputFile {
 
 // A folder that receives the files of one run: all of them, or none. They come into it when keep() is called.
 // Until then they are in a hidden folder below it, which is removed with the object, as are folders that it
-// created and that are empty, and also where the process is killed. If several runs use one folder, each
-// keeps all of its files at once.
+// created and that are empty. If several runs use one folder, each keeps all of its files at once.
 class OutputFolder {
   public:
     // Creates the folder if it is missing. Throws std::runtime_error with its name if it cannot be created or
