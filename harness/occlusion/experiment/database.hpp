@@ -28,7 +28,7 @@ class Database {
     explicit Database(const Record& record, const Record* before = nullptr);
 
     // The rows of a SELECT, in which `:size` is this size. A description of somebody else's may hold it: it
-    // only reads, and takes bounded time and memory. Throws std::runtime_error with SQLite's message.
+    // only reads, and takes a bounded number of steps. Throws std::runtime_error with SQLite's message.
     [[nodiscard]] Rows select(const std::string& text, const std::string& size = "") const;
 
     // The only value of a SELECT that has one row.
