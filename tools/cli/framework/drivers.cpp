@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -55,50 +55,6 @@ std::chrono::milliseconds time_to_load() {
             fmt::format("GLOAM_DRIVER_SECONDS \"{}\": expected seconds, 0.1 to {}", text, most));
     }
     return std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * seconds));
-}
-
-std::vector<std::string> parts_of(const char* list) {
-    std::vector<std::string> parts;
-    std::string_view rest = list == nullptr ? "" : list;
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find(':'), rest.size());
-        if (end > 0) parts.emplace_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return parts;
-}
-
-// Appends a manifest, or all manifests of a folder, sorted by name.
-void add_manifests(const fs::path& place, std::vector<fs::path>& manifests) {
-    std::error_code error;
-    if (!fs::is_directory(place, error)) {
-        if (fs::is_regular_file(place, error)) manifests.push_back(place);
-        return;
-    }
-    std::vector<fs::path> found;
-    for (fs::directory_iterator i(place, error), end; !error && i != end; i.increment(error))
-        if (i->path().extension() == ".json") found.push_back(i->path());
-    std::ranges::sort(found);
-    manifests.insert(manifests.end(), found.begin(), found.end());
-}
-
-const char* variable(const char* name, const char* otherwise) {
-    const char* value = std::getenv(name);
-    return value == nullptr || *value == '\0' ? otherwise : value;
-}
-
-// The folders that the loader searches if the environment names no drivers.
-std::vector<fs::path> standard_folders() {
-    const fs::path home = variable("HOME", "/nonexistent");
-    std::vector<fs::path> folders{fs::path(variable("XDG_CONFIG_HOME", (home / ".config").c_str()))};
-    for (const auto& part : parts_of(variable("XDG_CONFIG_DIRS", "/etc/xdg"))) folders.emplace_back(part);
-    folders.emplace_back("/usr/local/etc");
-    folders.emplace_back("/etc");
-    folders.emplace_back(variable("XDG_DATA_HOME", (home / ".local/share").c_str()));
-    for (const auto& part : parts_of(variable("XDG_DATA_DIRS", "/usr/local/share:/usr/share")))
-        folders.emplace_back(part);
-    for (fs::path& folder : folders) folder = folder / "vulkan" / "icd.d";
-    return folders;
 }
 
 // Counts the devices, with this driver alone or, for an empty path, with all.
@@ -145,19 +101,22 @@ void choose(const std::vector<fs::path>& manifests) {
     ::unsetenv("VK_ADD_DRIVER_FILES");
 }
 
-// The manifests of the drivers that the Vulkan loader would load, in its order, from the environment and from
-// its folders.
+// The manifests of the drivers that the Vulkan loader would load, in its order, as it says itself.
 std::vector<fs::path> driver_manifests() {
+    const std::string log =
+        base::run_process(manifests_command(), "",
+                          {.environment = {"VK_LOADER_DEBUG=driver", "VK_LOADER_DRIVERS_DISABLE=*"}})
+            .output;
+    std::istringstream lines(log.substr(std::min(log.size(), log.find("Found the following files:"))));
+    std::string line;
+    std::getline(lines, line);
     std::vector<fs::path> manifests;
-    const char* instead = std::getenv("VK_DRIVER_FILES");
-    if (instead == nullptr) instead = std::getenv("VK_ICD_FILENAMES");
-    if (instead != nullptr) {
-        for (const std::string& part : parts_of(instead)) add_manifests(part, manifests);
-        return manifests;
+    while (std::getline(lines, line)) {
+        line.erase(0, line.find_first_not_of(' ', line.find(':') + 1));
+        std::error_code none;
+        if (!fs::is_regular_file(line, none)) break;
+        manifests.emplace_back(line);
     }
-    for (const std::string& part : parts_of(std::getenv("VK_ADD_DRIVER_FILES")))
-        add_manifests(part, manifests);
-    for (const fs::path& folder : standard_folders()) add_manifests(folder, manifests);
     return manifests;
 }
 

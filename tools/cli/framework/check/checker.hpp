@@ -116,6 +116,8 @@ class Checker {
 // The command line of a process that greets with devices: of one Vulkan driver (the path of its manifest), or
 // of all; or of an executor of OpenGL.
 [[nodiscard]] std::vector<std::string> listing_command(const std::filesystem::path& driver);
+// And of one that lets the Vulkan loader say on standard output which manifests it finds.
+[[nodiscard]] std::vector<std::string> manifests_command();
 [[nodiscard]] std::vector<std::string> gl_listing_command(const std::string& executor);
 
 // The number of devices, counted by another process, because drivers can crash in doing so. Throws

@@ -59,6 +59,11 @@ void list_and_tell(const List& list) {
     replies.send(report::line_of(greeting));
 }
 
+// Lets the Vulkan loader say on standard output what it does, and ends.
+void list_manifests() {
+    if (dup2(STDOUT_FILENO, STDERR_FILENO) >= 0) list_and_tell(gpu::list_devices);
+}
+
 void run_worker(const CheckerOptions& options) {
     Replies replies;
     std::optional<Checker> checker;
@@ -94,6 +99,10 @@ std::vector<std::string> listing_command(const std::filesystem::path& driver) {
     return command;
 }
 
+std::vector<std::string> manifests_command() {
+    return {this_program, subcommand, "--manifests"};
+}
+
 std::vector<std::string> gl_listing_command(const std::string& executor) {
     return {this_program, subcommand, "--opengl=" + executor};
 }
@@ -119,12 +128,15 @@ void add_check_worker(CLI::App& app, EquationsNamed* equations) {
     command->add_flag("--validation", options->validation);
     auto list = std::make_shared<bool>(false);
     command->add_flag("--list", *list, "only list the devices");
+    auto manifests = std::make_shared<bool>(false);
+    command->add_flag("--manifests", *manifests, "only let the Vulkan loader say which drivers it finds");
     auto driver = std::make_shared<std::string>();
     command->add_option("--driver-alone", *driver, "manifest of the only driver to load");
     auto executor = std::make_shared<std::string>();
     command->add_option("--opengl", *executor, "only list the OpenGL devices of this executor");
-    command->callback([options, timeout, list, driver, executor] {
+    command->callback([options, timeout, list, manifests, driver, executor] {
         if (!executor->empty()) return list_and_tell([&] { return gl::list_devices(*executor); });
+        if (*manifests) return list_manifests();
         if (!driver->empty()) {
             ::setenv("VK_DRIVER_FILES", driver->c_str(), 1);
             ::setenv("VK_ICD_FILENAMES", driver->c_str(), 1);
