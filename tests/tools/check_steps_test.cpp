@@ -90,15 +90,6 @@ TEST_F(CheckSteps, TwoOutputsOfDifferentOutcomesAreOutsideForTheProgramToo) {
                       HasSubstr("  no outcome has all outputs together: OUTSIDE\n")));
 }
 
-// The manifest of Mesa's lavapipe; empty: it is not here.
-fs::path installed_lavapipe() {
-    const fs::path folder = "/usr/share/vulkan/icd.d";
-    if (fs::exists(folder))
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-            if (entry.path().filename().string().starts_with("lvp_icd")) return entry.path();
-    return {};
-}
-
 // What `git bisect run` asks: good, bad (0 and 1), or skip this build.
 TEST_F(CheckSteps, AScriptForBisectJudgesADriver) {
     const fs::path lavapipe = installed_lavapipe();

@@ -49,6 +49,35 @@ TEST_F(SwiftShader, OfABrowserIsFoundAndComesLastUnlessTheEnvironmentChooses) {
     }
 }
 
+using BrokenDriver = InFolder;
+
+// However they come to be known, one line names it, and every command runs on the others.
+TEST_F(BrokenDriver, BesideAWorkingOneCostsItselfOnly) {
+    const fs::path lavapipe = installed_lavapipe();
+    if (lavapipe.empty()) GTEST_SKIP() << "no lavapipe here (Debian: mesa-vulkan-drivers)";
+    const fs::path broken = write("a broken one.json",
+                                  R"({"file_format_version": "1.0.0", "ICD": {"api_version": "1.3.0",
+                                  "library_path": ")" GLOAM_CRASHING_DRIVER "\"}}");
+    const std::string both = broken.string() + ":" + lavapipe.string();
+    const CommandOptions named{.environment = {"VK_DRIVER_FILES=" + both, "VK_ICD_FILENAMES=" + both}};
+    const CommandOptions added{.environment = {"VK_ADD_DRIVER_FILES=" + broken.string()}};
+    for (const auto& line :
+         {words("devices"), words("check HALTON-base2 --inputs 64"),
+          words("render corner --size 16x9 --samples 1 --out {}", path("render")),
+          words("bench --scene corner --method hemisphere --samples 4 --size 32x18 --frames 1 "
+                "--rays 32 --repeat 1 --out {}",
+                path("bench"))}) {
+        for (const CommandOptions& known : {named, added}) {
+            const CommandResult result = run_command(line, known);
+            EXPECT_EQ(result.status, 0) << line[0] << result.out << result.err;
+            EXPECT_EQ(line_count(result.err), 1) << line[0] << result.err;
+            EXPECT_THAT(result.err, AllOf(StartsWith("gloam: Vulkan driver " + broken.string() + ": "),
+                                          HasSubstr("ABRT"), EndsWith("; it is skipped\n")));
+            fs::remove_all(path("bench"));
+        }
+    }
+}
+
 // Those of Vulkan have a number and float controls; then those of OpenGL, and the interpreter as the last.
 TEST(Devices, AreListedWithTheirFloatControls) {
     const json all = devices();

@@ -35,6 +35,15 @@ inline std::string output_of(const CommandResult& result) {
     return result.out;
 }
 
+// The manifest of Mesa's lavapipe; empty: it is not here.
+inline fs::path installed_lavapipe() {
+    const fs::path folder = "/usr/share/vulkan/icd.d";
+    if (fs::exists(folder))
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+            if (entry.path().filename().string().starts_with("lvp_icd")) return entry.path();
+    return {};
+}
+
 // An installation of its own, whose shaders a test may break: the program beside share/gloam/glsl.
 class Installation {
   public:

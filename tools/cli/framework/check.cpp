@@ -30,16 +30,6 @@
 namespace gloam::cli {
 namespace {
 
-std::vector<std::string> devices_to_check(const std::string& device) {
-    if (device == every_opengl) return gl_device_names();
-    if (device != "all") return {device};
-    std::vector<std::string> all;
-    const std::size_t count = count_devices();
-    for (std::size_t i = 0; i < count; ++i) all.push_back(std::to_string(i));
-    if (all.empty()) all.emplace_back();  // then opening the default device fails with a clear message
-    return all;
-}
-
 void print_device(const report::DeviceSummary& device) {
     fmt::print("device: {}\nversions: {}\n{}\n", report::name_of(device), versions(), report::table_header());
     std::fflush(stdout);
@@ -196,25 +186,38 @@ class CheckRun {
     std::function<void(double)> progress_;
 };
 
-// A driver that cannot be loaded is reported by a row, if it was selected, and by a line; others are not
-// affected.
-std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& options, std::size_t checks) {
+// A broken driver is reported by a row, if it was selected, and by a line; others are not affected.
+std::vector<report::CheckReport> reports_of(const std::vector<BrokenDriver>& broken,
+                                            const CheckOptions& options, std::size_t checks) {
     std::vector<report::CheckReport> reports;
-    const LeftOut left_out = leave_out_bad_drivers();
-    if (!left_out.others) return reports;  // opening a device reports the reason
-    for (const DriverTrouble& driver : left_out.drivers) {
-        const std::string name = "driver " + driver.manifest.string();
-        if (options.device != "all" && !driver.asked_for) {
-            fmt::print(stderr, "gloam: Vulkan {}: {}; it is skipped\n", name, driver.error);
+    for (const BrokenDriver& driver : broken) {
+        if (options.device != "all" && std::ranges::count(drivers_asked_for(), driver.manifest) == 0) {
+            say_skipped(driver);
             continue;
         }
-        reports.push_back(
-            {.device = {.name = name}, .rows = {device_row(driver.reason, driver.error, checks)}});
+        reports.push_back({.device = {.name = "driver " + driver.manifest.string()},
+                           .rows = {device_row(driver.reason, driver.error, checks)}});
         if (!options.rows) continue;
         print_device(reports.back().device);
         print_row(reports.back().rows.front());
     }
     return reports;
+}
+
+// What --device stands for. Adds a report for each broken driver.
+std::vector<std::string> devices_to_check(const CheckOptions& options, std::size_t checks,
+                                          std::vector<report::CheckReport>& reports) {
+    if (options.device == every_opengl) return gl_device_names();
+    if (options.device == check::interpreter_name || is_opengl(options.device)) return {options.device};
+    const Drivers drivers = load_drivers();
+    if (!drivers.devices.empty()) reports = reports_of(drivers.broken, options, checks);
+    // Otherwise opening the default device reports why there is none.
+    if (options.device != "all") return {options.device};
+    if (drivers.devices.empty() && !drivers.error.empty()) throw std::runtime_error(drivers.error);
+    std::vector<std::string> all;
+    for (const backend::DeviceInfo& device : drivers.devices) all.push_back(std::to_string(device.index));
+    if (all.empty()) all.emplace_back();
+    return all;
 }
 
 // Adds the reports to the outcome, and what was left out.
@@ -227,9 +230,7 @@ void run_devices(const CheckOptions& options, CheckOutcome& outcome) {
         throw std::invalid_argument("--include is for a shader file");
     std::vector<CheckTask> tasks = tasks_of(options, outcome);
     std::vector<report::CheckReport>& reports = outcome.reports;
-    if (options.device != check::interpreter_name && !is_opengl(options.device))
-        reports = reports_of_bad_drivers(options, tasks.size());
-    const std::vector<std::string> devices = devices_to_check(options.device);
+    const std::vector<std::string> devices = devices_to_check(options, tasks.size(), reports);
     CheckRun run(options, std::move(tasks), devices.size());
     for (const std::string& device : devices) reports.push_back(run.on_device(device));
 }

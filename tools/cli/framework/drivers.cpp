@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
+#include "base/number.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "cli/environment.hpp"
@@ -43,68 +43,44 @@ namespace fs = std::filesystem;
 
 constexpr double seconds_to_load = 30.0;
 
-// Time limit for loading a driver. Throws std::invalid_argument.
-std::chrono::milliseconds time_to_load() {
+// Time limit for loading drivers. Throws std::invalid_argument.
+std::chrono::duration<double> time_to_load() {
     const char* text = std::getenv("GLOAM_DRIVER_SECONDS");
-    if (text == nullptr) return std::chrono::milliseconds(static_cast<int>(1e3 * seconds_to_load));
+    if (text == nullptr) return std::chrono::duration<double>(seconds_to_load);
     constexpr double most = 86'400.0;
-    char* end = nullptr;
-    const double seconds = std::strtod(text, &end);
-    if (end == text || *end != '\0' || !(seconds >= 0.1 && seconds <= most)) {
-        throw std::invalid_argument(
-            fmt::format("GLOAM_DRIVER_SECONDS \"{}\": expected seconds, 0.1 to {}", text, most));
-    }
-    return std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * seconds));
+    const double seconds = base::number_from<double>(text).value_or(0.0);
+    if (seconds >= 0.1 && seconds <= most) return std::chrono::duration<double>(seconds);
+    throw std::invalid_argument(
+        fmt::format("GLOAM_DRIVER_SECONDS \"{}\": expected seconds, 0.1 to {}", text, most));
 }
 
-// Counts the devices, with this driver alone or, for an empty path, with all.
-DriverTrouble tried(const fs::path& manifest) {
-    DriverTrouble trouble{.manifest = manifest};
-    const auto fail = [&](check::Reason reason, const std::string& why) {
-        trouble.reason = reason;
-        trouble.error = base::one_line(why);
-        return trouble;
-    };
-    const std::chrono::milliseconds patience = time_to_load();
+Listing listed(const std::string& option, std::vector<std::string> environment = {}) {
+    const std::chrono::duration<double> patience = time_to_load();
     const base::ProcessResult result =
-        base::run_process(listing_command(manifest), "", {.patience = patience});
-    if (result.end == base::ProcessResult::End::time) {
-        const double seconds = std::chrono::duration<double>(patience).count();
-        return fail(check::Reason::hang, fmt::format("does not load within {:g} s", seconds));
-    }
-    if (result.output.empty()) return fail(check::Reason::crash, "its process " + result.how());
+        base::run_process(listing_command(option), "",
+                          {.patience = std::chrono::ceil<std::chrono::milliseconds>(patience),
+                           .environment = std::move(environment)});
+    if (result.end == base::ProcessResult::End::time)
+        return {.error = fmt::format("does not load within {:g} s", patience.count()),
+                .reason = check::Reason::hang};
+    if (result.output.empty())
+        return {.error = base::one_line("its process " + result.how()), .reason = check::Reason::crash};
     try {
-        const Greeting greeting =
-            report::from_line<Greeting>(result.output.substr(0, result.output.find('\n')));
-        if (!greeting.error.empty()) return fail(check::Reason::error, greeting.error);
-        if (greeting.devices.empty()) return fail(check::Reason::error, "gives no device");
+        return report::from_line<Listing>(result.output.substr(0, result.output.find('\n')));
     } catch (const std::exception& error) {
-        return fail(check::Reason::error, error.what());
+        return {.error = "its process answers what makes no sense: " + base::one_line(error.what())};
     }
-    return trouble;
 }
 
-bool does_not_load(const DriverTrouble& driver) {
-    return driver.reason == check::Reason::crash || driver.reason == check::Reason::hang;
-}
-
-std::vector<fs::path>& asked_for() {
-    static std::vector<fs::path> drivers;
-    return drivers;
-}
-
-void choose(const std::vector<fs::path>& manifests) {
-    std::string list;
-    for (const fs::path& manifest : manifests) list += (list.empty() ? "" : ":") + manifest.string();
-    ::setenv("VK_DRIVER_FILES", list.c_str(), 1);
-    ::setenv("VK_ICD_FILENAMES", list.c_str(), 1);  // for loaders that support only the older name
-    ::unsetenv("VK_ADD_DRIVER_FILES");
+// What tells the loader to load these drivers only, the second name for loaders that support only that.
+std::vector<std::string> only(const std::string& manifests) {
+    return {"VK_DRIVER_FILES=" + manifests, "VK_ICD_FILENAMES=" + manifests};
 }
 
 // The manifests of the drivers that the Vulkan loader would load, in its order, as it says itself.
 std::vector<fs::path> driver_manifests() {
     const std::string log =
-        base::run_process(manifests_command(), "",
+        base::run_process(listing_command("--manifests"), "",
                           {.environment = {"VK_LOADER_DEBUG=driver", "VK_LOADER_DRIVERS_DISABLE=*"}})
             .output;
     std::istringstream lines(log.substr(std::min(log.size(), log.find("Found the following files:"))));
@@ -120,12 +96,13 @@ std::vector<fs::path> driver_manifests() {
     return manifests;
 }
 
-// Loads this driver alone. `reason` is none if it has a device.
-DriverTrouble probe_driver(const fs::path& manifest) {
-    const fs::path file = fs::absolute(manifest);
-    DriverTrouble driver = tried(file);
-    driver.asked_for = std::ranges::find(asked_for(), file) != asked_for().end();
-    return driver;
+std::string text_of(const BrokenDriver& driver) {
+    return fmt::format("Vulkan driver {}: {}", driver.manifest.string(), driver.error);
+}
+
+std::vector<fs::path>& asked_for() {
+    static std::vector<fs::path> drivers;
+    return drivers;
 }
 
 }  // namespace
@@ -134,32 +111,39 @@ const std::vector<fs::path>& drivers_asked_for() {
     return asked_for();
 }
 
-LeftOut leave_out_bad_drivers() {
-    if (!does_not_load(tried({}))) return {};
-    LeftOut left_out{.drivers = {}, .others = false};
-    std::vector<fs::path> good;
-    for (const fs::path& manifest : driver_manifests()) {
-        DriverTrouble driver = probe_driver(manifest);
-        left_out.others = left_out.others || driver.reason == check::Reason::none;
-        if (does_not_load(driver)) {
-            left_out.drivers.push_back(std::move(driver));
-        } else {
-            good.push_back(manifest);
-        }
-    }
-    if (left_out.others) choose(good);
-    return left_out;
+void say_skipped(const BrokenDriver& driver) {
+    fmt::print(stderr, "gloam: {}; it is skipped\n", text_of(driver));
 }
 
-void require_good_drivers() {
-    static bool done = false;
-    if (std::exchange(done, true)) return;
-    const LeftOut left_out = leave_out_bad_drivers();
-    for (const DriverTrouble& driver : left_out.drivers) {
-        const std::string what = fmt::format("Vulkan driver {}: {}", driver.manifest.string(), driver.error);
-        if (!left_out.others) throw std::runtime_error(what);
-        fmt::print(stderr, "gloam: {}; it is skipped\n", what);
+Listing list_opengl(const std::string& executor) {
+    return listed("--opengl=" + executor);
+}
+
+Drivers load_drivers() {
+    Listing all = listed("--list");
+    Drivers found{.devices = std::move(all.devices), .error = std::move(all.error), .broken = {}};
+    if (all.reason == check::Reason::none) return found;
+    std::string others;
+    for (const fs::path& manifest : driver_manifests()) {
+        const Listing alone = listed("--list", only(manifest));
+        if (alone.reason == check::Reason::none)
+            others += (others.empty() ? "" : ":") + manifest.string();
+        else
+            found.broken.push_back({manifest, alone.reason, alone.error});
     }
+    found.error = found.broken.empty() ? "the Vulkan drivers: " + found.error : text_of(found.broken.front());
+    found.devices = listed("--list", only(others)).devices;
+    if (found.devices.empty()) return found;
+    for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
+        ::setenv(variable, others.c_str(), 1);
+    return found;
+}
+
+Drivers require_good_drivers() {
+    Drivers found = load_drivers();
+    if (found.devices.empty() && !found.broken.empty()) throw std::runtime_error(found.error);
+    for (const BrokenDriver& driver : found.broken) say_skipped(driver);
+    return found;
 }
 
 namespace {
@@ -173,13 +157,13 @@ bool holds(const Manifests& manifests, const std::filesystem::path& file) {
     });
 }
 
-// Throws if a driver that was requested by name has no device. If it crashes the process that loads it, the
-// command reports that.
-void require_driver(const std::filesystem::path& manifest) {
-    const DriverTrouble driver = probe_driver(manifest);
-    if (driver.reason != check::Reason::error) return;
+// Throws if a driver that was requested by name has no device. If it is broken, the command reports that.
+void require_driver(const fs::path& manifest) {
+    const Listing alone = listed("--list", only(manifest));
+    if (!alone.devices.empty() || alone.reason != check::Reason::none) return;
     throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
-                                         manifest.string(), driver.error));
+                                         manifest.string(),
+                                         alone.error.empty() ? "it gives none" : alone.error));
 }
 
 void tell_the_loader(Manifests manifests) {
@@ -190,7 +174,7 @@ void tell_the_loader(Manifests manifests) {
     gpu::add_drivers(manifests);
     for (const auto& manifest : named) {
         asked_for().push_back(fs::absolute(manifest));
-        require_driver(manifest);
+        require_driver(asked_for().back());
     }
 }
 

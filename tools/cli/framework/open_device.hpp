@@ -7,6 +7,7 @@
 
 #include "backend/vulkan/device.hpp"
 #include "check/answer.hpp"
+#include "report/members.hpp"
 
 namespace CLI {
 class App;
@@ -31,32 +32,70 @@ void add_driver_option(CLI::App& command);
 // must live as long as the command.
 void add_device_options(CLI::App& command, std::string& device, bool& validation);
 
-// A Vulkan driver without a device, tested in a separate process.
-struct DriverTrouble {
+// What another process said that listed devices.
+struct Listing {
+    std::vector<backend::DeviceInfo> devices;
+    std::string error;                           // why there are none
+    check::Reason reason = check::Reason::none;  // crash, hang: it ended, or was ended, without a word
+};
+
+// Lists the OpenGL devices of an executor (backend/gl/device.hpp).
+[[nodiscard]] Listing list_opengl(const std::string& executor);
+
+// A Vulkan driver that crashes, exits or hangs while it loads.
+struct BrokenDriver {
     std::filesystem::path manifest;
-    check::Reason reason = check::Reason::none;  // crash, hang; error: it is not a driver, or has no device
+    check::Reason reason = check::Reason::none;  // crash or hang
     std::string error;
-    bool asked_for = false;  // by --driver
 };
 
-// Drivers that cannot be loaded, and whether another driver has a device.
-struct LeftOut {
-    std::vector<DriverTrouble> drivers;
-    bool others = true;
+struct Drivers {
+    std::vector<backend::DeviceInfo> devices;
+    std::string error;  // why there are none, where one knows
+    std::vector<BrokenDriver> broken;
 };
 
-// Those of --driver.
+// Lists the Vulkan devices. Where that ends the process that does it, each driver is tried alone, and broken
+// ones are left out in this process and in those that it starts, if another has a device. Call it while there
+// is only one thread.
+[[nodiscard]] Drivers load_drivers();
+
+// The same for commands that need one device: names the broken drivers on standard error. Throws
+// std::runtime_error if only they have devices.
+Drivers require_good_drivers();
+
+// "gloam: Vulkan driver FILE: its process ended ...; it is skipped", on standard error.
+void say_skipped(const BrokenDriver& driver);
+
+// Manifests of --driver.
 [[nodiscard]] const std::vector<std::filesystem::path>& drivers_asked_for();
-
-// Disables drivers that crash, hang or exit while they load, in this process and those that it starts, as
-// long as another driver has a device. Call it while there is only one thread.
-[[nodiscard]] LeftOut leave_out_bad_drivers();
-
-// The same for commands that need one device: reports the disabled drivers on standard error. Throws
-// std::runtime_error if every driver is disabled.
-void require_good_drivers();
 
 // The names of all OpenGL devices. Throws std::runtime_error that says why where there is none.
 [[nodiscard]] std::vector<std::string> gl_device_names();
 
+// Its one line of JSON, without the reason; a device as `gloam devices --json` shows it.
+template <class Io>
+void members(Io& io, Listing& listing) {
+    report::each(io, "devices", listing.devices, "error", listing.error);
+}
+
 }  // namespace gloam::cli
+
+namespace gloam::backend {
+
+template <class Io>
+void members(Io& io, FloatControls& float32) {
+    report::each(io, "signed_zero_inf_nan_preserve", float32.preserves_signed_zero_inf_nan, "denorm_preserve",
+                 float32.preserves_denormals, "denorm_flush_to_zero", float32.flushes_denormals,
+                 "rounding_mode_rte", float32.rounds_to_even, "rounding_mode_rtz", float32.rounds_to_zero);
+}
+
+template <class Io>
+void members(Io& io, DeviceInfo& device) {
+    report::each(io, "index", device.index, "name", device.name, "type", device.type, "driver", device.driver,
+                 "api_version", device.api_version, "max_image_size", device.max_image_size,
+                 "max_buffer_bytes", device.max_buffer_bytes, "subgroup_size", device.subgroup_size,
+                 "timestamp_period_ns", device.timestamp_period_ns, "float32", device.float32);
+}
+
+}  // namespace gloam::backend

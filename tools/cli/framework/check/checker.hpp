@@ -113,16 +113,9 @@ class Checker {
 // them.
 [[nodiscard]] std::vector<std::string> worker_command(const CheckerOptions& options);
 
-// The command line of a process that greets with devices: of one Vulkan driver (the path of its manifest), or
-// of all; or of an executor of OpenGL.
-[[nodiscard]] std::vector<std::string> listing_command(const std::filesystem::path& driver);
-// And of one that lets the Vulkan loader say on standard output which manifests it finds.
-[[nodiscard]] std::vector<std::string> manifests_command();
-[[nodiscard]] std::vector<std::string> gl_listing_command(const std::string& executor);
-
-// The number of devices, counted by another process, because drivers can crash in doing so. Throws
-// std::runtime_error.
-[[nodiscard]] std::size_t count_devices();
+// The command line of a process that lists devices (open_device.hpp), with one of the options --list,
+// --opengl=EXECUTOR and --manifests.
+[[nodiscard]] std::vector<std::string> listing_command(const std::string& option);
 
 // Adds the hidden subcommand that runs a worker.
 void add_check_worker(CLI::App& app, EquationsNamed* equations);

@@ -40,15 +40,15 @@ void members(Io& io, CheckTask& task) {
                  task.includes);
 }
 
-// A worker's greeting: its device, or all those that it was to list, or why there are none.
+// A worker's greeting: its device, or why there is none.
 struct Greeting {
-    std::vector<report::DeviceSummary> devices;
+    report::DeviceSummary device;
     std::string error;  // empty: there is a device
 };
 
 template <class Io>
 void members(Io& io, Greeting& greeting) {
-    report::each(io, "devices", greeting.devices, "error", greeting.error);
+    report::each(io, "device", greeting.device, "error", greeting.error);
 }
 
 // A request to a worker about a failed check.

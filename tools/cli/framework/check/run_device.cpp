@@ -162,7 +162,7 @@ void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
     const auto make_session = [&] { return WorkerSession(command, run.checker.timeout, refusal_of); };
     WorkerSession session = make_session();
     try {
-        report.device = report::from_line<Greeting>(session.greeting()).devices.at(0);
+        report.device = report::from_line<Greeting>(session.greeting()).device;
     } catch (const NoWorker& none) {
         if (none.reason == Reason::error) throw DeviceRefused(none.what());
         report.device.name = run.checker.device.empty() ? "default" : run.checker.device;

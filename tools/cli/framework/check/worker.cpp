@@ -14,7 +14,6 @@
 #include <system_error>
 
 #include "backend/gl/device.hpp"
-#include "cli/framework/check/worker_session.hpp"
 #include "cli/framework/open_device.hpp"
 
 namespace gloam::cli {
@@ -22,7 +21,6 @@ namespace {
 
 constexpr const char* this_program = "/proc/self/exe";
 constexpr const char* subcommand = "check-worker";
-constexpr std::chrono::seconds time_to_count{120};
 
 // Sends lines to the parent. Standard output itself is redirected to standard error, because a driver may
 // print.
@@ -46,17 +44,17 @@ class Replies {
     std::FILE* file_;
 };
 
-// Greets with a list of devices and ends.
+// Says what devices there are and ends.
 template <class List>
 void list_and_tell(const List& list) {
     Replies replies;
-    Greeting greeting;
+    Listing listing;
     try {
-        for (const backend::DeviceInfo& device : list()) greeting.devices.push_back(summary_of(device));
+        for (const backend::DeviceInfo& device : list()) listing.devices.push_back(device);
     } catch (const std::exception& error) {
-        greeting.error = error.what();
+        listing.error = error.what();
     }
-    replies.send(report::line_of(greeting));
+    replies.send(report::line_of(listing));
 }
 
 // Lets the Vulkan loader say on standard output what it does, and ends.
@@ -70,7 +68,7 @@ void run_worker(const CheckerOptions& options) {
     Greeting greeting;
     try {
         checker.emplace(options);
-        greeting.devices = {checker->device()};
+        greeting.device = checker->device();
     } catch (const std::exception& error) {
         greeting.error = error.what();
     }
@@ -93,29 +91,8 @@ std::vector<std::string> worker_command(const CheckerOptions& options) {
     return command;
 }
 
-std::vector<std::string> listing_command(const std::filesystem::path& driver) {
-    std::vector<std::string> command{this_program, subcommand, "--list"};
-    if (!driver.empty()) command.push_back("--driver-alone=" + driver.string());
-    return command;
-}
-
-std::vector<std::string> manifests_command() {
-    return {this_program, subcommand, "--manifests"};
-}
-
-std::vector<std::string> gl_listing_command(const std::string& executor) {
-    return {this_program, subcommand, "--opengl=" + executor};
-}
-
-std::size_t count_devices() {
-    WorkerSession session(listing_command({}), time_to_count,
-                          [](const std::string& line) { return report::from_line<Greeting>(line).error; });
-    try {
-        return report::from_line<Greeting>(session.greeting()).devices.size();
-    } catch (const NoWorker& none) {
-        if (none.reason == check::Reason::error) throw;
-        throw std::runtime_error(std::string("cannot list the devices: ") + none.what());
-    }
+std::vector<std::string> listing_command(const std::string& option) {
+    return {this_program, subcommand, option};
 }
 
 void add_check_worker(CLI::App& app, EquationsNamed* equations) {
@@ -130,18 +107,11 @@ void add_check_worker(CLI::App& app, EquationsNamed* equations) {
     command->add_flag("--list", *list, "only list the devices");
     auto manifests = std::make_shared<bool>(false);
     command->add_flag("--manifests", *manifests, "only let the Vulkan loader say which drivers it finds");
-    auto driver = std::make_shared<std::string>();
-    command->add_option("--driver-alone", *driver, "manifest of the only driver to load");
     auto executor = std::make_shared<std::string>();
     command->add_option("--opengl", *executor, "only list the OpenGL devices of this executor");
-    command->callback([options, timeout, list, manifests, driver, executor] {
+    command->callback([options, timeout, list, manifests, executor] {
         if (!executor->empty()) return list_and_tell([&] { return gl::list_devices(*executor); });
         if (*manifests) return list_manifests();
-        if (!driver->empty()) {
-            ::setenv("VK_DRIVER_FILES", driver->c_str(), 1);
-            ::setenv("VK_ICD_FILENAMES", driver->c_str(), 1);
-            ::unsetenv("VK_ADD_DRIVER_FILES");
-        }
         if (*list) return list_and_tell(gpu::list_devices);
         options->timeout = std::chrono::milliseconds(*timeout);
         run_worker(*options);
