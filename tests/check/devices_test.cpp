@@ -147,7 +147,7 @@ TEST_P(OpenGlDevice, RunsTextsOfChangedModules) {
     const auto changed = [] {
         return Lab({.device = GetParam(),
                     .include_roots = {FIXTURES},
-                    .variant = shader::variant("shipped | metamorphic 2")});
+                    .variant = shader::variant("shipped | spirv-opt -O")});
     };
     if (!has_compute()) {
         EXPECT_THAT(changed, ThrowsMessage<std::invalid_argument>(HasSubstr("those with compute shaders")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gloam check --compiler, --variant metamorphic: what a compiler's engineer asks.
+// gloam check --compiler: what a compiler's engineer asks.
 #include "tools/gloam.hpp"
 
 namespace gloam::test::check_steps_test {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "backend/gl/device.hpp"
 #include "backend/gl/kernel.hpp"
@@ -241,10 +242,8 @@ void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
     if (options_.variant.steps.empty()) return;
     const auto stage = stage_of(module.team);
     const auto glsl = [&] { return shader::pack({text}, {.stage = stage}, options_.include_roots); };
-    shader::Stepped stepped =
-        shader::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
-    module.before = std::move(stepped.before);
-    module.spirv = std::move(stepped.after);
+    shader::Spirv after = shader::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
+    module.before = std::exchange(module.spirv, std::move(after));
 }
 
 shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOptions& options) const {

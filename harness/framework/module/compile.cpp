@@ -145,11 +145,9 @@ Variant variant(const std::string& name) {
     if (bar != std::string::npos) {
         Variant made = variant(name.substr(0, bar));
         made.name = name;
-        const std::vector<std::string> steps = steps_from(name.substr(bar + step_separator.size()), 0, 1);
+        const std::vector<std::string> steps = steps_from(name.substr(bar + step_separator.size()));
         if (steps.size() != 1) throw std::invalid_argument(name + ": expected one step behind each bar");
         made.steps.push_back(steps.front());
-        if (is_metamorphic(made.steps.back()) && !std::ranges::all_of(made.steps, is_metamorphic))
-            throw std::invalid_argument(name + ": expected metamorphic steps before those of a compiler");
         return made;
     }
     std::string names;

@@ -5,22 +5,18 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <chrono>
-#include <optional>
 #include <sstream>
 #include <system_error>
 
 #include "base/files.hpp"
-#include "base/number.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
-#include "module/metamorphic.hpp"
 #include "module/spirv.hpp"
 
 namespace gloam::shader {
 namespace {
 
 constexpr std::string_view optimizer = "spirv-opt";
-constexpr std::string_view changer = "metamorphic";
 
 using Words = std::vector<std::string>;
 
@@ -39,33 +35,6 @@ std::string joined(const Words& words) {
     throw std::invalid_argument(fmt::format("\"{}\" is no step: expected {}", step, expected));
 }
 
-struct Seeded {
-    std::uint64_t seed = 0;
-    std::vector<std::size_t> positions;
-};
-
-std::vector<std::size_t> all_positions() {
-    std::vector<std::size_t> all(metamorphic_changes);
-    for (std::size_t position = 0; position < all.size(); ++position) all[position] = position;
-    return all;
-}
-
-// "metamorphic SEED" or "metamorphic SEED only POSITION...".
-Seeded seeded_from(const std::string& step) {
-    const Words words = words_of(step);
-    const auto seed = words.size() > 1 ? base::number_from<std::uint64_t>(words[1]) : std::nullopt;
-    const bool some = words.size() > 3 && words[2] == "only";
-    if (!seed || (words.size() > 2 && !some)) refuse(step, "metamorphic SEED, or metamorphic SEED only 3 5");
-    Seeded seeded{*seed, some ? std::vector<std::size_t>{} : all_positions()};
-    for (std::size_t w = 3; w < words.size(); ++w) {
-        const auto position = base::number_from<std::uint64_t>(words[w]);
-        if (!position || *position >= metamorphic_changes)
-            refuse(step, fmt::format("positions below {}", metamorphic_changes));
-        seeded.positions.push_back(*position);
-    }
-    return seeded;
-}
-
 bool is_program(const std::string& step) {
     return step.find("{out}") != std::string::npos;
 }
@@ -77,15 +46,13 @@ void require_step(const std::string& step) {
     if (is_program(step)) {
         if (step.find("{in}") == std::string::npos && step.find("{glsl}") == std::string::npos)
             refuse(step, "a program that is given {in} or {glsl}");
-    } else if (words[0] == changer) {
-        static_cast<void>(seeded_from(step));
     } else if (words[0] == optimizer) {
         const auto unknown = std::find_if_not(words.begin() + 1, words.end(), is_pass);
         if (words.size() == 1) refuse(step, "passes, as in spirv-opt --ccp");
         if (unknown != words.end())
             refuse(step, fmt::format("passes of SPIRV-Tools, and {} is none", *unknown));
     } else {
-        refuse(step, "spirv-opt, metamorphic, or a program with {in} and {out}");
+        refuse(step, "spirv-opt, or a program with {in} and {out}");
     }
 }
 
@@ -140,10 +107,6 @@ Spirv run_program(const std::string& step, const StepInput& input) {
 Spirv taken_unchecked(const std::string& step, const StepInput& input) {
     if (is_program(step)) return run_program(step, input);
     Words words = words_of(step);
-    if (words[0] == changer) {
-        const Seeded seeded = seeded_from(step);
-        return metamorphic(input.module, seeded.seed, seeded.positions).module;
-    }
     words.erase(words.begin());
     return made_apart([&] { return with_passes(input.module, words); });
 }
@@ -163,38 +126,23 @@ Spirv taken(const std::string& step, const StepInput& input) {
     }
 }
 
-Stepped all_taken(const std::vector<std::string>& steps, const StepInput& input) {
-    Stepped stepped{input.module, input.module};
-    for (const std::string& step : steps) {
-        stepped.after = taken(step, {.module = stepped.after, .glsl = input.glsl});
-        if (is_metamorphic(step)) stepped.before = stepped.after;
-    }
-    if (without_names(stepped.after) == without_names(input.module)) throw Unchanged();
-    return stepped;
-}
-
-bool is_metamorphic(const std::string& step) {
-    return step.starts_with(changer) && !is_program(step);
+Spirv all_taken(const std::vector<std::string>& steps, const StepInput& input) {
+    Spirv module = input.module;
+    for (const std::string& step : steps) module = taken(step, {.module = module, .glsl = input.glsl});
+    if (without_names(module) == without_names(input.module)) throw Unchanged();
+    return module;
 }
 
 std::vector<std::string> parts_of(const std::string& step) {
-    Words parts;
-    if (is_metamorphic(step)) {
-        for (const std::size_t position : seeded_from(step).positions)
-            parts.push_back(std::to_string(position));
-    } else {
-        parts = words_of(step);
-        std::erase_if(parts, [](const std::string& word) { return !is_pass(word); });
-    }
+    Words parts = words_of(step);
+    std::erase_if(parts, [](const std::string& word) { return !is_pass(word); });
     return parts;
 }
 
 std::string with_parts(const std::string& step, const std::vector<std::string>& parts) {
-    const Words words = words_of(step);
-    if (is_metamorphic(step)) return fmt::format("{} {} only {}", words[0], words[1], joined(parts));
     Words changed;
     bool put = false;
-    for (const std::string& word : words) {
+    for (const std::string& word : words_of(step)) {
         if (!is_pass(word)) {
             changed.push_back(word);
         } else if (!put) {
@@ -231,12 +179,10 @@ Words known_passes() {
 
 }  // namespace
 
-std::vector<std::string> steps_from(const std::string& text, std::uint64_t first, std::size_t seeds) {
+std::vector<std::string> steps_from(const std::string& text) {
     constexpr std::string_view each = "{each}";
     Words steps;
-    if (text == changer) {
-        for (std::size_t s = 0; s < seeds; ++s) steps.push_back(fmt::format("{} {}", changer, first + s));
-    } else if (const std::size_t at = text.find(each); at != std::string::npos) {
+    if (const std::size_t at = text.find(each); at != std::string::npos) {
         for (const std::string& pass : known_passes())
             steps.push_back(std::string(text).replace(at, each.size(), pass));
     } else {

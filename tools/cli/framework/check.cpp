@@ -295,16 +295,12 @@ void add_selection_options(CLI::App& command, CheckOptions& options) {
                        "name; interpreter: no driver, every operation correctly rounded");
     command
         .add_option("--variant", options.variant,
-                    "how the shaders are compiled (gloam list variants), all, or metamorphic: changed "
-                    "without a change of meaning")
+                    "how the shaders are compiled (gloam list variants), or all")
         ->capture_default_str();
     command.add_option("--compiler", options.compilers,
                        "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
                        "'spirv-opt {each}', a program with {in} or {glsl} and {out}; several joined by "
                        "' | '");
-    command.add_option("--seeds", options.seeds, "seeds of metamorphic steps, from --seed on")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
-        ->capture_default_str();
 }
 
 // How much of it, and how.

@@ -26,7 +26,6 @@ struct CheckOptions {
     std::string device;                 // name, index or "all"; empty: the default
     std::string variant = "shipped";    // see variants(), or "all"
     std::vector<std::string> compilers;  // steps after it (module/steps.hpp), joined by " | "; each a variant
-    std::size_t seeds = 100;             // of metamorphic steps, from `seed` on
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
     std::string shard;  // see shard_from()

@@ -46,7 +46,6 @@ std::vector<Named> variant_names() {
     std::vector<Named> names;
     for (const shader::Variant& variant : shader::variants())
         names.push_back({variant.name, variant.description});
-    names.push_back({"metamorphic", "as shipped, changed without changing what it means; not one of all"});
     return names;
 }
 

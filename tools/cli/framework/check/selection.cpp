@@ -37,20 +37,12 @@ std::vector<std::string> divided(const std::string& chain) {
 }
 
 // Each name with each of the steps that the text stands for.
-std::vector<std::string> followed(const std::vector<std::string>& names, const std::string& text,
-                                  const CheckOptions& options) {
+std::vector<std::string> followed(const std::vector<std::string>& names, const std::string& text) {
     std::vector<std::string> longer;
-    for (const std::string& step : shader::steps_from(text, options.seed, options.seeds))
+    for (const std::string& step : shader::steps_from(text))
         for (const std::string& name : names)
             longer.push_back(name + std::string(shader::step_separator) + step);
     return longer;
-}
-
-std::vector<std::string> bases_of(const CheckOptions& options) {
-    std::vector<std::string> names;
-    if (options.variant == "metamorphic") return followed({"shipped"}, options.variant, options);
-    for (const shader::Variant& variant : select_variants(options.variant)) names.push_back(variant.name);
-    return names;
 }
 
 }  // namespace
@@ -75,10 +67,11 @@ namespace {
 // the others are ways to make a SPIR-V module. Throws std::invalid_argument.
 std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     std::vector<std::string> names;
-    const std::vector<std::string> bases = bases_of(options);
+    std::vector<std::string> bases;
+    for (const shader::Variant& variant : select_variants(options.variant)) bases.push_back(variant.name);
     for (const std::string& compiler : options.compilers) {
         std::vector<std::string> chains = bases;
-        for (const std::string& step : divided(compiler)) chains = followed(chains, step, options);
+        for (const std::string& step : divided(compiler)) chains = followed(chains, step);
         names.insert(names.end(), chains.begin(), chains.end());
     }
     std::vector<shader::Variant> variants;
@@ -87,10 +80,11 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     if (!is_opengl(options.device)) return variants;
     const std::optional<gl::DeviceName> named = gl::device_name_from(options.device);
     const bool compute = !named || gl::has_compute(named->version);
+    const std::string first = variants.front().name;
     std::erase_if(variants, [&](const shader::Variant& variant) { return !variant.runs_on_opengl(compute); });
     if (variants.empty())
         throw std::invalid_argument(fmt::format("{}: expected the variant shipped{}, not {}", options.device,
-                                                compute ? " or metamorphic" : "", options.variant));
+                                                compute ? "" : " without steps", first));
     return variants;
 }
 
