@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decisions on inexact numbers, and what an audit says of motion.
+// Decisions on inexact numbers.
 #include "audit/audited.hpp"
 
 namespace gloam::check::audit_decisions_test {
@@ -53,32 +53,6 @@ TEST(AuditDecisions, FollowsADecisionOnAnInexactNumberBothWays) {
                               "float f(float x) { return x * 2.0 < 0.5 ? 1.0 : 2.0; }",
                               "float f(float x) { return abs(x / 3.0); }"})
         EXPECT_EQ(parting(exact, {{"x", {0.0, 1.0}}}).share, 0.0) << exact;
-}
-
-// Of each sentence, an input for which a hasty one would be false.
-TEST(AuditDecisions, SaysOfMotionWhatIsSo) {
-    const auto motion = [](const std::string& text, const std::string& parameter, const Ranges& ranges) {
-        for (const AuditMotion& one : Audited(text).audit("f", ranges).motions)
-            if (one.parameter == parameter) return one;
-        return AuditMotion{};
-    };
-    using enum AuditMotion::Kind;
-    const Ranges unit{{"x", {0.0, 1.0}}, {"y", {0.0, 1.0}}, {"k", {0.0, 10.0}}};
-    EXPECT_EQ(motion("float f(float x, float y) { return y > 0.97 ? x : 0.0; }", "x", unit).kind, rising);
-    EXPECT_EQ(motion("float f(float x, float k) { return k > 9.9 ? 1.0 - x : x; }", "x", unit).kind, turning);
-    const AuditMotion step = motion("float f(float x) { return x < 0.5 ? x : x - 0.001; }", "x", unit);
-    EXPECT_EQ(step.kind, jumping);
-    EXPECT_EQ(step.at, 0.5);
-    EXPECT_EQ(
-        motion("float f(float depth, float bias, float light) { return depth - bias > light ? 0.0 : 1.0; }",
-               "bias", {{"depth", {1.0, 100.0}}, {"bias", {0.0, 0.01}}, {"light", {1.0, 100.0}}})
-            .kind,
-        jumping);
-    const std::string srgb =
-        "float f(float x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055; }";
-    const AuditMotion curve = motion(srgb, "x", unit);
-    EXPECT_TRUE(curve.kind != rising || curve.backward > 1.0) << to_text(curve);
-    EXPECT_THAT(to_text(AuditMotion{.kind = constant}), HasSubstr("on the lines tried"));
 }
 
 }  // namespace gloam::check::audit_decisions_test

@@ -37,9 +37,8 @@ constexpr double unit_error = 0x1p-24;  // of a correctly rounded float32, relat
 constexpr double least_lost = 2.0;      // decimal digits that are worth a line
 constexpr double same_share = 0.9;      // of a loss, that a simpler input must keep
 constexpr std::size_t most_places = 4;  // findings of one concern
-constexpr double half_unit_error = 0x1p-11;
 
-double digits_of(double relative, double unit) {
+double digits_of(double relative, double unit = unit_error) {
     return relative > unit ? std::log10(relative / unit) : 0.0;
 }
 
@@ -188,13 +187,13 @@ class Findings {
 
     // The worst input of a search, with simpler numbers that keep most of it; null: it is not worth a line.
     AuditFinding* add_worst(Concern concern, const internal::WorstInput& worst) {
-        if (digits_of(worst.score, unit_error) < least_lost) return nullptr;
+        if (digits_of(worst.score) < least_lost) return nullptr;
         AuditFinding& finding = add(concern, worst.words, [&](const std::vector<Word>& words) {
             const Reading reading = runs_.read(words);
             return reading.fault.empty() &&
                    runs_.largest(concern, reading).relative >= same_share * worst.score;
         });
-        finding.lost = digits_of(runs_.largest(concern, runs_.read(finding.words)).relative, unit_error);
+        finding.lost = digits_of(runs_.largest(concern, runs_.read(finding.words)).relative);
         return &finding;
     }
 
@@ -244,16 +243,14 @@ class Findings {
 // What each line of the source loses over some inputs.
 class Lines {
   public:
-    void add(const Explanation& steps, bool half) {
+    void add(const Explanation& steps) {
         double highest = 0.0;
         for (const ExplainedStep& step : steps.steps) {
             AuditLine& line = lines_[{step.file, step.line}];
             line.reached = true;
             if (std::isfinite(step.ulps) && step.ulps > highest) {
-                const double before = std::max(highest, half ? half_unit_error / unit_error : 1.0);
-                const double lost = std::min(digits_of(step.ulps, before), float_digits);
-                double& most = half ? line.lost_half : line.lost;
-                most = std::max(most, lost);
+                const double lost = std::min(digits_of(step.ulps, std::max(highest, 1.0)), float_digits);
+                line.lost = std::max(line.lost, lost);
                 highest = step.ulps;
             }
         }
@@ -278,35 +275,6 @@ class Lines {
     std::map<std::pair<std::string, unsigned>, AuditLine> lines_;
 };
 
-// The worst result of the traced inputs in half precision.
-std::optional<AuditFinding> worst_half(AuditRuns& runs, const internal::AuditSearch& search) {
-    AuditFinding worst{.concern = Concern::digits};
-    double most = 0.0;
-    for (const std::vector<Word>& words : search.traced) {
-        const Reading reading = runs.read(words, AuditRuns::Gaps::closed, AuditRuns::Precision::half);
-        if (!reading.fault.empty() || internal::shows(Concern::not_finite, runs.read(words))) continue;
-        const bool overflows = internal::shows(Concern::not_finite, reading);
-        const internal::Loss loss = runs.largest(Concern::digits, reading);
-        const double relative = overflows ? numeric::infinity : loss.relative;
-        if (relative <= most) continue;
-        most = relative;
-        worst.words = words;
-        worst.output = overflows ? output_of(Concern::not_finite, reading) : loss.output;
-        const internal::OutputReading& output = reading.outputs.at(worst.output);
-        worst.value = static_cast<double>(output.value);
-        worst.exact = output.exact;
-        worst.lost = overflows ? numeric::infinity : digits_of(relative, half_unit_error);
-    }
-    if (worst.words.empty()) return std::nullopt;
-    worst.values = runs.named(worst.words);
-    const Explanation steps = runs.steps(worst.words, AuditRuns::Gaps::closed, AuditRuns::Precision::half);
-    const ExplainedStep* const overflow = first_with(Concern::not_finite, steps);
-    if (std::isinf(worst.lost) && overflow != nullptr) worst.place = place_of(*overflow);
-    if (std::isfinite(worst.lost) && steps.worst < steps.steps.size())
-        worst.place = place_of(steps.steps[steps.worst]);
-    return worst;
-}
-
 }  // namespace
 
 Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryValues>& domain,
@@ -327,18 +295,13 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
               .too_long = search.too_long};
     if (!all.was_run()) return all;
     all.findings = Findings(runs, search).all();
-    // A function that mostly faults has no shape, and each run of an endless loop takes long.
+    // Each run of an endless loop takes long.
     if (2 * search.faults.shown > search.random) return all;
-    all.motions = internal::motions(runs, search, 3 * options.steps);
     all.coverage = measure_coverage(lab, question, {.inputs = options.inputs, .seed = options.seed});
-    all.half = worst_half(runs, search);
     all.rewrites = internal::rewrites(lab, runs, search, all.findings);
     Lines lines;
-    for (const std::vector<Word>& words : search.traced) {
-        lines.add(runs.steps(words), false);
-        lines.add(runs.steps(words, AuditRuns::Gaps::closed, AuditRuns::Precision::half), true);
-    }
-    for (const AuditFinding& finding : all.findings) lines.add(runs.steps(finding.words), false);
+    for (const std::vector<Word>& words : search.traced) lines.add(runs.steps(words));
+    for (const AuditFinding& finding : all.findings) lines.add(runs.steps(finding.words));
     all.lines = lines.take(all.coverage);
     return all;
 }

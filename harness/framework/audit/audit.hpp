@@ -3,9 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "audit/own_domain.hpp"
@@ -18,9 +16,8 @@
 // in double and on intervals, and searches for the worst inputs of its domain. It needs no reference.
 namespace gloam::check {
 
-// Decimal digits of a float32 (24 bits) and of a float16 (11 bits).
+// Decimal digits of a float32 (24 bits).
 inline constexpr double float_digits = 7.2;
-inline constexpr double half_digits = 3.3;
 
 // Of one input; more count as a loop without end.
 inline constexpr std::uint64_t most_audited_instructions = 500'000;
@@ -69,28 +66,11 @@ struct AuditFinding {
     AuditPlace place;  // where it arises
 };
 
-// What a result does while one float parameter moves and the others rest.
-struct AuditMotion {
-    enum class Kind { constant, rising, falling, turning, jumping };
-    std::string parameter;  // "x", "uv.y"
-    std::size_t output = 0;
-    Kind kind = Kind::constant;
-    std::vector<Word> words;  // the input below a jump, or at a turn
-    std::string values;       // described
-    double at = 0.0;          // of the parameter, where it jumps or turns
-    double before = 0.0;      // the result there, and beside a jump
-    double behind = 0.0;
-    double backward = 0.0;  // rising or falling: the largest step of float32 in the wrong direction, in ULP
-    unsigned line = 0;      // of the branch that differs at a jump; 0: none does
-    std::string file;
-};
-
 // A line of the source, over all traced inputs.
 struct AuditLine {
     std::string file;
     unsigned line = 0;
-    double lost = 0.0;       // most digits that its operations lose in float32
-    double lost_half = 0.0;  // in float16, of its 3.3
+    double lost = 0.0;  // most digits that its operations lose
     bool reached = false;
 };
 
@@ -114,10 +94,8 @@ struct Audit {
     std::size_t inputs = 0;              // all that were run
     std::size_t too_long = 0;            // of these, ended after most_audited_instructions
     std::vector<AuditFinding> findings;  // the gravest first
-    std::vector<AuditMotion> motions;
     std::vector<AuditLine> lines;
     Coverage coverage;
-    std::optional<AuditFinding> half;  // the worst result if every operation is rounded to float16
     std::vector<AuditRewrite> rewrites;
 
     // Whether an input came to its end. Otherwise nothing is known of the function.
@@ -153,12 +131,8 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
 [[nodiscard]] std::string to_text(const AuditPlace& place);
 // "0.25 on llvmpipe"
 [[nodiscard]] std::string to_text(const AuditWitness& witness);
-// "rises", "jumps at 0.5 from 0.2 to 0.8, at tone.glsl:12".
-[[nodiscard]] std::string to_text(const AuditMotion& motion);
 // The ways and lines that nothing reached, one each: "tone.glsl:12: never true: if (x > 2.0)".
 [[nodiscard]] std::vector<std::string> missed(const Coverage& coverage);
-// What it says besides its findings, with titles: "motion", "x: rises on the lines tried".
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> remarks_on(const Audit& audit);
 
 // The audit in a few lines, for people.
 [[nodiscard]] std::string to_text(const Audit& audit);

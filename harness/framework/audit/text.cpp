@@ -14,8 +14,6 @@
 namespace gloam::check {
 namespace {
 
-constexpr double half_noise = 0.5;  // digits that any chain of operations loses
-
 std::string at(const std::string& file, unsigned line) {
     if (line == 0) return "in the kernel";
     return fmt::format("{}:{}", base::one_line(std::filesystem::path(file).filename().string()), line);
@@ -88,15 +86,6 @@ std::string finding_text(const AuditFinding& finding) {
                        place.empty() ? "" : "\n      arises at " + place + loss_text(finding), witnesses);
 }
 
-// The worst result in half precision.
-std::string half_text(const AuditFinding& half) {
-    const std::string place = to_text(half.place);
-    if (std::isinf(half.lost)) return fmt::format("overflows{} at {}", inputs_text(half), place);
-    if (half.lost < half_noise) return "loses little beyond its rounding";
-    return fmt::format("{:.4g} instead of {:.4g}{} ({:.1f} of {} digits lost, most at {})", half.value,
-                       half.exact, inputs_text(half), std::min(half.lost, half_digits), half_digits, place);
-}
-
 std::string rewrite_text(const AuditRewrite& rewrite) {
     return fmt::format("  {:<15} {}: {} -> {}\n      {}: {}\n", "rewrite", at(rewrite.file, rewrite.line),
                        rewrite.before, rewrite.after, rewrite.reason, rewrite.gain);
@@ -142,48 +131,12 @@ std::string extent_text(const AuditFinding& finding) {
                        std::min(finding.lost, float_digits), float_digits);
 }
 
-std::string to_text(const AuditMotion& motion) {
-    // What was not tried may be otherwise.
-    constexpr std::string_view tried = " on the lines tried";
-    std::string text = motion.kind == AuditMotion::Kind::rising ? "rises" : "falls";
-    text += tried;
-    switch (motion.kind) {
-        case AuditMotion::Kind::constant:
-            return fmt::format("has no effect{}", tried);
-        case AuditMotion::Kind::rising:
-        case AuditMotion::Kind::falling:
-            if (motion.backward > 1.0)
-                text += fmt::format(", but goes back by up to {:.3g} ULP from one float to the next",
-                                    motion.backward);
-            return text;
-        case AuditMotion::Kind::turning:
-            if (motion.words.empty())
-                return fmt::format("rises or falls{}, as the other parameters are", tried);
-            return fmt::format("turns at {:.6g}, where the result is {:.6g}", motion.at, motion.before);
-        default:
-            return fmt::format("jumps at {:.9g} from {:.6g} to {:.6g}{}", motion.at, motion.before,
-                               motion.behind, motion.line == 0 ? "" : ", at " + at(motion.file, motion.line));
-    }
-}
-
 std::vector<std::string> missed(const Coverage& coverage) {
     std::vector<std::string> all;
     for (const Coverage::Point& point : coverage.points)
         if (!point.reached)
             all.push_back(fmt::format("{}: {}{}", at(point.file, point.line),
                                       point.way.empty() ? "" : "never " + point.way + ": ", point.text));
-    return all;
-}
-
-std::vector<std::pair<std::string, std::string>> remarks_on(const Audit& audit) {
-    std::vector<std::pair<std::string, std::string>> all;
-    const bool several = std::ranges::any_of(audit.motions, &AuditMotion::output);
-    for (const AuditMotion& motion : audit.motions)
-        all.emplace_back("motion", fmt::format("{}{}: {}", motion.parameter,
-                                               several ? fmt::format(" (result {})", motion.output) : "",
-                                               to_text(motion)));
-    for (const std::string& way : missed(audit.coverage)) all.emplace_back("not reached", way);
-    if (audit.half) all.emplace_back("half precision", half_text(*audit.half));
     return all;
 }
 
@@ -206,7 +159,7 @@ std::string to_text(const Audit& audit) {
                                audit.inputs, most_audited_instructions));
     else if (audit.findings.empty())
         line("well", "no input gives NaN, infinity or an undefined result, and none loses digits");
-    for (const auto& [title, remark] : remarks_on(audit)) line(title, remark);
+    for (const std::string& way : missed(audit.coverage)) line("not reached", way);
     for (const AuditRewrite& rewrite : audit.rewrites) text += rewrite_text(rewrite);
     return text;
 }

@@ -199,9 +199,6 @@ class Machine {
     void keep_writes(std::uint32_t set, std::uint32_t binding,
                      const std::function<Word(std::size_t word, Word bits)>& keep);
 
-    // On Explained: rounds the value of every result to float16, as a device may where all is `mediump`.
-    void set_half(bool half);
-
     // On Interval: acts as one driver that keeps the rules. Each result becomes a number of its interval, an
     // end or one between, so that no comparison is undecided. What has no numbers, or may be NaN, stays.
     void set_sampling(std::uint64_t seed);

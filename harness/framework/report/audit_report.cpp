@@ -37,20 +37,13 @@ void members(Io& io, check::AuditFinding& finding) {
 }
 
 template <class Io>
-void members(Io& io, check::AuditMotion& motion) {
-    each(io, "parameter", motion.parameter, "output", motion.output, "motion", to_text(motion), "input",
-         motion.values, "words", motion.words);
-}
-
-template <class Io>
 void members(Io& io, check::OrdinaryValues& values) {
     each(io, "parameter", values.parameter, "values", values.text, "reason", values.reason);
 }
 
 template <class Io>
 void members(Io& io, check::AuditLine& line) {
-    each(io, "file", line.file, "line", line.line, "digits_lost", line.lost, "half_digits_lost",
-         line.lost_half);
+    each(io, "file", line.file, "line", line.line, "digits_lost", line.lost);
 }
 
 template <class Io>
@@ -63,9 +56,8 @@ template <class Io>
 void members(Io& io, check::Audit& audit) {
     each(io, "function", audit.function, "declaration", audit.declaration, "inputs", audit.inputs, "random",
          audit.random, "audited", audit.was_run(), "broken", audit.is_broken(), "domain", audit.domain,
-         "findings", audit.findings, "motions", audit.motions, "not_reached", missed(audit.coverage), "lines",
-         audit.lines, "rewrites", audit.rewrites);
-    if (audit.half) io.member("half", audit.half);
+         "findings", audit.findings, "not_reached", missed(audit.coverage), "lines", audit.lines, "rewrites",
+         audit.rewrites);
 }
 
 std::string to_audit_json(const AuditReport& report) {
@@ -81,19 +73,14 @@ constexpr double visible_loss = 0.5;  // decimal digits
 
 // The lines of the file itself, with the most that any function loses there.
 std::vector<PageLine> coloured_lines(const AuditReport& report) {
-    struct Loss {
-        double lost = 0.0;
-        double lost_half = 0.0;
-    };
     const std::filesystem::path file = std::filesystem::path(report.file).filename();
-    std::map<unsigned, Loss> losses;
+    std::map<unsigned, double> losses;
     std::map<unsigned, std::string> wrong;
     for (const check::Audit& audit : report.audits) {
         for (const check::AuditLine& line : audit.lines) {
             if (std::filesystem::path(line.file).filename() != file) continue;
-            Loss& loss = losses[line.line];
-            loss.lost = std::max(loss.lost, line.lost);
-            loss.lost_half = std::max(loss.lost_half, line.lost_half);
+            double& lost = losses[line.line];
+            lost = std::max(lost, line.lost);
         }
         for (const check::AuditFinding& finding : audit.findings)
             if (finding.concern < check::Concern::unspecified &&
@@ -104,14 +91,12 @@ std::vector<PageLine> coloured_lines(const AuditReport& report) {
     std::istringstream text(report.source);
     for (std::string row; std::getline(text, row);) {
         const auto number = static_cast<unsigned>(lines.size() + 1);
-        const Loss loss = losses[number];
+        const double lost = losses[number];
         std::vector<std::string> notes;
         if (wrong.contains(number)) notes.push_back(wrong[number]);
-        if (loss.lost >= visible_loss) notes.push_back(fmt::format("loses {:.1f} digits", loss.lost));
-        if (loss.lost_half >= visible_loss)
-            notes.push_back(fmt::format("in half precision {:.1f}", loss.lost_half));
+        if (lost >= visible_loss) notes.push_back(fmt::format("loses {:.1f} digits", lost));
         // A digit and a half more for each step of colour.
-        const auto steps = static_cast<unsigned>(loss.lost / 1.5 + (loss.lost >= visible_loss ? 1.0 : 0.0));
+        const auto steps = static_cast<unsigned>(lost / 1.5 + (lost >= visible_loss ? 1.0 : 0.0));
         lines.push_back(
             {number, row, wrong.contains(number) ? 4U : steps, fmt::format("{}", fmt::join(notes, ", "))});
     }
@@ -180,7 +165,7 @@ void add_function(Page& page, const AuditReport& report, const check::Audit& aud
     else
         page.table(finding_table(audit));
     std::string lines;
-    for (const auto& [title, remark] : remarks_on(audit)) lines += fmt::format("{}: {}\n", title, remark);
+    for (const std::string& way : missed(audit.coverage)) lines += fmt::format("not reached: {}\n", way);
     if (!lines.empty()) page.preformatted(lines);
     add_rewrites(page, audit);
     if (!audit.findings.empty()) page.preformatted(ready_to_paste(report, audit));

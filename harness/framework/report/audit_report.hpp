@@ -15,9 +15,8 @@ struct AuditReport {
     std::vector<check::Audit> audits;
 };
 
-// All that the audits found, as JSON: {"file", "functions": [{"function", "domain", "findings", "motions",
-// "not_reached", "half", "rewrites"}]}. The words of each worst input are numbers, as Domain::and_words()
-// takes.
+// All that the audits found, as JSON: {"file", "functions": [{"function", "domain", "findings",
+// "not_reached", "rewrites"}]}. The words of each worst input are numbers, as Domain::and_words() takes.
 [[nodiscard]] std::string to_audit_json(const AuditReport& report);
 
 // The same as an HTML page: the source with its lines coloured by what they lose, and for each function its

@@ -98,8 +98,7 @@ int run_audit(const AuditCommand& command) {
 void add_audit(CLI::App& app, int& status) {
     auto command = std::make_shared<AuditCommand>();
     CLI::App* audit = app.add_subcommand(
-        "audit",
-        "show where a shader function itself goes wrong: NaN, lost digits, jumps, what drivers may do");
+        "audit", "show where a shader function itself goes wrong: NaN, lost digits, what drivers may do");
     audit->add_option("file", command->file, "a GLSL file")->required();
     audit->add_option("function", command->functions, "functions that it defines (all when none is given)");
     audit->add_option("--range", command->ranges, "NAME=LOW:HIGH: what a parameter is drawn from");

@@ -12,7 +12,6 @@
 #include "audit/internal/search.hpp"
 #include "check/session.hpp"
 #include "interpreter/program.hpp"
-#include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 
@@ -44,37 +43,23 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       image_size_(first_scenario(question).size),
       images_(std::move(images)),
       modules_{std::make_shared<const KernelModule>(std::move(module))},
-      constants_(shader::float_constants(modules_.front()->spirv)),
       decoded_(modules_, images_),
       interpretation_(decoded_, scalars_, scalars_.size(), false),
       kernel_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
-      half_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       doubles_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       drivers_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
     drivers_.machine().set_sampling(1);
     drivers_.machine().set_limit(most_audited_instructions);
-    half_.machine().set_half(true);
-    for (auto* kernel : {&kernel_, &half_}) kernel->machine().set_limit(most_audited_instructions);
+    kernel_.machine().set_limit(most_audited_instructions);
     floats_.machine().set_limit(most_audited_instructions);
     doubles_.machine().set_limit(most_audited_instructions);
 }
 
-// Floats are rounded to float16, so that their rounding is no error of the function.
-std::vector<Word> AuditRuns::given(std::span<const Word> input, Precision precision) const {
-    const std::vector<Scalar> scalars = question_.signature.input_scalars();
-    std::vector<Word> words(input.begin(), input.end());
-    for (std::size_t i = 0; precision == Precision::half && i < words.size(); ++i)
-        if (scalars[i] == Scalar::float_)
-            words[i] = float_word(Scalar::float16_, from_word<double>(words[i]));
-    return words;
-}
-
-Reading AuditRuns::read(std::span<const Word> input, Gaps gaps, Precision precision) {
-    InterpretedKernel<interpreter::Explained>& kernel = precision == Precision::half ? half_ : kernel_;
+Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
     Reading reading;
     const auto take = [&](std::size_t w, const interpreter::Value<interpreter::Explained>& value) {
-        if (auto why = kernel.machine().why_undefined(value)) {
+        if (auto why = kernel_.machine().why_undefined(value)) {
             reading.outputs.push_back({.permitted = numeric::Bounds::anything(), .undefined = why});
         } else if (shader::is_float(scalars_[w])) {
             const interpreter::Explained x = value.number();
@@ -84,7 +69,7 @@ Reading AuditRuns::read(std::span<const Word> input, Gaps gaps, Precision precis
             reading.outputs.push_back({exact, exact, numeric::Bounds::point(exact)});
         }
     };
-    (void)run(kernel, given(input, precision), gaps, take, [&](const interpreter::Error& error) {
+    (void)run(kernel_, input, gaps, take, [&](const interpreter::Error& error) {
         reading = {.outputs = {},
                    .fault = error.what(),
                    .too_long = error.kind() == interpreter::Error::Kind::too_many_steps};
@@ -140,9 +125,9 @@ std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
     return outputs;
 }
 
-Explanation AuditRuns::steps(std::span<const Word> input, Gaps gaps, Precision precision) {
+Explanation AuditRuns::steps(std::span<const Word> input, Gaps gaps) {
     try {
-        return explain(precision == Precision::half ? half_ : kernel_, given(input, precision), gaps);
+        return explain(kernel_, input, gaps);
     } catch (const interpreter::Error&) {
         return {};
     }

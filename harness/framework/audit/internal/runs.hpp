@@ -57,12 +57,8 @@ class AuditRuns {
     AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
               const AuditRuns& original);
 
-    // How every operation is rounded.
-    enum class Precision { single, half };
-
     // `gaps`: of Vulkan's rules.
-    [[nodiscard]] Reading read(std::span<const Word> input, Gaps gaps = Gaps::closed,
-                               Precision precision = Precision::single);
+    [[nodiscard]] Reading read(std::span<const Word> input, Gaps gaps = Gaps::closed);
 
     // Whether some driver that keeps the rules has an undefined result: a guard that holds in float32 may
     // keep it from every driver, which intervals along one path do not see. `reading`: of the input.
@@ -82,8 +78,7 @@ class AuditRuns {
     // The outputs of correctly rounded float32, likewise.
     [[nodiscard]] std::vector<double> in_float(std::span<const Word> input);
     // The operations of one input. Empty if there is a fault.
-    [[nodiscard]] Explanation steps(std::span<const Word> input, Gaps gaps = Gaps::closed,
-                                    Precision precision = Precision::single);
+    [[nodiscard]] Explanation steps(std::span<const Word> input, Gaps gaps = Gaps::closed);
 
     // Learns the usual size of the results: the median magnitude over these inputs.
     void set_usual(const Domain::Inputs& inputs);
@@ -96,14 +91,10 @@ class AuditRuns {
 
     [[nodiscard]] const Question& question() const { return question_; }
     [[nodiscard]] glm::ivec2 image_size() const { return image_size_; }
-    // The float constants of the function, at which a decision may be made.
-    [[nodiscard]] const std::vector<float>& constants() const { return constants_; }
     [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
   private:
     AuditRuns(KernelModule module, const Question& question, ImageSet images);
-    // The words that a kernel of this precision is given: floats of float16 for half.
-    [[nodiscard]] std::vector<Word> given(std::span<const Word> input, Precision precision) const;
     [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const Word> input,
                                                            const Reading& reading, int driver);
     // The result that counts as large, for a word of the outputs.
@@ -134,11 +125,9 @@ class AuditRuns {
     glm::ivec2 image_size_{1};
     ImageSet images_;
     KernelModules modules_;
-    std::vector<float> constants_;
     Decoded decoded_;
     Interpretation interpretation_;
     InterpretedKernel<interpreter::Explained> kernel_;
-    InterpretedKernel<interpreter::Explained> half_;
     InterpretedKernel<float> floats_;
     InterpretedKernel<double> doubles_;
     InterpretedKernel<numeric::Interval> drivers_;  // one driver after another

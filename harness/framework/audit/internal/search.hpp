@@ -60,12 +60,6 @@ struct AuditSearch {
 [[nodiscard]] std::vector<Word> simplified(const AuditRuns& runs, const std::vector<Word>& words,
                                            const std::function<bool(const std::vector<Word>&)>& still);
 
-// How each of the first results moves with each scalar float parameter, along lines through a few drawn
-// inputs: in double whether it rises, falls, turns or jumps; in float32 whether it goes backward. The rest is
-// left out once the runs have taken so many instructions.
-[[nodiscard]] std::vector<AuditMotion> motions(AuditRuns& runs, const AuditSearch& search,
-                                               std::uint64_t most_instructions);
-
 // A change of a text that may make a function more exact.
 struct Candidate {
     std::size_t begin = 0;  // in the text

@@ -283,11 +283,6 @@ void Machine<N>::execute(Tell&& tell) {
 }
 
 template <class N>
-void Machine<N>::set_half(bool half) {
-    state_->half = half;
-}
-
-template <class N>
 void Machine<N>::set_sampling(std::uint64_t seed) {
     state_->sampling = numeric::Random(seed);
 }

@@ -210,7 +210,6 @@ struct State {
     std::uint32_t fenced = 0;                 // see Lane
     mutable std::optional<Races> races;       // of a group
     std::vector<Word> shared;                 // as many words as the largest shared variable has
-    bool half = false;                        // see Machine::set_half()
     std::optional<numeric::Random> sampling;  // see Machine::set_sampling()
     std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
 
@@ -259,7 +258,7 @@ struct State {
                 return;
             }
         }
-        slots[slot] = Value<N>::of(rounds_to_half(i) ? halved(x) : x);
+        slots[slot] = Value<N>::of((i.flags & flags::half) != 0 ? halved(x) : x);
     }
     void set(const Instruction& i, Slot slot, Word x) {
         if (!spreads(i, slot)) slots[slot] = Value<N>::of_bits(x);
@@ -322,9 +321,6 @@ struct State {
         return true;
     }
     static N halved(const N& x);
-    [[nodiscard]] bool rounds_to_half(const Instruction& i) const {
-        return half || (i.flags & flags::half) != 0;
-    }
 
     // Throws Fault for a race.
     void watch(std::uint32_t resource, std::size_t word, Races::Use use) const {
