@@ -115,7 +115,8 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("\"SELECT 1\"", "1"), "tables[0].select[0]: expected a text");
     expect_refused(with("{\"samples\": 8", "{\"samples\": [8]"), "set.samples");
     expect_refused(with("\"name\": \"run\", ", ""), "candidates[0]: expected an object with \"name\"");
-    expect_refused(with("\"sequence\": true", "\"held\": 1"), "candidates[0].held: expected true or false");
+    expect_refused(with("\"sequence\": true", "\"enough_samples\": 1"),
+                   "candidates[0].enough_samples: expected true or false");
     expect_refused(with("\"sequence\": true", "\"pictures\": [\"all\"]"),
                    "candidates[0].pictures[0]: expected one of visibility, error");
     expect_refused(with("\"sequence\": true}", "\"sequence\": true}, {\"methods\": []}, {\"methods\": []}"),

@@ -178,14 +178,14 @@ TEST(ExperimentResults, TheFrontIsWhatNoOtherBeats) {
 
 namespace table_test {
 
-// Frames 1 to 4 of 8 samples each, of which 24 count. The estimate errs by 0.4 / frame in each of two pixels,
+// Frames 1 to 4 of 8 samples each. The estimate errs by 0.4 / frame in each of two pixels,
 // the displayed image by half of that. Settled pixels are there from frame 3 on.
 ClassScores scores() {
-    ClassScores all{.most_samples = 24.0, .flicker = {{"all", 0.25}}};
+    ClassScores all{.flicker = {{"all", 0.25}}};
     for (int frame = 1; frame <= 4; ++frame) {
         const double error = 0.4 / frame;
         const ClassScore whole{.pixels = "all",
-                               .against = "limit",
+                               .against = "depth",
                                .count = 2,
                                .squares = error * error / 2.0,
                                .raw_squares = 2.0 * error * error,
@@ -215,22 +215,18 @@ Record scored() {
 }
 
 // Of classes sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), and the mean of 0.4, 0.2, 0.4 / 3 and 0.1; then
-// sqrt(0.07 / 2), and 0.07 / 0.2. The square falls with the square of the samples, as long as all of them
-// count: in frames 1 and 2.
+// sqrt(0.07 / 2), and 0.07 / 0.2.
 TEST(ExperimentTable, ScoresAreAddedAsSquares) {
     const std::pair<const char*, const char*> rows[] = {
         {"SELECT pixels, against, fixed(rmse, 4), fixed(bias_raw, 4), fixed(share, 2), flicker FROM "
          "class_errors ORDER BY pixels, against",
+         "| all | depth | 0.1193 | 0.2083 | 1.00 | 0.25 |\n"
          "| all | geometry | 0.1581 | 0.0000 | 1.00 | 0.25 |\n"
-         "| all | limit | 0.1193 | 0.2083 | 1.00 | 0.25 |\n"
-         "| settled | geometry | 0.1871 | 0.0000 | 0.35 | - |\n"
-         "| settled | limit | - | - | 0.00 | - |\n"},
+         "| settled | depth | - | - | 0.00 | - |\n"
+         "| settled | geometry | 0.1871 | 0.0000 | 0.35 | - |\n"},
         {"SELECT frame, samples, fixed(rmse_raw, 2), signed(bias_raw, 2) FROM class_frames WHERE against = "
-         "'limit' AND frame <> 3",
-         "| 1 | 8 | 0.40 | +0.40 |\n| 2 | 16 | 0.20 | +0.20 |\n| 4 | 32 | 0.10 | +0.10 |\n"},
-        {"SELECT fixed(exponent(samples, rmse_raw * rmse_raw), 2), count(*) FROM class_frames WHERE against "
-         "= 'limit' AND all_count",
-         "| -2.00 | 2 |\n"}};
+         "'depth' AND frame <> 3",
+         "| 1 | 8 | 0.40 | +0.40 |\n| 2 | 16 | 0.20 | +0.20 |\n| 4 | 32 | 0.10 | +0.10 |\n"}};
     for (const auto& [select, expected] : rows) EXPECT_EQ(rows_of(scored(), select), expected);
     bool missed = true;
     EXPECT_EQ(rows_of(scored(), "SELECT at_most(0.1, 0.2, 2), at_most(NULL, 0.2, 2)", &missed),

@@ -152,23 +152,4 @@ TEST(Spread, LeavesOutWhatIsNotFinite) {
     EXPECT_TRUE(std::isnan(spread_of(std::array{std::nan("")}).low));
 }
 
-TEST(Exponent, FitsTheExponent) {
-    std::vector<std::pair<double, double>> points;
-    for (const double x : {1.0, 2.0, 5.0, 30.0}) points.emplace_back(x, 3.0 * std::pow(x, 1.7));
-    EXPECT_NEAR(exponent_of(points), 1.7, 1e-12);
-    points = {{1, 2}, {10, 2}, {100, 2}};
-    EXPECT_NEAR(exponent_of(points), 0.0, 1e-12);
-    points = {{1, 1}, {1, 4}, {4, 2}, {4, 8}};  // least squares: between the two
-    EXPECT_NEAR(exponent_of(points), 0.5, 1e-12);
-}
-
-TEST(Exponent, LeavesOutWhatHasNoLogarithm) {
-    const std::vector<std::pair<double, double>> points{{0, 5},    {1, 1}, {-1, 2}, {3, std::nan("")},
-                                                        {10, 100}, {5, 0}};
-    EXPECT_NEAR(exponent_of(points), 2.0, 1e-12);
-    EXPECT_TRUE(std::isnan(exponent_of({})));
-    const std::vector<std::pair<double, double>> same{{2, 1}, {2, 3}};
-    EXPECT_TRUE(std::isnan(exponent_of(same)));
-}
-
 }  // namespace gloam::numeric::floats_test

@@ -103,8 +103,4 @@ struct Spread {
 // quantile 0, the last the quantile 1. Values that are not finite are skipped.
 [[nodiscard]] Spread spread_of(std::span<const double> values);
 
-// The exponent e of y ~ x^e with the best fit: least squares on logarithmic axes. Points without two
-// positive, finite numbers are skipped; NaN for fewer than two different x.
-[[nodiscard]] double exponent_of(std::span<const std::pair<double, double>> points);
-
 }  // namespace gloam::numeric

@@ -14,8 +14,7 @@ effect::Remap remap_of(const effect::Settings& settings) {
     return {settings.remap_a, settings.remap_b, settings.remap_c};
 }
 
-BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes,
-                               scene::Scene scene, const BenchmarkFrames& frames,
+BenchmarkViews::BenchmarkViews(scene::Scene scene, const BenchmarkFrames& frames,
                                const std::function<void(double)>& progress)
     : scene_(std::move(scene)), frames_(frames) {
     if (frames.scored < 1 || frames.scored > frames.frames)
@@ -24,14 +23,11 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
     for (std::size_t i = 0; i < frames.shown.size(); ++i)
         numbers_.insert(numbers_.end(), static_cast<std::size_t>(frames.shown[i]), static_cast<int>(i));
     for (int i = 0; frames.shown.empty() && i < frames.frames; ++i) numbers_.push_back(i);
-    if (frames.rays > 0) score(device, passes, progress);
+    if (frames.rays > 0) score(progress);
     if (frames.rays > 0 && frames.by_class) classify();
 }
 
-void BenchmarkViews::score(const gpu::Device& device, const scene::PassLibrary& passes,
-                           const std::function<void(double)>& progress) {
-    std::optional<Limit> limit;
-    if (frames_.limit) limit.emplace(device, passes, frames_.extent);
+void BenchmarkViews::score(const std::function<void(double)>& progress) {
     for (int i = first_scored(); i < frames_.frames; i += frames_.every) {
         const int number = numbers_.at(static_cast<std::size_t>(i));
         if (progress) progress(static_cast<double>(i + 1 - first_scored()) / frames_.scored);
@@ -44,7 +40,6 @@ void BenchmarkViews::score(const gpu::Device& device, const scene::PassLibrary& 
             view, scene::trace_geometry(scene_, frames_.still ? 0 : number, view, settings).occlusion);
         if (frames_.depth_truth)
             truth.depth = effect::truth_from(view, scene::trace_depth(view, settings).occlusion);
-        if (limit) truth.limit = effect::truth_from(view, limit->of(view, *frames_.limit));
         if (i == 0 || !this->is_new(i)) continue;
         truth.history.emplace(view, this->view(i - 1, {}));
         if (scene_.objects.empty() || frames_.still) continue;
@@ -125,10 +120,9 @@ namespace {
 // Adds up the errors and counts of frames.
 class Judge {
   public:
-    // most_samples: that count in a mean; without them nothing is judged by class.
-    explicit Judge(const BenchmarkViews& views, std::optional<float> most_samples = {}) : views_(&views) {
-        if (!most_samples || !views.frames().by_class || views.frames().rays == 0) return;
-        sum_.by_class = ClassScores{.most_samples = double{*most_samples}};
+    // by_class: what the views ask for by class is judged.
+    explicit Judge(const BenchmarkViews& views, bool by_class = false) : views_(&views) {
+        if (by_class && views.frames().by_class && views.frames().rays > 0) sum_.by_class.emplace();
     }
 
     // before: the frame's predecessor; empty: there is none.
@@ -263,7 +257,7 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
         const effect::Frame frame = effect.next(frames.repeat);
         return {.readings = {{frame.times}}};
     }
-    Judge judge(views, settings.weight_max);
+    Judge judge(views, true);
     ConfigurationVisit visit;
     for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
         effect.begin(views.view(i, settings), settings);
@@ -279,25 +273,10 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
     return visit;
 }
 
-ConfigurationVisit ConfigurationStudy::held(BenchmarkViews& views, const effect::Settings& settings) {
-    effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
-    Judge judge(views, settings.weight_max);
-    ConfigurationVisit visit;
-    for (int i = views.first_scored(); i < views.frames().frames; i += views.frames().every) {
-        effect.begin(views.view(i, settings), settings);
-        effect::Frame frame = effect.next();
-        for (int again = 0; again < i; ++again) frame = effect.next();
-        judge.add(i, frame, {});
-        visit.shown = std::move(frame);
-    }
-    visit.quality = judge.mean();
-    return visit;
-}
-
 ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const effect::Settings& settings,
                                                 int round) {
     effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
-    Judge judge(views, settings.weight_max);
+    Judge judge(views, true);
     ConfigurationVisit visit;
     std::vector<float> before;
     for (int i = 0; i < views.frames().frames; ++i) {

@@ -36,14 +36,13 @@ struct BenchmarkFrames {
         std::numeric_limits<double>::infinity();  // of the surface of (D), in radii; as in depth_field()
     int repeat = 1;                               // runs of a timed frame, whose median time counts
     std::optional<bool>
-        motion{};            // views know how surfaces moved, not only the camera; nullopt: if objects do
-    bool still = false;      // every view is the first frame's, and has not moved since the one before
-    bool remap = false;      // the best remap of the last frame is looked for
-    bool bins = false;       // FrameQuality::bins are filled
-    bool by_class = false;   // errors of each class of pixels in each scored frame
-    bool places = false;     // with by_class: effect::HardPlaces are classes as well
-    bool converged = false;  // single frames: what more samples would give
-    std::optional<effect::Settings> limit{};  // whose limit is a reference as well
+        motion{};              // views know how surfaces moved, not only the camera; nullopt: if objects do
+    bool still = false;        // every view is the first frame's, and has not moved since the one before
+    bool remap = false;        // the best remap of the last frame is looked for
+    bool bins = false;         // FrameQuality::bins are filled
+    bool by_class = false;     // errors of each class of pixels in each scored frame
+    bool places = false;       // with by_class: effect::HardPlaces are classes as well
+    bool converged = false;    // single frames: what more samples would give
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each
 
     [[nodiscard]] int scores() const { return 1 + (scored - 1) / every; }  // how many frames count
@@ -53,10 +52,10 @@ struct BenchmarkFrames {
 // configurations.
 class BenchmarkViews {
   public:
-    // The device must outlive this object. Throws std::invalid_argument for frames out of range, and like
-    // scene::draw() and scene::trace_geometry().
-    BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes, scene::Scene scene,
-                   const BenchmarkFrames& frames, const std::function<void(double)>& progress = {});
+    // Throws std::invalid_argument for frames out of range, and like scene::draw() and
+    // scene::trace_geometry().
+    BenchmarkViews(scene::Scene scene, const BenchmarkFrames& frames,
+                   const std::function<void(double)>& progress = {});
 
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
     [[nodiscard]] const BenchmarkFrames& frames() const { return frames_; }
@@ -85,8 +84,7 @@ class BenchmarkViews {
   private:
     using Measured = std::pair<scene::Weighting, scene::Falloff>;
 
-    void score(const gpu::Device& device, const scene::PassLibrary& passes,
-               const std::function<void(double)>& progress);
+    void score(const std::function<void(double)>& progress);
     void classify();
     [[nodiscard]] scene::TruthSettings traced(const Measured& measured) const;
     std::vector<scene::GBuffer>& views_with(double guard, int layers);
@@ -162,9 +160,6 @@ class ConfigurationStudy {
     // is timed in the scored ones. Settings are for the scene's radius. Throws like AmbientOcclusion.
     [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, const effect::Settings& settings,
                                            bool temporal, int round);
-
-    // Each scored frame's view alone, standing still for as many frames as the sequence has had. Untimed.
-    [[nodiscard]] ConfigurationVisit held(BenchmarkViews& views, const effect::Settings& settings);
 
   private:
     effect::AmbientOcclusion& effect_for(gpu::Extent extent);

@@ -40,9 +40,6 @@ struct Layer {
     std::string preset;            // name or file; empty: not said
     std::string method;            // empty: the preset's
     std::optional<bool> sequence;  // with the history, in the order of the frames; otherwise each frame alone
-    // Instead of a sequence each scored frame's view alone, for as many frames as the sequence would have
-    // had.
-    bool held = false;
     std::optional<bool> hoisted;   // the shader compiler hoists loop invariants
     std::optional<double> radius;  // in units of the scene's own
     bool enough_samples = false;   // as many as lower the error by a hundredth or more
@@ -115,9 +112,6 @@ struct Experiment {
     int rays = 0;                    // of the truth, for each pixel; 0: no errors
     double depth_thickness = std::numeric_limits<double>::infinity();  // of the surface of (D), in radii
     bool interleaved = false;  // a round visits all cases; otherwise each case has its rounds
-    // Sequences, which give as many readings as there are scored frames, take part in the first of so many
-    // rounds, and that may be round 0.
-    bool equal_readings = false;
     Layer layer;
     std::optional<CaseQuery> query;
     std::vector<Case> cases;  // without a query
@@ -126,7 +120,7 @@ struct Experiment {
     std::vector<Table> tables;
 };
 
-// "visibility", "error", "convergence", "samples", "limit", "converged".
+// "visibility", "error", "convergence", "samples", "converged".
 [[nodiscard]] const std::vector<std::string>& picture_kinds();
 
 // Reads a description in JSON (docs/measurements.md). name: of the experiment, and in messages. Throws

@@ -20,7 +20,6 @@ void read_layer(Members& members, Layer& layer) {
     members.read("preset", layer.preset);
     members.read("method", layer.method);
     members.read("sequence", layer.sequence);
-    members.read("held", layer.held);
     members.read("hoisted", layer.hoisted);
     members.read("radius", layer.radius, 1e-3, 1e3);
     members.read("enough_samples", layer.enough_samples);
@@ -151,14 +150,12 @@ void read_frames(Members& members, Experiment& experiment) {
     members.read("rays", experiment.rays, 0, most_rays);
     members.read("depth_thickness", experiment.depth_thickness, 1e-6, 1e18);
     members.read("interleaved", experiment.interleaved);
-    members.read("equal_readings", experiment.equal_readings);
 }
 
 }  // namespace
 
 const std::vector<std::string>& picture_kinds() {
-    static const std::vector<std::string> names{"visibility", "error", "convergence",
-                                                "samples",    "limit", "converged"};
+    static const std::vector<std::string> names{"visibility", "error", "convergence", "samples", "converged"};
     return names;
 }
 

@@ -115,7 +115,7 @@ GLOAM_MEMBERS(Conditions, experiment, device, driver, frames, scored, repeat, ra
 GLOAM_MEMBERS(ClassScore, pixels, against, count, squares, raw_squares, raw_errors)
 GLOAM_MEMBERS(FrameScore, frame, samples, classes)
 GLOAM_MEMBERS(ClassFlicker, pixels, mean)
-GLOAM_MEMBERS(ClassScores, most_samples, frames, flicker)
+GLOAM_MEMBERS(ClassScores, frames, flicker)
 GLOAM_MEMBERS(effect::Errors, rmse, bias, percentile_99)
 GLOAM_MEMBERS(Converged, geometry, remapped, similarity, depth, own)
 GLOAM_MEMBERS(PointQuality, truth, occlusion, standard_error, shown)

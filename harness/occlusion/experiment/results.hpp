@@ -45,7 +45,7 @@ struct Visit {
     int round = 0;                           // 0: errors
     std::optional<FrameQuality> quality;     // nullopt: not judged
     std::optional<PointQuality> point;       // of a view in closed form
-    std::vector<FrameReading> readings;      // in round 0 with Experiment::equal_readings alone
+    std::vector<FrameReading> readings;      // none in round 0
     std::optional<double> own_radius_error;  // the error against the truth for the scene's own radius
     int samples_asked = 0;
 };

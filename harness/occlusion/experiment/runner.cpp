@@ -92,11 +92,8 @@ class SizeRun {
                 .round = round};
     }
 
-    [[nodiscard]] bool is_due(const Case& one, const Measured& measured, int round) const {
-        if (one.closed_form || measured.subject.held) return round == 0;  // nothing is timed
-        const BenchmarkFrames frames = frames_of(experiment_, one, extent_);
-        return !experiment_.equal_readings || !measured.subject.sequence || round % frames.scores() == 0;
-    }
+    // Nothing is timed at a point in closed form.
+    [[nodiscard]] static bool is_due(const Case& one, int round) { return !one.closed_form || round == 0; }
 
     [[nodiscard]] bool is_recorded(const Case& one, const Measured& measured, int round) const {
         return record_.find(empty_visit(one, experiment_.candidates[measured.number], round)) != nullptr;
@@ -114,7 +111,7 @@ class SizeRun {
             const Measured& measured = made.all.back();
             depth_truth |= measured.subject.kind == Kind::depth_truth;
             for (int round = 0; round <= experiment_.rounds; ++round)
-                missing |= is_due(one, measured, round) && !is_recorded(one, measured, round);
+                missing |= is_due(one, round) && !is_recorded(one, measured, round);
         }
         if (!missing) made.all.clear();
         for (Measured& measured : made.all) {
@@ -137,18 +134,14 @@ class SizeRun {
         frames.by_class = by_class_;
         frames.places = places_;
         frames.converged = converged_;
-        const std::string key =
-            fmt::format("{} {} {} {} {} {} {} {} {}", one.scene, one.view,
-                        one.motion ? static_cast<int>(*one.motion) : -1, fmt::join(one.shown, "+"),
-                        frames.scored, frames.every, one.still, radius, limit_ ? label_of(one) : "");
+        const std::string key = fmt::format(
+            "{} {} {} {} {} {} {} {}", one.scene, one.view, one.motion ? static_cast<int>(*one.motion) : -1,
+            fmt::join(one.shown, "+"), frames.scored, frames.every, one.still, radius);
         std::shared_ptr<BenchmarkViews>& views = shared_.views[key];
         if (views) return views;
         scene::Scene scene = scene::make_scene(one.scene, place_.meshes);
         scene.ao_radius *= radius;
-        if (limit_)  // of what all candidates of the case have in common
-            frames.limit = with_radius(subject_of({&experiment_.layer, &one.layer}, place_).settings,
-                                       static_cast<float>(scene.ao_radius));
-        views = std::make_shared<BenchmarkViews>(place_.device, place_.passes, std::move(scene), frames,
+        views = std::make_shared<BenchmarkViews>(std::move(scene), frames,
                                                  place_.progress(label_of(one) + ", truth"));
         return views;
     }
@@ -184,7 +177,7 @@ class SizeRun {
                 if (round > 0) std::ranges::reverse(one.all);
                 for (const Measured& measured : one.all) {
                     progress(done++ / visits);
-                    if (!is_due(*one.shown, measured, round)) continue;
+                    if (!is_due(*one.shown, round)) continue;
                     if (is_recorded(*one.shown, measured, round)) continue;
                     Visit made = empty_visit(*one.shown, experiment_.candidates[measured.number], round);
                     measure(made, *one.shown, measured);
@@ -205,7 +198,7 @@ class SizeRun {
         }
         ConfigurationVisit found = visit(measured.subject, *measured.views, made.round);
         made.quality = found.quality;
-        if (made.round > 0 || experiment_.equal_readings) made.readings = std::move(found.readings);
+        if (made.round > 0) made.readings = std::move(found.readings);
         if (made.round > 0 || found.shown.filtered.empty()) return;
         show(made, found, measured);
         if (measured.subject.kind == Kind::depth_truth || measured.subject.kind == Kind::truth) return;
@@ -235,9 +228,7 @@ class SizeRun {
             return parts;
         }
         if (measured.views->frames().rays == 0) return {};
-        const ScoredView& truth = measured.views->scored(measured.views->last_scored());
-        if (kind == "limit") return truth.limit;
-        std::vector<float> errors = truth.limit.empty() ? truth.geometry : truth.limit;
+        std::vector<float> errors = measured.views->scored(measured.views->last_scored()).geometry;
         for (std::size_t i = 0; i < errors.size(); ++i)
             errors[i] = std::abs(found.shown.filtered[i] - errors[i]);
         return errors;
@@ -283,8 +274,7 @@ class SizeRun {
             default: {
                 ConfigurationStudy& study = study_of(subject.hoisted);
                 const effect::Settings settings = with_radius(subject.settings, radius);
-                return subject.held ? study.held(views, settings)
-                                    : study.visit(views, settings, subject.sequence, round);
+                return study.visit(views, settings, subject.sequence, round);
             }
         }
     }
@@ -317,7 +307,6 @@ class SizeRun {
     bool by_class_ = shows(experiment_, {"class_errors", "class_frames"});
     bool places_ = shows(experiment_, {"'contacts'", "'thin'", "'rim'"});
     bool converged_ = shows(experiment_, {"converged_"});
-    bool limit_ = shows(experiment_, {"'limit'"});
 };
 
 }  // namespace

@@ -82,13 +82,12 @@ SELECT *, iif(EXISTS (SELECT * FROM means AS other WHERE other.size_number = mea
   FROM means WHERE coalesce(ms, rmse) IS NOT NULL ORDER BY size_number, candidate_number;
 
 CREATE TABLE scores AS SELECT cell, f.value->>'frame' AS frame, f.value->>'samples' AS samples,
-  f.value->>'samples' < line->>'$.quality.by_class.most_samples' AS all_count,
   c.value->>'pixels' AS pixels, c.value->>'against' AS against, c.value->>'count' AS count,
   c.value->>'squares' AS squares, c.value->>'raw_squares' AS raw_squares, c.value->>'raw_errors' AS raw_errors
   FROM steps, json_each(line, '$.quality.by_class.frames') AS f, json_each(f.value, '$.classes') AS c
   WHERE round = 0;
 CREATE INDEX score_of ON scores(cell, pixels, against);
-CREATE TABLE class_frames AS SELECT cells.*, frame, samples, all_count, pixels, against,
+CREATE TABLE class_frames AS SELECT cells.*, frame, samples, pixels, against,
   sqrt(squares / count) AS rmse, sqrt(raw_squares / count) AS rmse_raw, raw_errors / count AS bias_raw
   FROM scores JOIN cells ON cells.rowid = cell ORDER BY cell, frame;
 CREATE TABLE class_errors AS WITH

@@ -13,26 +13,6 @@
 
 namespace gloam::experiment {
 
-// The limit skips the first `limit_first` samples of a sequence and takes the next `limit_samples`.
-constexpr std::uint32_t limit_first = 1'024;
-constexpr std::uint32_t limit_samples = 4'096;
-
-// The value to which an estimator converges on one view: the mean of its samples 1025 to 5120, without
-// rotation. It shares no sample with an effect that has taken at most 1024. The difference between both
-// therefore contains the errors of both.
-class Limit {
-  public:
-    // The device must outlive this object. Throws like AmbientOcclusion.
-    Limit(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
-        : effect_(device, passes, extent) {}
-
-    // The limit for each pixel of a view. Throws like AmbientOcclusion.
-    [[nodiscard]] std::vector<float> of(const scene::GBuffer& view, const effect::Settings& settings);
-
-  private:
-    effect::AmbientOcclusion effect_;
-};
-
 // "all"; effect::pixel_class_names; and the places of effect::HardPlaces, "contacts", "thin" and "rim".
 [[nodiscard]] const std::vector<std::string>& pixel_classes();
 
@@ -50,9 +30,8 @@ struct ClassedView {
 
 // The truth of a scored view, and what else its score needs. Empty where it is not asked for.
 struct ScoredView {
-    effect::Truth geometry;  // (G)
-    effect::Truth depth;     // (D)
-    effect::Truth limit;
+    effect::Truth geometry;                     // (G)
+    effect::Truth depth;                        // (D)
     std::optional<effect::HistoryMap> history;  // from the view before
     std::vector<float> due;  // change of (G) since then at the same surface points; empty: none
 };
@@ -60,7 +39,7 @@ struct ScoredView {
 // Errors of the pixels of one class against one reference, as sums, so that those of frames can be added.
 struct ClassScore {
     std::string pixels;        // the class
-    std::string against;       // "limit", the depth truth (D) "depth", the geometry truth (G) "geometry"
+    std::string against;       // the depth truth (D) "depth" or the geometry truth (G) "geometry"
     std::uint64_t count = 0;   // of pixels
     double squares = 0.0;      // of the displayed image's errors
     double raw_squares = 0.0;  // of the estimate's
@@ -82,7 +61,6 @@ struct ClassFlicker {
 
 // How the scored frames of a sequence compare, by class of pixel.
 struct ClassScores {
-    double most_samples = 0.0;  // that count in a mean
     std::vector<FrameScore> frames;
     std::vector<ClassFlicker> flicker;
 };

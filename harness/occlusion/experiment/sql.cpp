@@ -17,8 +17,8 @@
 namespace gloam::experiment::internal {
 namespace {
 
-using Points = std::vector<std::pair<double, double>>;  // the second is 0 without a second argument
-using Aggregate = double (*)(const Points&);
+using Numbers = std::vector<double>;
+using Aggregate = double (*)(const Numbers&);
 
 // NaN for NULL, and a result of NaN becomes NULL.
 double number_of(sqlite3_value* value) noexcept {
@@ -26,49 +26,41 @@ double number_of(sqlite3_value* value) noexcept {
                                                     : sqlite3_value_double(value);
 }
 
-void collect(sqlite3_context* context, int count, sqlite3_value** arguments) noexcept {
-    auto** const points = static_cast<Points**>(sqlite3_aggregate_context(context, sizeof(Points*)));
-    if (points == nullptr) return sqlite3_result_error_nomem(context);
-    if (*points == nullptr) *points = std::make_unique<Points>().release();
-    (*points)->emplace_back(number_of(arguments[0]), count > 1 ? number_of(arguments[1]) : 0.0);
+void collect(sqlite3_context* context, int /*unused*/, sqlite3_value** arguments) noexcept {
+    auto** const numbers = static_cast<Numbers**>(sqlite3_aggregate_context(context, sizeof(Numbers*)));
+    if (numbers == nullptr) return sqlite3_result_error_nomem(context);
+    if (*numbers == nullptr) *numbers = std::make_unique<Numbers>().release();
+    (*numbers)->push_back(number_of(arguments[0]));
 }
 
 void finish(sqlite3_context* context) noexcept {
-    auto** const points = static_cast<Points**>(sqlite3_aggregate_context(context, 0));
-    if (points == nullptr || *points == nullptr) return sqlite3_result_null(context);
-    const std::unique_ptr<Points> all(*points);
-    const bool complete = std::ranges::none_of(
-        *all, [](const auto& point) { return std::isnan(point.first) || std::isnan(point.second); });
-    if (complete)
+    auto** const numbers = static_cast<Numbers**>(sqlite3_aggregate_context(context, 0));
+    if (numbers == nullptr || *numbers == nullptr) return sqlite3_result_null(context);
+    const std::unique_ptr<Numbers> all(*numbers);
+    if (std::ranges::none_of(*all, [](double x) { return std::isnan(x); }))
         sqlite3_result_double(context, (*static_cast<Aggregate*>(sqlite3_user_data(context)))(*all));
     else
         sqlite3_result_null(context);
 }
 
-double sum_of(const Points& points, double (*of)(double)) {
+double sum_of(const Numbers& numbers, double (*of)(double)) {
     double sum = 0.0;
-    for (const auto& [x, y] : points) sum += of(x);
+    for (const double x : numbers) sum += of(x);
     return sum;
 }
 
-double mean(const Points& points) {
-    return sum_of(points, [](double x) { return x; }) / static_cast<double>(points.size());
+double mean(const Numbers& numbers) {
+    return sum_of(numbers, [](double x) { return x; }) / static_cast<double>(numbers.size());
 }
 
-double geometric_mean(const Points& points) {
-    return std::exp(sum_of(points, [](double x) { return std::log(x); }) /
-                    static_cast<double>(points.size()));
+double geometric_mean(const Numbers& numbers) {
+    return std::exp(sum_of(numbers, [](double x) { return std::log(x); }) /
+                    static_cast<double>(numbers.size()));
 }
 
 template <double numeric::Spread::* member>
-double spread(const Points& points) {
-    std::vector<double> values;
-    for (const auto& [x, y] : points) values.push_back(x);
-    return numeric::spread_of(values).*member;
-}
-
-double exponent(const Points& points) {
-    return numeric::exponent_of(points);
+double spread(const Numbers& numbers) {
+    return numeric::spread_of(numbers).*member;
 }
 
 // The format of a number and its digits.
@@ -100,10 +92,9 @@ void add_functions(sqlite3* handle) {
                                                           {"quartile_low", spread<&numeric::Spread::low>},
                                                           {"quartile_high", spread<&numeric::Spread::high>},
                                                           {"mean", mean},
-                                                          {"geometric_mean", geometric_mean},
-                                                          {"exponent", exponent}};
+                                                          {"geometric_mean", geometric_mean}};
     for (auto& [name, of] : aggregates)
-        sqlite3_create_function(handle, name, of == exponent ? 2 : 1, flags, &of, nullptr, collect, finish);
+        sqlite3_create_function(handle, name, 1, flags, &of, nullptr, collect, finish);
     static char fixed[] = "{:.{}f}";
     static char with_sign[] = "{:+.{}f}";
     sqlite3_create_function(handle, "fixed", 2, flags, fixed, write, nullptr, nullptr);

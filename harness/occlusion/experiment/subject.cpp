@@ -33,8 +33,6 @@ void apply(effect::Settings& settings, const Layer& layer) {
     }
 }
 
-}  // namespace
-
 Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) {
     Subject subject;
     std::string preset;
@@ -46,7 +44,6 @@ Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) 
         subject.hoisted = layer->hoisted.value_or(subject.hoisted);
         subject.radius = layer->radius.value_or(subject.radius);
         subject.enough_samples |= layer->enough_samples;
-        subject.held |= layer->held;
         if (!layer->pictures.empty()) subject.pictures = layer->pictures;
         if (!layer->kind) continue;
         subject.kind = *layer->kind;
@@ -59,6 +56,8 @@ Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) 
     validate(subject.settings);
     return subject;
 }
+
+}  // namespace
 
 bool takes_part(const Case& one, const Candidate& candidate) {
     return one.candidates.empty() || std::ranges::count(one.candidates, candidate.name) > 0;

@@ -19,16 +19,12 @@ struct Subject {
     bool hoisted = true;
     double radius = 1.0;  // in units of the scene's
     bool enough_samples = false;
-    bool held = false;
     std::vector<std::string> pictures;
     PlainLoop plain;
 };
 
 // Of the experiment's, the case's and the candidate's layer. Throws std::invalid_argument for settings that
-// do not exist.
-[[nodiscard]] Subject subject_of(const std::vector<const Layer*>& layers, const Place& place);
-
-// The same with the names of both in the message.
+// do not exist, with the names of the case and the candidate.
 [[nodiscard]] Subject subject_of(const Experiment& experiment, const Case& one, const Candidate& candidate,
                                  const Place& place);
 
