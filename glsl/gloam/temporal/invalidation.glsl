@@ -12,9 +12,9 @@
 // subtracts before squaring: the error is that of a and b, not that of their lengths.
 // sample_position: s, position: p, of this frame; previous_sample: s', previous_position: p', of the previous one.
 // World units, one space for each frame; camera-centred positions keep s - p exact.
-// Returns the change in world units, >= 0; the largest float, which no threshold exceeds, where a position or
-// difference is infinite or NaN. Error: 6 ULP where s - p and s' - p' are exact, else 2e-7 of the larger length
-// besides.
+// Returns the change in world units, >= 0; the largest float, which counts as changed for every threshold, where a
+// position or difference is infinite or NaN. Error: 6 ULP where s - p and s' - p' are exact, else 2e-7 of the larger
+// length besides.
 // No method or pass here calls it: it is TSSAO, eq 9; the pass takes gloam_probe_change, which has no branch.
 float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previous_sample, vec3 previous_position) {
     vec3 a = sample_position - position;
@@ -32,11 +32,11 @@ float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previo
     return min(abs(dot(a - b, a + b)) / sum / scale, GLOAM_LARGEST);
 }
 
-// whether a neighbourhood counts as unchanged (TSSAO-9-test): `d < epsilon` [TSSAO, eq 9].
+// whether a neighbourhood counts as unchanged (TSSAO-9-test): `d <= epsilon` [TSSAO, notes on eq 9].
 // change: d, world units. epsilon: world units, 0.01 to 0.05 of the kernel radius.
-// Returns false for NaN in either. Error: none.
+// Returns false for NaN in either, and for the largest float, which stands for a bad input. Error: none.
 bool gloam_neighborhood_unchanged(float change, float epsilon) {
-    return change < epsilon;
+    return change <= epsilon && change < GLOAM_LARGEST;
 }
 
 // whether a surface point can block another at all (TSSAO-9-probe): `(s - p) . n > 0` [TSSAO, eq 9].
@@ -56,14 +56,15 @@ bool gloam_probe_useful(vec3 offset, vec3 normal) {
 // now: a, from the point to the sample, world units. before: b, the same in the previous frame, in any space: the
 // camera's own motion changes no distance. normal: n of the point, unit vector, space of a. reach: r, how far what
 // blocks may be, world units, >= 0.
-// Returns the change in world units, >= 0; 0 for what does not count, and for NaN in a or n; the largest float where
-// the change is infinite or NaN. Lengths are below 1e18. Error: 1.5e-7 of the larger length.
+// Returns the change in world units, >= 0; 0 for what does not count; the largest float, as gloam_neighborhood_change,
+// where a, b or n is infinite or NaN. Lengths are below 1e18. Error: 1.5e-7 of the larger length.
 float gloam_probe_change(vec3 now, vec3 before, vec3 normal, float reach) {
     float squared = dot(now, now);
     float squared_before = dot(before, before);
     bool counts = !(squared > reach * reach && squared_before > reach * reach) && dot(now, normal) > 0.0;
-    float change = abs(sqrt(squared) - sqrt(squared_before));
-    return counts ? (change <= GLOAM_LARGEST ? change : GLOAM_LARGEST) : 0.0;
+    float change = counts ? abs(sqrt(squared) - sqrt(squared_before)) : 0.0;
+    bool known = all(bvec3(gloam_is_finite3(now), gloam_is_finite3(before), gloam_is_finite3(normal)));
+    return known && change <= GLOAM_LARGEST ? change : GLOAM_LARGEST;
 }
 
 // What happens to the weight of a pixel whose neighbourhood has changed but which itself has not been disoccluded

@@ -138,8 +138,9 @@ void append_disocclusion(Entries& entries) {
         {.backward_ulp = 4}, {},
         [](glm::dvec3 offset, glm::dvec3 normal) { return moderate(1e-15, 1e15, offset, normal); });
     add(entries, "TSSAO-9-reach", &reference::gloam_probe_change,
-        {position, position, unit_vector(3), uniform(0, 16)}, {.absolute = 2e-6, .backward_ulp = 4},
-        {0, float_max}, [](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
+        {position, position, unit_vector(3).and_special(), uniform(0, 16)},
+        {.absolute = 2e-6, .backward_ulp = 4}, {0, float_max},
+        [](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
             return moderate(1e-15, 16, now) && moderate(1e-15, 16, before) && moderate(1e-15, 1, normal) &&
                    moderate(1e-15, 16, reach);
         });

@@ -93,7 +93,7 @@ inline double gloam_neighborhood_change(dvec3 sample_position, dvec3 position, d
 }
 
 inline bool gloam_neighborhood_unchanged(double change, double epsilon) {
-    return change < epsilon;
+    return change <= epsilon && change < float_max;
 }
 
 inline bool gloam_probe_useful(dvec3 offset, dvec3 normal) {
@@ -101,10 +101,10 @@ inline bool gloam_probe_useful(dvec3 offset, dvec3 normal) {
 }
 
 inline double gloam_probe_change(dvec3 now, dvec3 before, dvec3 normal, double reach) {
+    if (!is_finite(now) || !is_finite(before) || !is_finite(normal)) return float_max;
     const bool far = length(now) > reach && length(before) > reach;
     if (far || !(dot(now, normal) > 0.0)) return 0.0;
-    const double change = abs(length(now) - length(before));
-    return change <= float_max ? change : float_max;
+    return min(abs(length(now) - length(before)), float_max);
 }
 
 inline double gloam_invalidate_clamp(double weight, double weight_small) {
