@@ -77,14 +77,14 @@ vec2 gloam_hbao_start_slope(float slope, float bias) {
 // 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
 // march: (sine of the horizon, occlusion so far): at first of gloam_hbao_horizon or gloam_hbao_start_slope, and 0.
 // rise: part of v = s - p along the view axis, world units. squared: |v|^2. radius: R, world units, > 0.
-// Returns the new pair; the occlusion of a side lies in [0, 2] (1 where the tangent is level). Unchanged for |v| >= R,
+// Returns the new pair; the occlusion of a side lies in [0, 2] (1 where the tangent is level). Unchanged for |v| > R,
 // for a sample not above the horizon, and for NaN. Error: 9e-7 for each step; one within 4 ULP of the radius or of the
 // horizon may fall to either side.
 vec2 gloam_hbao_step(vec2 march, float rise, float squared, float radius) {
     float weight = 1.0 - squared / (radius * radius);
     float sine = min(rise * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)), 1.0);
     float added = (sine - march.x) * weight;
-    bool rises = weight > 0.0 && sine > march.x;
+    bool rises = weight >= 0.0 && sine > march.x;
     return vec2(rises ? sine : march.x, march.y + (rises ? added : 0.0));
 }
 

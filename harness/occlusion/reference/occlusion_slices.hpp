@@ -35,7 +35,7 @@ inline dvec2 gloam_hbao_start_slope(double slope, double bias) {
 
 inline dvec2 gloam_hbao_step(dvec2 march, double rise, double squared, double radius) {
     const double sine = min(rise / sqrt(squared), 1.0);
-    if (!(squared < pow(radius, 2) && sine > march.x)) return march;
+    if (!(squared <= pow(radius, 2) && sine > march.x)) return march;
     return {sine, march.y + (1.0 - squared / pow(radius, 2)) * (sine - march.x)};
 }
 
