@@ -23,8 +23,7 @@ std::vector<Preset> tssao_presets(const MethodInfo&) {
               {"history", "eq 5"},
               {"invalidation", "smooth invalidation"},
               {"change_tolerance", "epsilon of eq 9, whose value is ours"},
-              {"weight_small", "n of the clamp, 32 to 64"},
-              {"confidence_factor", "S, 15 to 30"},
+              {"confidence_factor", "S, 15 to 30, in a formula that is reconstructed"},
               {"filter", "eq 10"},
               {"filter_half_width", "F, 5 x 5"}}}};
 }

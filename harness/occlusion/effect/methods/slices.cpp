@@ -29,17 +29,17 @@ Preparation first_direction(const Settings& settings, gpu::Extent view) {
 }
 
 std::vector<Preset> hbao_study_presets(const MethodInfo& method) {
-    const Printed shader = printed_by_study({{"samples", "of the published shader, not in print"},
-                                             {"samples_converged", "of the published shader, not in print"},
-                                             {"steps", "of the published shader, not in print"},
-                                             {"angle_bias", "bias, of the published shader"}});
+    const auto with_samples = [](const char* origin) {
+        return printed_by_study({{"samples", origin},
+                                 {"samples_converged", origin},
+                                 {"steps", "6 steps"},
+                                 {"angle_bias", "bias, of the published shader"}});
+    };
     return {
-        {"study-hbao-performance",
-         "8 directions of 6 steps as in the study's shader, its blur, no history; the blur with these is "
-         "ours",
-         blurred(slices(method, 4, 6)), shader},
+        {"study-hbao-performance", "the study's: 8 directions of 6 steps, its blur, no history",
+         blurred(slices(method, 4, 6)), with_samples("8 x 6 samples")},
         {"study-hbao-quality", "the study's published shader: 8 directions of 6 steps, no blur, no history",
-         studied(slices(method, 4, 6)), shader}};
+         studied(slices(method, 4, 6)), with_samples("of the published shader, not in print")}};
 }
 
 // Slices and steps to each side of XeGTAO's levels (Intel 2021), in single frames with a blur.

@@ -118,17 +118,21 @@ Settings of_figure(const MethodInfo& method, const Figure& figure) {
     return settings;
 }
 
-// With the equation that the figure shows.
-Printed of_equation(const char* equation, bool has_taps = true) {
-    Printed printed{{"method", equation},
-                    {"intensity", "lambda phi / R"},
-                    {"bias", "psi / R"},
-                    {"epsilon", "the root of sigma / R"},
-                    {"samples_radius", "fewer samples far away, in prose"},
-                    {"history", "none in the paper"},
-                    {"filter", "eq 7"}};
-    if (has_taps) printed.insert(printed.end(), {{"samples", "s"}, {"samples_converged", "s"}});
-    return printed;
+// With the symbols of the equation by which the figure is drawn. samples: of their number.
+Printed of_equation(const char* equation, const char* samples, Printed symbols = {}) {
+    symbols.insert(symbols.end(), {{"method", equation},
+                                   {"samples", samples},
+                                   {"samples_converged", samples},
+                                   {"samples_radius", "fewer samples far away, in prose"},
+                                   {"history", "none in the paper"},
+                                   {"filter", "eq 7"}});
+    return symbols;
+}
+
+Printed by_eq_6(const char* samples) {
+    return of_equation(
+        "eq 6", samples,
+        {{"intensity", "lambda phi / R"}, {"bias", "psi / R"}, {"epsilon", "the root of sigma / R"}});
 }
 
 constexpr Figure figure4{1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F};
@@ -136,21 +140,22 @@ constexpr Figure figure4{1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F};
 std::vector<Preset> issao_presets(const MethodInfo& method) {
     return {
         {"issao-figure3", "the ISSAO paper's figure 3: 12 samples, fewer where the radius is below 12 pixels",
-         of_figure(method, {1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F}), of_equation("eq 6")},
-        {"issao-figure4", "its figure 4, by eq. 6", of_figure(method, figure4), of_equation("eq 6")},
+         of_figure(method, {1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F}), by_eq_6("s")},
+        {"issao-figure4", "its figure 4, by eq. 6", of_figure(method, figure4), by_eq_6("s")},
         {"issao-figure5", "its figure 5; the number of samples is ours, that of the other figures",
-         of_figure(method, {2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F}), of_equation("eq 6", false)}};
+         of_figure(method, {2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F}), by_eq_6("ours")}};
 }
 
 std::vector<Preset> basic_presets(const MethodInfo& method) {
     Settings settings = of_figure(method, figure4);
     settings.own.intensity = 1.0F;  // eq. 3 has none
-    return {{"issao-figure4-basic", "its figure 4 on the left, by eq. 3", settings, of_equation("eq 3")}};
+    return {{"issao-figure4-basic", "its figure 4 on the left, by eq. 3", settings,
+             of_equation("eq 3", "12 in the figure")}};
 }
 
 std::vector<Preset> attenuated_presets(const MethodInfo& method) {
     return {{"issao-figure4-attenuated", "its figure 4 on the right, by eq. 4", of_figure(method, figure4),
-             of_equation("eq 4")}};
+             of_equation("eq 4", "12 in the figure", {{"intensity", "phi / R, of eq 5"}})}};
 }
 
 std::vector<Preset> two_radii_presets(const MethodInfo& method) {
