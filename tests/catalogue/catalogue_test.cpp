@@ -94,7 +94,7 @@ TEST(Catalogue, NumbersOfPapersLeadToFunctions) {
                                                         {"TSSAO eq. 12", "gloam_contribution_fox_compton"},
                                                         {"issao-7", "gloam_bilateral_filter"},
                                                         {"CS-2.1", "gloam_ambient_light"},
-                                                        {"CS-2.4", "gloam_contribution_uniform_directions"},
+                                                        {"CS-2.4", "gloam_sample_cosine"},
                                                         {"cs 3.1", "gloam_contribution_crytek"},
                                                         {"CS-3.5", "gloam_line_occlusion"},
                                                         {"CS-3.7", "gloam_falloff_alchemy"},

@@ -62,7 +62,7 @@ GloamEstimate gloam_volumetric_two(vec3 position, vec3 normal, GloamCamera camer
     return GloamEstimate(gloam_two_balls(near.occlusion, far.occlusion), float(2u * broad.count), 1.0);
 }
 
-// Paired line samples on a spiral (Toy Story 3: The Video Game; Ownby, Hall and Hall 2010; CS-R): the ball of
+// Paired line samples on a spiral (Toy Story 3: The Video Game; Ownby, Hall and Hall 2010; CS-I): the ball of
 // volumetric, with its pairs on a spiral that is rotated from pixel to pixel and from frame to frame. Where both
 // samples of a pair are invalid, both count 1/2. Radii are uniform, so a pair is weighted by its radius as well as
 // its chord.

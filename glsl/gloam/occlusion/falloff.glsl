@@ -46,12 +46,12 @@ float gloam_falloff_step(float hit_distance, float radius) {
 }
 
 // exponential falloff, cut below 1/255 (FALLOFF-exponential): `D = exp(-d / R), 0 where below 1/255` [TSSAO,
-// notes on eq 1].
+// notes on eq 3].
 // It would never end otherwise: the cut is at d = 5.5413 R.
 // hit_distance: d, world units. radius: R, world units, > 0: the distance at which 1/e is left.
 // Returns a weight in {0} and [1/255, 1]; 0 for R = 0. Error: 10 ULP; within 4 ULP of the cut a distance may fall to
 // either side.
-// No method or pass here calls it: it is TSSAO, the D = exp() of the notes on eq 1.
+// No method or pass here calls it: it is TSSAO, the D = exp() of the notes on eq 3.
 float gloam_falloff_exponential(float hit_distance, float radius) {
     float d = abs(hit_distance);
     if (!(d <= GLOAM_LARGEST && radius >= GLOAM_SMALLEST)) return 0.0;

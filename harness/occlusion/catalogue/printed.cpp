@@ -29,10 +29,7 @@ std::vector<PrintedEquation> temporal() {
         "cosine, the falloffs are its D";
     const std::string mean = "the mean of TSSAO-2 over the k samples of a frame: the same function";
     return {
-        {"TSSAO-1",
-         "ambient occlusion",
-         {"TSSAO-1-cos", "FALLOFF-step", "FALLOFF-linear", "FALLOFF-exponential"},
-         integral},
+        {"TSSAO-1", "ambient occlusion", {"TSSAO-1-cos", "FALLOFF-step", "FALLOFF-linear"}, integral},
         {"TSSAO-2", "estimate by n samples", {"TSSAO-2", "TSSAO-2-add", "TSSAO-2-hemisphere"}, ""},
         {"TSSAO-3", "contribution of a sample point", {"TSSAO-3", "TSSAO-3-V", "TSSAO-3-uniform"}, ""},
         {"TSSAO-4", "contribution of a frame", {"TSSAO-2", "TSSAO-2-add"}, mean},
@@ -51,7 +48,7 @@ std::vector<PrintedEquation> temporal() {
         {"TSSAO-14", "kernel in a half ball", {"TSSAO-14", "TSSAO-14-uniform"}, ""},
         {"CGF-1", "ambient occlusion", {"TSSAO-1-cos", "FALLOFF-step"}, integral},
         {"CGF-2", "estimate by n samples", {"TSSAO-2", "TSSAO-2-add"}, ""},
-        {"CGF-3", "contribution of a sample point", {"TSSAO-3", "TSSAO-3-V"}, ""},
+        {"CGF-3", "contribution of a sample point", {"TSSAO-3", "TSSAO-3-V", "FALLOFF-exponential"}, ""},
         {"CGF-4", "reprojection", {"TSSAO-RP-static", "TSSAO-RP", "TSSAO-RP-moving", "TSSAO-RP-world"}, ""},
         {"CGF-5", "contribution of a frame", {"TSSAO-2", "TSSAO-2-add"}, mean},
         {"CGF-6", "blend with the history", {"TSSAO-5"}, ""},
@@ -90,14 +87,13 @@ std::vector<PrintedEquation> study() {
          "albedo times light times 1 - AO: gloam_ambient_light"},
         {"CS-2.3", "ambient occlusion", {"TSSAO-1-cos", "TSSAO-2", "TSSAO-3-uniform"}, open},
         {"CS-2.4",
-         "its Monte Carlo estimate",
-         {"TSSAO-3-uniform", "TSSAO-2"},
-         "printed without the factor 2 of uniform directions, which gloam_contribution_uniform_directions "
-         "has"},
+         "ambient occlusion by visibility",
+         {"TSSAO-1-cos", "TSSAO-3-uniform", "TSSAO-2"},
+         open + "; the sum behind it, without a number, lacks the factor 2 of uniform directions"},
         {"CS-2.5",
          "ambient obscurance",
          {"FALLOFF-linear", "FALLOFF-quadratic", "FALLOFF-alchemy", "FALLOFF-step"},
-         "CS-2.3 with rho = 1 - D of the distance: the falloffs are the D"},
+         "CS-2.4 with rho = 1 - D of the distance for V: the falloffs are the D"},
         {"CS-3.1", "Crytek", {"CS-A", "CS-A-buffer", "CS-A-sample"}, ""},
         {"CS-3.2",
          "HBAO, the integral",
@@ -110,9 +106,9 @@ std::vector<PrintedEquation> study() {
          {"CS-I", "CS-I-chord", "CS-I-ratio", "CS-I-pair", "CS-I-gather"},
          ""},
         {"CS-3.6", "Alchemy, the obscurance", {"FALLOFF-alchemy", "CS-M"}, derived},
-        {"CS-3.7", "Alchemy, the falloff", {"FALLOFF-alchemy", "CS-M"}, derived},
-        {"CS-3.8", "Alchemy, both together", alchemy, derived},
-        {"CS-3.9", "Alchemy, by vectors", alchemy, derived},
+        {"CS-3.7", "Alchemy, both together", {"FALLOFF-alchemy", "CS-M"}, derived},
+        {"CS-3.8", "Alchemy, by vectors", alchemy, derived},
+        {"CS-3.9", "Alchemy, squares in the divisor", alchemy, derived},
         {"CS-3.10", "Alchemy, the estimate", alchemy, "printed without the factor 2 sigma"}};
 }
 
