@@ -68,6 +68,8 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
 // 2008; CS-C). Each march begins at tan t + tan bias and has even steps up to the radius. No gain makes up for what
 // the bias takes off. On a floor seen at a slant, objects still occlude. hbao, which adds angles, finds no occlusion
 // there from 72 degrees on.
+// Print has its steps at j / 6 of the radius, the same in every pixel. Here each march has a jitter of its own, as the
+// study's text advises against regular patterns: (k + jitter) / steps.
 struct GloamHbaoStudy {
     float angle_bias;  // radians, added to the tangent plane's elevation by its tangent
     float contrast;    // factor of the result

@@ -47,6 +47,8 @@ GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamK
 // ISSAO with its attenuation by distance (ISSAO-4 and ISSAO-5, the right half of its figure 4). With the taps of
 // issao, every surface within the radius counts Q(|v|) times its cosine. The mean stands for the integral in the same
 // way as in issao. Both methods agree where |v| is large against mu and the bias small against v . n.
+// Print counts all sample points. Here what lies no higher over the tangent plane than the kernel's bias counts 0,
+// because the rounding of depths would darken bare planes.
 struct GloamIssaoAttenuated {
     float epsilon;    // mu, world units: bounds the distance from below
     float intensity;  // phi as a share of the radius
@@ -86,7 +88,8 @@ GloamEstimate gloam_issao_distinct(vec3 position, vec3 normal, GloamCamera camer
 }
 
 // ISSAO before its attenuation (ISSAO-3, the left half of its figure 4). With the taps of issao, every surface within
-// the radius counts its cosine, whatever its distance. The mean stands for the integral in the same way as in issao.
+// the radius counts its cosine, whatever its distance. The mean stands for the integral in the same way as in issao,
+// and as in gloam_issao_attenuated what is no higher than the bias counts 0, where print counts all sample points.
 
 // All samples of one pixel in one frame (GloamEstimate).
 GloamEstimate gloam_issao_basic(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {

@@ -151,7 +151,7 @@ float gloam_contribution_aksoy_phaneuf(vec3 offset, vec3 normal, float radius, f
     return dot(offset, normal) > bias ? max(weight, 0.0) : 0.0;
 }
 
-// occlusion from two radii (CS-J-radii): `min(fine + broad, 1)` [Aksoy and Phaneuf 2011, corrected].
+// occlusion from two radii (CS-J-radii): `min(fine + broad, 1)` [Aksoy and Phaneuf 2011, reconstructed].
 // fine, broad: occlusion, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns occlusion in [0, 1]. Error: 0.5 ULP.
 float gloam_two_radii_sum(float fine, float broad) {

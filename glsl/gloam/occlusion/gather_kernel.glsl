@@ -12,9 +12,9 @@
 // last two members are options; if they are constants, the compiler removes the code for unused options.
 struct GloamKernel {
     float radius;  // of influence, world units
-    float bias;  // world units: hides the rounding of positions and depths, so at least the spacing of depths (2^-23 of
-                 // the depth in float32, 2^-10 in halves: 0.05 at 50 units). The presets use 1e-3 of the radius at any
-                 // depth; bias_depth adds a lower limit as a share of the depth
+    float bias;  // world units, ours where a source prints none: hides the rounding of positions and depths, so at
+                 // least the spacing of depths (2^-23 of the depth in float32, 2^-10 in halves: 0.05 at 50 units). The
+                 // presets use 1e-3 of the radius at any depth; bias_depth adds a lower limit as a share of the depth
     float angle;   // rotation of the kernel, radians: another for each pixel (gloam_hash_rotation); 0 once the pixel
                    // has converged (TSSAO-ROT)
     uint first;    // j, samples taken before; 0 without a history

@@ -8,7 +8,7 @@
 // Separable ambient occlusion (Huang et al. 2011): along one direction of a pair first, then along the other; the
 // pair is turned at random from pixel to pixel and a blur hides it. What stands only on the diagonals is missed.
 
-// occlusion of two directions (CS-O): `(AO_u + AO_v) / 2` [Huang et al. 2011 (separable AO)].
+// occlusion of two directions (CS-O): `(AO_u + AO_v) / 2` [Huang et al. 2011 (separable AO), reconstructed].
 // The simple form: the mean of the two one-dimensional estimates.
 // along_u, along_v: occlusion, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns occlusion in [0, 1]; the same when the directions are exchanged. Error: 0.5 ULP.
@@ -17,7 +17,7 @@ float gloam_separable_mean(float along_u, float along_v) {
 }
 
 // weight of a neighbour whose first-pass occlusion is taken over (CS-O-weight): `exp(-|q - p|^2 / (2 sigma^2)) if |(q -
-// p) . n| <= tolerance, else 0` [Huang et al. 2011 (separable AO)].
+// p) . n| <= tolerance, else 0` [Huang et al. 2011 (separable AO), reconstructed].
 // The transport form, for gloam_weighted_mean_add.
 // offset: q - p, world units. normal: n of p, unit vector, same space. sigma: world units, see gloam_gaussian.
 // tolerance: world units.

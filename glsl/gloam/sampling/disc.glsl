@@ -65,7 +65,8 @@ vec2 gloam_issao_offset_polar(vec2 e, float radius) {
 
 // sampling offset as printed, kept in the disc (ISSAO-1-printed): `r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1)` [ISSAO,
 // eq 1].
-// 3.1 % of these leave the disc, up to 1.26 r_max: they are moved to its border.
+// 3.1 % of the printed offsets leave the disc, up to 1.26 r_max. Here these are moved to its border, because the prose
+// samples the inside of the circle alone.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.
 // Returns an offset in that unit, no longer than the radius but for rounding. Error: 6e-7 of the radius.
 // No method or pass here calls it: it is ISSAO, eq 1, as printed; the methods take the other reading.

@@ -70,6 +70,7 @@ float gloam_probe_change(vec3 now, vec3 before, vec3 normal, float reach) {
 // What happens to the weight of a pixel whose neighbourhood has changed but which itself has not been disoccluded
 // (TSSAO-SI; a disoccluded pixel starts again with weight 0). Two forms are published: (a) clamps the sample count to
 // 32 to 64 samples, (b) scales it by a confidence with a factor of 15 to 30. The numbers are different quantities.
+// Print has no formula for (b), only the factor: the one here is reconstructed.
 
 // smooth invalidation by clamping the weight (TSSAO-SI-a): `w := min(w, w_small)` [TSSAO, notes on
 // smooth invalidation].
@@ -81,7 +82,8 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
     return weight < weight_small ? weight : weight_small;
 }
 
-// confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO, smooth invalidation factor].
+// confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO, smooth invalidation factor,
+// reconstructed].
 // Form (b). Of several neighbours the smallest confidence counts.
 // change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of
 // scale.
@@ -95,7 +97,8 @@ float gloam_confidence(float change, float factor) {
     return x <= GLOAM_LARGEST_DIVISOR ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
-// smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO, smooth invalidation factor].
+// smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO, smooth invalidation factor,
+// reconstructed].
 // Form (b).
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
 // Returns the weight, >= 0; 0 for a negative, infinite or NaN weight. Error: 0.5 ULP.
