@@ -211,4 +211,39 @@ TEST(Draw, LayersAndOtherImages) {
     EXPECT_EQ(draw(twice, {64, 36}, {.frame = 9, .layers = 4}).layers, full.layers);
 }
 
+// A box on a floor: the floor goes on where the box ends, as one layer that is seen from the front.
+TEST(Draw, WhereABoxStandsItIsSolidBelow) {
+    Scene scene{.name = "box", .mesh = make_parallelogram({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, 1.0)};
+    append(scene.mesh, make_box({-1, 0, -1}, {1, 1, 1}, 1.0));
+    scene.camera = {.eye = {0.1, 4, 2}, .target = {0.1, 0.5, 0.1}};
+    const GBuffer view = draw(scene, {9, 9}, {.layers = 3});
+    EXPECT_GT(view.layers[0][40], view.depth[40]);
+    EXPECT_EQ(view.layers[1][40], infinity);
+}
+
+// Boxes and columns stand on a floor and against walls. An eye that is moved by a few ULP changes the last
+// bits of every ray and corner; it must see the same surfaces, from the same sides.
+TEST(Draw, LastBitsDecideNothing) {
+    for (const char* name : {"moving", "stairs", "crypt"}) {
+        const auto seen = [&](double aside) {
+            Scene scene = make_scene(name);
+            scene.camera.eye += aside;
+            scene.camera_path = nullptr;
+            GBuffer view = draw(scene, {83, 45}, {.layers = 4});
+            view.layers.push_back(view.depth);
+            return view.layers;
+        };
+        const std::vector<std::vector<float>> still = seen(0.0);
+        for (const double aside : {-3e-7, -1e-7, 1e-7, 3e-7}) {
+            const std::vector<std::vector<float>> moved = seen(aside);
+            int others = 0;
+            for (std::size_t k = 0; k < still.size(); ++k)
+                for (std::size_t i = 0; i < still[k].size(); ++i)
+                    if (moved[k][i] != still[k][i] && !(std::abs(moved[k][i] / still[k][i] - 1.0F) < 1e-5F))
+                        ++others;
+            EXPECT_EQ(others, 0) << name << ' ' << aside;
+        }
+    }
+}
+
 }  // namespace gloam::scene::test::draw_test

@@ -11,8 +11,14 @@ namespace gloam::scene {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double layer_gap =
-    1.0 + 0x1p-20;  // ratio of depths; far above the rounding of a distance along a ray
+
+// Whether a surface behind another, or beside it, touches it on their ray. What touches in the scene is apart
+// by the rounding of its corners, up to 2^-22 of the reach, at right angles to it; along the ray, which may
+// graze it, by any multiple of that.
+bool touching(const RaySurface& before, const RaySurface& surface, const glm::dvec3& direction) {
+    const double slope = std::max(-glm::dot(before.facet, direction), -glm::dot(surface.facet, direction));
+    return (surface.distance - before.distance) * slope <= 0x1p-20 * std::max(before.reach, surface.reach);
+}
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
@@ -101,25 +107,24 @@ class Shot {
 
     void trace(std::size_t pixel) {
         const auto [origin, direction] = PixelPositions(view_).ray(pixel);
-        double from = near_;
-        double before = 0.0;  // depth of the layer before
-        for (int layer = 0; layer < options_.layers;) {
-            const auto surface = rays_.surface(origin, direction, from, far_);
-            if (!surface) return;
-            from = surface->found * layer_gap;
-            if (layer > 0 && surface->distance <= before * layer_gap) continue;
-            before = surface->distance;
-            if (layer++ == 0)
-                show(pixel, *surface, glm::normalize(direction));
-            else
-                view_.layers[static_cast<std::size_t>(layer - 2)][pixel] = layer_depth(*surface);
+        auto before = rays_.surface(origin, direction, near_, far_);
+        if (!before) return;
+        show(pixel, *before, glm::normalize(direction));
+        if (view_.layers.empty()) return;
+        auto layer = view_.layers.begin();
+        float* depth = nullptr;  // of the layer before, behind the first
+        for (const RaySurface& surface : rays_.surfaces(origin, direction, before->distance, far_)) {
+            // Negative where the mesh's normal points to the far side: the eye sees the surface from behind.
+            const bool back = glm::dot(interpolated(mesh_.normals, surface), surface.facet) < 0.0;
+            if (touching(*before, surface, direction)) {
+                if (depth != nullptr && !back) *depth = std::abs(*depth);
+                continue;
+            }
+            if (layer == view_.layers.end()) return;
+            depth = &(*layer++)[pixel];
+            *depth = static_cast<float>(back ? -surface.distance : surface.distance);
+            before = surface;
         }
-    }
-
-    // Negative where the mesh's normal points to the far side: the eye sees the surface from behind.
-    [[nodiscard]] float layer_depth(const RaySurface& surface) const {
-        const bool back = glm::dot(interpolated(mesh_.normals, surface), surface.facet) < 0.0;
-        return static_cast<float>(back ? -surface.distance : surface.distance);
     }
 
     void show(std::size_t pixel, const RaySurface& surface, const glm::dvec3& away) {

@@ -20,8 +20,9 @@ struct DrawOptions {
 // from the near to the far plane. Each point is calculated in double, on its triangle's plane. Normals are
 // interpolated and turned to the viewer. Vertices are moved to view space in double, so a scene far from the
 // origin is as exact as one near it. Bit-identical for any number of processors.
-// The rays of further layers start behind the surface before; a surface that is behind the layer before by
-// less than 2^-20 of its depth belongs to it. From frame 1 on the camera holds the previous frame's view.
+// Surfaces that touch, as a box and the ground that it stands on, are one layer: which of them a ray meets
+// first hangs on last bits. It is seen from behind if all of them are: where one of two solids ends and the
+// other begins, there is solid still. From frame 1 on the camera holds the previous frame's view.
 // With a guard the view is larger than `extent`; GBuffer::border is the difference on each side. Throws
 // std::invalid_argument for a guard out of range.
 [[nodiscard]] GBuffer draw(const Scene& scene, gpu::Extent extent, const DrawOptions& options = {});

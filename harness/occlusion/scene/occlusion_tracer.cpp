@@ -161,12 +161,11 @@ std::optional<Receiver> OcclusionTracer::surface(const glm::dvec3& origin, const
                                                  double near, double far) const {
     const auto hit = scene_.surface(origin, direction, near, far);
     if (!hit) return std::nullopt;
-    const auto [a, b, c] = scene_.corners(hit->triangle);
-    const glm::dvec3 at = origin + hit->distance * direction;
     // Larger than the rounding of the ray's origin and of the intersection with neighbours in the same plane.
-    const double reach = std::max({largest(at), largest(b - a), largest(c - a)});
-    return Receiver{
-        .position = at, .normal = hit->facet, .facet = hit->facet, .clearance = 4.0 * 0x1p-24 * reach};
+    return Receiver{.position = origin + hit->distance * direction,
+                    .normal = hit->facet,
+                    .facet = hit->facet,
+                    .clearance = 4.0 * 0x1p-24 * hit->reach};
 }
 
 }  // namespace gloam::scene

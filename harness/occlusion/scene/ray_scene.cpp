@@ -7,11 +7,13 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace gloam::scene {
 
@@ -36,6 +38,15 @@ void fill(RTCDevice device, RTCGeometry geometry, RTCBufferType type, RTCFormat 
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, stride, bytes / stride);
     if (buffer == nullptr) fail(device);
     std::memcpy(buffer, values.data(), bytes);
+}
+
+// All hits of this thread's ray, where they are asked for: each is taken down and then passed by.
+thread_local std::vector<RayHit>* hits_of_ray = nullptr;
+
+void take_down(const RTCFilterFunctionNArguments* hit) {
+    if (hits_of_ray == nullptr) return;
+    hits_of_ray->push_back({RTCHitN_primID(hit->hit, hit->N, 0), RTCRayN_tfar(hit->ray, hit->N, 0)});
+    *hit->valid = 0;
 }
 
 // The call that differs between Embree 3 and 4.
@@ -66,6 +77,7 @@ RayScene::RayScene(const Mesh& mesh)
         owned(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE), rtcReleaseGeometry, device);
     fill(device, geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions_);
     fill(device, geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, indices_);
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), take_down);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene_.get(), geometry.get());
     rtcCommitScene(scene_.get());
@@ -90,24 +102,40 @@ std::optional<RayHit> RayScene::first_hit(const glm::vec3& origin, const glm::ve
     return RayHit{ray.hit.primID, ray.ray.tfar};
 }
 
-std::array<glm::dvec3, 3> RayScene::corners(std::uint32_t triangle) const {
-    const std::uint32_t* corner = &indices_[3 * std::size_t{triangle}];
-    return {positions_[corner[0]], positions_[corner[1]], positions_[corner[2]]};
-}
-
 std::optional<RaySurface> RayScene::surface(const glm::dvec3& origin, const glm::dvec3& direction,
                                             double near, double far) const {
     const auto hit =
         first_hit(glm::vec3(origin), glm::vec3(direction), static_cast<float>(near), static_cast<float>(far));
-    if (!hit) return std::nullopt;
-    const auto [a, b, c] = corners(hit->triangle);
+    return hit ? surface_of(*hit, origin, direction) : std::nullopt;
+}
+
+std::vector<RaySurface> RayScene::surfaces(const glm::dvec3& origin, const glm::dvec3& direction, double near,
+                                           double far) const {
+    std::vector<RayHit> hits;
+    hits_of_ray = &hits;
+    (void)first_hit(glm::vec3(origin), glm::vec3(direction), static_cast<float>(near),
+                    static_cast<float>(far));
+    hits_of_ray = nullptr;
+    std::vector<RaySurface> found;
+    for (const RayHit& hit : hits)
+        if (const auto surface = surface_of(hit, origin, direction)) found.push_back(*surface);
+    std::ranges::sort(found, {}, [](const RaySurface& s) { return std::pair(s.distance, s.triangle); });
+    return found;
+}
+
+std::optional<RaySurface> RayScene::surface_of(const RayHit& hit, const glm::dvec3& origin,
+                                               const glm::dvec3& direction) const {
+    const std::uint32_t* corner = &indices_[3 * std::size_t{hit.triangle}];
+    const glm::dvec3 a = positions_[corner[0]];
+    const glm::dvec3 b = positions_[corner[1]];
+    const glm::dvec3 c = positions_[corner[2]];
     const glm::dvec3 area = glm::cross(b - a, c - a);
     const double squared = glm::dot(area, area);
     if (!(squared > 0.0)) return std::nullopt;
     glm::dvec3 facet = area / std::sqrt(squared);
     const double slope = glm::dot(facet, direction);
     // Embree's distance, made exact on the triangle's plane, unless the plane is seen edge-on.
-    double distance = hit->distance;
+    double distance = hit.distance;
     if (std::abs(slope) > 1e-6 * glm::length(direction)) distance = glm::dot(facet, a - origin) / slope;
     const glm::dvec3 at = origin + distance * direction - a;
     glm::dvec3 weights(0, glm::dot(glm::cross(at, c - a), area), glm::dot(glm::cross(b - a, at), area));
@@ -121,7 +149,9 @@ std::optional<RaySurface> RayScene::surface(const glm::dvec3& origin, const glm:
         distance = glm::dot(nearest - origin, direction) / glm::dot(direction, direction);
     }
     weights /= weights.x + weights.y + weights.z;
-    return RaySurface{hit->triangle, distance, hit->distance, slope > 0.0 ? -facet : facet, weights};
+    const glm::dvec3 found = origin + distance * direction;
+    const double reach = std::max({largest(found), largest(b - a), largest(c - a)});
+    return RaySurface{hit.triangle, distance, slope > 0.0 ? -facet : facet, weights, reach};
 }
 
 }  // namespace gloam::scene

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,9 +28,9 @@ struct RayHit {
 struct RaySurface {
     std::uint32_t triangle = 0;
     double distance = 0.0;  // along the ray, in units of its direction; on the triangle's plane
-    double found = 0.0;     // the same before it was made exact: a ray from behind it does not meet it again
     glm::dvec3 facet{0};    // unit: the triangle's normal, against the ray
     glm::dvec3 weights{0};  // of the triangle's corners; their sum is 1
+    double reach = 0.0;     // the largest coordinate there or of a side: corners are rounded to 2^-24 of it
 };
 
 // Triangles for ray tracing; the only user of Embree. Every triangle blocks on both sides. Thread-safe.
@@ -51,10 +50,14 @@ class RayScene {
     [[nodiscard]] std::optional<RaySurface> surface(const glm::dvec3& origin, const glm::dvec3& direction,
                                                     double near, double far) const;
 
-    // The corners of a triangle, in double.
-    [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const;
+    // All of them, nearest first.
+    [[nodiscard]] std::vector<RaySurface> surfaces(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                   double near, double far) const;
 
   private:
+    [[nodiscard]] std::optional<RaySurface> surface_of(const RayHit& hit, const glm::dvec3& origin,
+                                                       const glm::dvec3& direction) const;
+
     std::vector<glm::vec3> positions_;
     std::vector<std::uint32_t> indices_;
     std::shared_ptr<RTCDeviceTy> device_;
