@@ -215,20 +215,24 @@ TEST(Draw, LayersAndOtherImages) {
 TEST(Draw, WhereABoxStandsItIsSolidBelow) {
     Scene scene{.name = "box", .mesh = make_parallelogram({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, 1.0)};
     append(scene.mesh, make_box({-1, 0, -1}, {1, 1, 1}, 1.0));
-    scene.camera = {.eye = {0.1, 4, 2}, .target = {0.1, 0.5, 0.1}};
+    scene.camera = {.eye = {1.3, 4, 2}, .target = {0.1, 0.5, 0.1}, .fovy_rad = 0.1};
     const GBuffer view = draw(scene, {9, 9}, {.layers = 3});
-    EXPECT_GT(view.layers[0][40], view.depth[40]);
-    EXPECT_EQ(view.layers[1][40], infinity);
+    EXPECT_THAT(view.layers[0], Each(testing::Gt(0.0F)));
+    EXPECT_THAT(view.layers[1], Each(infinity));
 }
 
-// Boxes and columns stand on a floor and against walls. An eye that is moved by a few ULP changes the last
-// bits of every ray and corner; it must see the same surfaces, from the same sides.
+// Boxes and columns stand on a floor and against walls; on a plate the view grazes the floor at a slant. An
+// eye that is moved by a few ULP changes the last bits of every ray and corner; it must see the same surfaces
+// from the same sides.
 TEST(Draw, LastBitsDecideNothing) {
-    for (const char* name : {"moving", "stairs", "crypt"}) {
+    Scene plate{.name = "plate", .mesh = make_parallelogram({-60, 0, 60}, {120, 0, 0}, {0, 0, -120}, 3.0)};
+    append(plate.mesh, make_box({-5, 0, -21}, {5, 0.05, -3}, 1.0));
+    plate.camera = {.eye = {0.1, 0.1, 1}, .target = {7.1, 5, -12}, .up = {1, 1, 0.2}, .fovy_rad = 1.1};
+    for (Scene scene : {make_scene("moving"), make_scene("stairs"), make_scene("crypt"), plate}) {
+        scene.camera_path = nullptr;
+        const glm::dvec3 eye = scene.camera.eye;
         const auto seen = [&](double aside) {
-            Scene scene = make_scene(name);
-            scene.camera.eye += aside;
-            scene.camera_path = nullptr;
+            scene.camera.eye = eye + aside;
             GBuffer view = draw(scene, {83, 45}, {.layers = 4});
             view.layers.push_back(view.depth);
             return view.layers;
@@ -239,9 +243,9 @@ TEST(Draw, LastBitsDecideNothing) {
             int others = 0;
             for (std::size_t k = 0; k < still.size(); ++k)
                 for (std::size_t i = 0; i < still[k].size(); ++i)
-                    if (moved[k][i] != still[k][i] && !(std::abs(moved[k][i] / still[k][i] - 1.0F) < 1e-5F))
+                    if (moved[k][i] != still[k][i] && !(std::abs(moved[k][i] / still[k][i] - 1.0F) < 1e-4F))
                         ++others;
-            EXPECT_EQ(others, 0) << name << ' ' << aside;
+            EXPECT_EQ(others, 0) << scene.name << ' ' << aside;
         }
     }
 }
