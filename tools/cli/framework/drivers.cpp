@@ -90,8 +90,7 @@ std::vector<fs::path> driver_manifests() {
     while (std::getline(lines, line)) {
         line.erase(0, line.find_first_not_of(' ', line.find(':') + 1));
         std::error_code none;
-        if (!fs::is_regular_file(line, none)) break;
-        manifests.emplace_back(line);
+        if (fs::is_regular_file(line, none)) manifests.emplace_back(line);  // others are no names, or missing
     }
     return manifests;
 }
