@@ -35,9 +35,8 @@ struct CompilerFault {
     std::string name;
     std::uint32_t opcode;
     std::function<void(const Place&, Spirv& words)> change;  // to no words: the instruction is left out
-    // Whether a driver shows it. Not one that only changes a rounding, or what a comparison makes of NaN,
-    // which Vulkan leaves open to a driver (the first wordings of SignedZeroInfNanPreserve list no
-    // comparison); and not one that makes loops that never end, which some drivers do not survive.
+    // Whether a driver shows it. Not one that only changes a rounding, and not one that makes loops that
+    // never end, which some drivers do not survive.
     bool in_a_driver = true;
 
     [[nodiscard]] Spirv plant(const Spirv& module) const {
@@ -149,7 +148,6 @@ inline std::vector<CompilerFault> compiler_faults() {
             {"signed less as unsigned", SpvOpSLessThan, opcode(SpvOpULessThan)},
             {"less as less or equal", SpvOpSLessThan, opcode(SpvOpSLessThanEqual)},
             {"greater turned round without its operands", SpvOpSGreaterThan, opcode(SpvOpSLessThan)},
-            {"ordered less as unordered: NaN lost", SpvOpFOrdLessThan, opcode(SpvOpFUnordLessThan), false},
             {"and as or", SpvOpLogicalAnd, opcode(SpvOpLogicalOr)},
             {"bits of and as or", SpvOpBitwiseAnd, opcode(SpvOpBitwiseOr)},
             {"not left out", SpvOpLogicalNot, opcode(SpvOpCopyObject)},

@@ -2,6 +2,7 @@
 // Faults planted in compilers are found: as a step that gloam takes with a module, and as a layer in front of
 // a driver, which rewrites the modules that it is given. Each row says what finding one took.
 #include <fmt/format.h>
+#include <array>
 #include <chrono>
 
 #include "check/compiler_faults.hpp"
@@ -102,11 +103,44 @@ TEST(PlantedCompiler, EachFaultIsFound) {
         const test::ChangedDevice faulty(
             test::SharedDevice::get(),
             {.compiled = [&](const shader::Spirv& module) { return fault.plant(module); }});
-        look(fault, "in a driver",
-             [&](KernelModule module) { return KernelCore(faulty, std::move(module)); });
+        look(fault, "in a driver", [&](KernelModule module) {
+            module.before.clear();
+            return KernelCore(faulty, std::move(module));
+        });
     }
     // What the layers say of planted modules is for no later test of the process.
     (void)test::SharedDevice::get()->take_validation_messages();
+}
+
+// The text that a compiler was given, and one that it may make of it: no wording of SignedZeroInfNanPreserve
+// before Vulkan 1.4.304 lists comparisons, and none lists step().
+TEST(PlantedCompiler, NaNAndInfinityAreItsOwnWhereADeviceMayDoAsItLikes) {
+    const std::array<const char*, 2> rows[] = {
+        {"float f(float e, float x) { return step(e, x); }",
+         "float f(float e, float x) { return x >= e ? 1.0 : 0.0; }"},
+        {"bool f(float x, float y) { return x != y; }",
+         "bool f(float x, float y) { return x < y || x > y; }"},
+        {"float f(float x, float y) { return max(x, y); }",
+         "float f(float x, float y) { return x > y ? x : y; }"},
+        {"float f(float x, float y) { return x + y; }",
+         "float f(float x, float y) { return isnan(x) ? 0.0 : x + y; }"}};
+    for (const auto& [before, after] : rows) {
+        const auto kernel = [&](const std::string& text, Question* question) {
+            shader::Variant variant = shader::variant("strict");
+            const Lab lab({.variant = variant, .excerpts = shader::excerpts({"f.glsl", text}, {}).functions},
+                          interpreter());
+            const OwnFunction own = own_functions(lab.options(), "f.glsl").found.at(0);
+            if (question != nullptr) *question = question_of(lab, "f.glsl", own, {});
+            return lab.kernel("f.glsl", "f", own.signature()).module();
+        };
+        Question question;
+        KernelModule module = kernel(before, &question);
+        module.before = std::exchange(module.spirv, kernel(after, nullptr).spirv);
+        module.rounds_to_even = true;
+        Found found;
+        found.add(question, KernelCore(*interpreter(), std::move(module)));
+        EXPECT_EQ(found.found, std::string_view(after).find("isnan") != std::string_view::npos) << after;
+    }
 }
 
 }  // namespace

@@ -22,10 +22,9 @@ numeric::Bounds bounds_of(const numeric::Rearranged& x) {
     return x.interval().bounds();
 }
 
-// What a module asks a driver to keep. What the interpreter runs keeps everything.
-numeric::Paths::Specials specials_of(const KernelModule& module, const shader::Spirv& words) {
+// What a module asks a driver, or a compiler before it, to keep.
+numeric::Paths::Specials specials_of(const shader::Spirv& words) {
     using enum numeric::Paths::Specials;
-    if (module.rounds_to_even) return kept;
     return shader::preserves_specials(words) ? listed : dropped;
 }
 
@@ -37,7 +36,7 @@ Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
         parts_.push_back({.module = *module,
                           .program = interpreter::Program(words, module->constants),
                           .images = image_words(module->prototypes, images, "the kernel"),
-                          .specials = specials_of(*module, words)});
+                          .specials = specials_of(words)});
     }
 }
 
