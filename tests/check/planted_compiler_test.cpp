@@ -143,5 +143,45 @@ TEST(PlantedCompiler, NaNAndInfinityAreItsOwnWhereADeviceMayDoAsItLikes) {
     }
 }
 
+// A shader of which SPIRV-Tools 2023.1 make another one (KhronosGroup/SPIRV-Tools#5815).
+constexpr const char* joined = R"(
+bool never(int p) { uint z = 0u; return bool(z); }
+int joined(int rounds, int p) {
+    int a = 0, g = 0, k = 0;
+    for (int i = 0; i < rounds; i++)
+        if (never(1)) {
+            if (never(p)) continue;
+            break;
+        } else {
+            k = a;
+            for (int j = 0; j < 2; j++) g = 1;
+            k = g | k;
+        }
+    return k;
+})";
+
+// SPIRV-Tools as a step and as a variant have the same faults, whether this release has some or none.
+TEST(PlantedCompiler, AVariantOfOurOwnIsJudgedAsAStep) {
+    const auto excerpts = shader::excerpts({"joined.glsl", joined}, {}).functions;
+    const auto answer_in = [&](const std::string& name, const std::shared_ptr<backend::Backend>& device) {
+        const Lab lab({.variant = shader::variant(name), .excerpts = excerpts}, device);
+        const OwnFunction own = own_functions(lab.options(), "joined.glsl").found.at(1);
+        const Question question = question_of(lab, "joined.glsl", own, {{"rounds", {0, 5}}});
+        return run(lab, question, {.inputs = inputs_of_each});
+    };
+    for (const auto& [variant, step] :
+         {std::pair{"optimized", "spirv-opt -O"}, {"small", "spirv-opt -Os"}, {"literals", "spirv-opt -O"}}) {
+        const Answer as_step = answer_in(fmt::format("shipped | {}", step), interpreter());
+        for (const auto& device :
+             {interpreter(), std::shared_ptr<backend::Backend>(test::SharedDevice::get())}) {
+            const Answer answer = answer_in(variant, device);
+            EXPECT_EQ(answer.failed(), as_step.failed()) << variant << " on " << device->info().name;
+            EXPECT_EQ(answer.story.find("SPIRV-Tools is at fault") != std::string::npos, answer.failed())
+                << answer.story;
+        }
+        fmt::print("{}: SPIRV-Tools {}\n", variant, as_step.failed() ? "make another shader" : "are right");
+    }
+}
+
 }  // namespace
 }  // namespace gloam::check::planted_compiler_test

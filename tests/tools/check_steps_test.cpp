@@ -64,6 +64,7 @@ TEST_F(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
         })");
     EXPECT_THAT(read_file(at / "report.txt"),
                 HasSubstr("The fewest steps that fail: " + broken_compiler(folder.path(), exchanges) + "\n"));
+    EXPECT_THAT(read_file(at / "report.txt"), HasSubstr("the compiler's step is at fault"));
     for (const char* file : {"before.spv", "shader.spv"})
         EXPECT_EQ(run_program("spirv-val", words("--target-env vulkan1.2 {}", at / file)).status, 0) << file;
     expect_reproduced_by_its_program(at);

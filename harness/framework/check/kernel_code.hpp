@@ -62,7 +62,8 @@ inline constexpr std::size_t image_header_words = 3;
 // kernel_code().
 struct KernelModule : backend::KernelProgram {
     std::vector<ImagePrototype> prototypes = {};  // of `images`
-    // The module before the steps of a compiler, whose rules hold for the results. Empty: there were none.
+    // The module before the variant's optimizer and the steps of a compiler, whose rules hold for the
+    // results. Empty: there were none.
     shader::Spirv before = {};
     bool rounds_to_even = false;              // what runs it rounds each correctly rounded result so
     bool judged_by_rules = true;              // off where the version of GLSL has no precision rules to ask

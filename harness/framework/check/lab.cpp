@@ -160,8 +160,9 @@ std::optional<shader::Language> Lab::language() const {
 KernelCore Lab::core(KernelModule module) const {
     module.samplers = info().samplers;
     module.subgroup_size = std::max(info().subgroup_size, 1U);
-    // Of a compiler that is judged, both modules run on the interpreter.
-    module.rounds_to_even = !module.before.empty() && info().name == interpreter_name;
+    // Of a compiler that is judged, both modules run on the interpreter. A variant's optimizer may fold what
+    // it knows with any rounding.
+    module.rounds_to_even = !options_.variant.steps.empty() && info().name == interpreter_name;
     return {*device_, std::move(module)};
 }
 
@@ -170,6 +171,12 @@ shader::CompileOptions Lab::compile_options() const {
             .include_roots = options_.include_roots,
             .variant = options_.variant,
             .lines = !options_.excerpts.empty()};
+}
+
+shader::CompileOptions Lab::judged_options() const {
+    shader::CompileOptions options = compile_options();
+    options.variant.optimization = shader::Optimization::none;
+    return options;
 }
 
 KernelSource Lab::source(const std::string& file, const std::string& function,
@@ -239,11 +246,17 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
 }
 
 void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
-    if (options_.variant.steps.empty()) return;
     const auto stage = stage_of(module.team);
+    if (options_.variant.optimization != shader::Optimization::none) {
+        shader::CompileOptions options = judged_options();
+        options.stage = stage;
+        module.before = compile(text, options);
+    }
+    if (options_.variant.steps.empty()) return;
     const auto glsl = [&] { return shader::pack({text}, {.stage = stage}, options_.include_roots); };
     shader::Spirv after = shader::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
-    module.before = std::exchange(module.spirv, std::move(after));
+    shader::Spirv given = std::exchange(module.spirv, std::move(after));
+    if (module.before.empty()) module.before = std::move(given);
 }
 
 shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOptions& options) const {

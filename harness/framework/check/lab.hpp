@@ -67,6 +67,9 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 // kernel.
 [[nodiscard]] std::shared_ptr<backend::Backend> interpreter();
 
+// What of a kernel the interpreter does not know, which judges every result; empty if it can be run.
+[[nodiscard]] std::string why_not_run(KernelSource source, const shader::SpirvCache& cache);
+
 // The image that serves a prototype T f(ivec2). Empty for any other prototype.
 [[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
 
@@ -132,8 +135,8 @@ class Lab {
                (options_.variant.steps.empty() || options_.variant.strict);
     }
 
-    // Takes the variant's steps with a kernel's module. `text`: what it was made from. Throws
-    // shader::StepError; shader::Unchanged.
+    // Takes the variant's steps with a kernel's module, and keeps the module before them and before the
+    // variant's optimizer. `text`: what it was made from. Throws shader::StepError; shader::Unchanged.
     void take_steps(KernelModule& module, const shader::Source& text) const;
 
     // A kernel for this module on this lab's device.
@@ -150,6 +153,8 @@ class Lab {
 
     // The options with which its shaders are compiled.
     [[nodiscard]] shader::CompileOptions compile_options() const;
+    // The same without the optimizer: those of the module whose rules hold for the results.
+    [[nodiscard]] shader::CompileOptions judged_options() const;
 
   private:
     LabOptions options_;

@@ -150,6 +150,8 @@ bool after(const Steps& steps, const Lab& lab, bool cannot, const std::function<
         return cannot;
     } catch (const shader::Unchanged&) {
         return false;
+    } catch (const backend::Unsupported&) {
+        return false;
     }
 }
 
@@ -163,7 +165,7 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
     if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
     all.failure = smallest;
     try {
-        all.rules = rules_of(explain(lab.compile_options(),
+        all.rules = rules_of(explain(lab.judged_options(),
                                      lab.source(question.file, question.function, question.signature),
                                      smallest.inputs, session.images()));
     } catch (const std::exception&) {  // a shader that the interpreter cannot run has a report still

@@ -77,6 +77,10 @@ constexpr std::uint64_t most_long = 2 * 65'535;
 constexpr std::uint64_t least_long = 4'096;      // the same where most inputs take many
 constexpr std::uint64_t most_all = 400'000'000;  // of all inputs, about
 
+bool has_loop(const KernelModule& module) {
+    return shader::has_loop(module.spirv) || (!module.before.empty() && shader::has_loop(module.before));
+}
+
 }  // namespace
 
 // Rounded to float32 or not, a loop may take another number of rounds.
@@ -107,7 +111,7 @@ std::vector<char> Session::long_runs(const Domain::Inputs& inputs, std::uint64_t
 
 Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& answer) const {
     const KernelModule& module = kernel_.module();
-    if (question_.reference || module.spirv.empty() || !shader::has_loop(module.spirv)) return inputs;
+    if (question_.reference || module.spirv.empty() || !has_loop(module)) return inputs;
     constexpr std::size_t probes = 64;
     std::uint64_t limit = most_long;
     std::vector<char> is_long;
@@ -235,7 +239,7 @@ std::string explanation_of(const Lab& lab, const Question& question, const Sampl
     try {
         const KernelSource source = lab.source(question.file, question.function, question.signature);
         return "  the worst input, operation by operation, rounded correctly:\n" +
-               to_text(explain(lab.compile_options(), source, sample.inputs,
+               to_text(explain(lab.judged_options(), source, sample.inputs,
                                images_behind(question, sample, seed)),
                        most_lines);
     } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story
@@ -258,13 +262,53 @@ std::string codomain_text(const Question& question, const Sample& sample) {
     return {};
 }
 
-void tell_story(const Lab& lab, const Question& question, std::uint64_t seed, Answer& answer) {
+// Whether the device may return this result for the module that it was given itself.
+bool is_right(const Lab& lab, const Question& question, KernelModule given, const Sample& sample,
+              std::uint64_t seed) {
+    const auto constants = lab.options().variant.constants;
+    if (constants != shader::Variant::Constants::none) {
+        KernelSource source = lab.source(question.file, question.function, question.signature);
+        source.preserve_nan = source.preserve_nan && constants != shader::Variant::Constants::literals;
+        given = internal::constant_kernel(lab, source, sample.inputs, 1).module();
+    }
+    given.before.clear();
+    const ImageSet images = images_behind(question, sample, seed);
+    const KernelModules modules{std::make_shared<const KernelModule>(std::move(given))};
+    const Decoded decoded(modules, images);
+    const internal::Scalars scalars(question.signature);
+    Interpretation rules(decoded, scalars.outputs, scalars.result_words);
+    const InputRow input{.words = sample.inputs};
+    return rules.is_exact(input, sample.got) || rules.is_permitted(input, sample.got);
+}
+
+// Of a result that the module before a compiler forbids: whether the compiler or the device is at fault.
+std::string culprit_text(const Lab& lab, const Question& question, const KernelModule& given,
+                         const Sample& sample, std::uint64_t seed) {
+    if (given.before.empty() || !sample.forbidden) return {};
+    const shader::Variant& variant = lab.options().variant;
+    const std::string compiler = variant.steps.empty() ? "SPIRV-Tools" : "the compiler's step";
+    try {
+        if (is_right(lab, question, given, sample, seed))
+            return fmt::format(
+                "  the module that the device was given permits the worst result, and the one before "
+                "forbids it: {} is at fault, not the device (variant {})\n",
+                compiler, variant.name);
+        return "  the module that the device was given forbids the worst result, too: the device is at "
+               "fault\n";
+    } catch (const interpreter::Error&) {  // it has an instruction that the interpreter does not know
+        return {};
+    }
+}
+
+void tell_story(const Lab& lab, const Question& question, const KernelModule& given, std::uint64_t seed,
+                Answer& answer) {
     if (!answer.failed()) return;
     answer.story = describe(question.signature, answer);
     if (answer.worst && answer.verdict == Verdict::budget)
         answer.story += codomain_text(question, *answer.worst);
-    if (answer.outside() > 0 && answer.worst)
-        answer.story += explanation_of(lab, question, *answer.worst, seed);
+    if (answer.outside() == 0 || !answer.worst) return;
+    answer.story += culprit_text(lab, question, given, *answer.worst, seed);
+    answer.story += explanation_of(lab, question, *answer.worst, seed);
 }
 
 }  // namespace
@@ -278,7 +322,7 @@ Answer answered(
     for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
         visit(Session(lab, question, kernel, scenario, seed, verdict), scenario, share, answer);
     });
-    tell_story(lab, question, seed, answer);
+    tell_story(lab, question, kernel.module(), seed, answer);
     return answer;
 }
 
