@@ -182,6 +182,19 @@ own_images.glsl of_several: it uses "several", an image or sampler
 own_images.glsl sum_of: parameter type image2D cannot be drawn: image2D is not judged
 own_images.glsl in_quad: the image "picture" is shared by the invocations that run it together
 groups.comp stored: the buffer "results", which it may write, is shared by its group
+unrunnable.frag gathered: a sampler with several offsets (textureGatherOffsets), or a least level, in gathered
+unrunnable.frag level_of: gloam cannot run it: OpImageQueryLod (textureQueryLod) is not known to the interpreter
+unrunnable.frag clamped: a sampler with several offsets (textureGatherOffsets), or a least level
+unrunnable.frag demoting: OpDemoteToHelperInvocation (demote) is not known to the interpreter
+unrunnable.frag of_neighbours: OpDemoteToHelperInvocation (demote) is not known
+unrunnable.frag helping: OpIsHelperInvocationEXT (helperInvocationEXT) is not known
+unrunnable.frag ticks: OpReadClockKHR (clockARB, clockRealtimeEXT) is not known
+unrunnable.frag real_ticks: OpReadClockKHR (clockARB, clockRealtimeEXT) is not known
+unrunnable.frag printing: an extended instruction that is not of GLSL.std.450 (debugPrintfEXT), in printing
+references.comp fetched: gloam cannot run it: Far, at
+references.comp through: gloam cannot run it: Far, at
+references.comp chained: gloam cannot run it: Node, at
+unrunnable.frag calls_printing: an extended instruction that is not of GLSL.std.450 (debugPrintfEXT), in printing
 large.comp place: its work group has 2048 invocations, expected at most 1024
 )";
 

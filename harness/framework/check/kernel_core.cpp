@@ -110,7 +110,10 @@ interpreter::Program decoded(const backend::KernelProgram& program) {
     try {
         return interpreter::Program(program.spirv, program.constants);
     } catch (const interpreter::Error& error) {
-        throw backend::Fault(fmt::format("{}: {}", program.name, error.what()));
+        const std::string message = fmt::format("{}: {}", program.name, error.what());
+        if (error.kind() == interpreter::Error::Kind::unknown_instruction)
+            throw backend::Unsupported(message);
+        throw backend::Fault(message);
     }
 }
 
@@ -203,6 +206,22 @@ class Interpreter : public backend::Backend {
 
 std::shared_ptr<backend::Backend> interpreter() {
     return std::make_shared<Interpreter>();
+}
+
+std::string why_not_run(KernelSource source, const shader::SpirvCache& cache) {
+    source.preserve_nan = true;  // as for most devices, whose checks then have it from the cache
+    try {
+        const interpreter::Program program(
+            cache.compile({.name = "kernel of " + source.function.name, .text = kernel_code(source)},
+                          {.stage = stage_of(source.team), .variant = {}, .lines = true}));
+        const interpreter::Machine<float> machine(program);
+    } catch (const interpreter::Error& error) {
+        if (error.kind() == interpreter::Error::Kind::unknown_instruction) return error.what();
+    } catch (const shader::CompileError& error) {  // the check of the function says so
+        const std::string what = error.what();
+        if (what.find("invalid SPIR-V") != std::string::npos) return what.substr(0, what.find('\n'));
+    }
+    return {};
 }
 
 }  // namespace gloam::check

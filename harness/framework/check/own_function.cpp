@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
-#include <regex>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
+#include "check/internal/refused.hpp"
 #include "interpreter/machine.hpp"
 #include "module/module.hpp"
 #include "module/reflection.hpp"
@@ -65,16 +63,13 @@ Values values_of(const shader::Type& type, const std::optional<Range>& range) {
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
-constexpr const char* judged_samplers =
-    "sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, those of integers, and "
-    "sampler2DShadow";
-
 // "float[5000] has more than 4096 scalars", "sampler2DMS is not judged: ..."; empty if a kernel can pass it.
 std::string obstacle(const shader::Type& type) {
     if (type.scalar == Scalar::oversized)
         return fmt::format("{} has more than {} scalars", type.name, shader::most_scalars);
     if (type.scalar == Scalar::unsupported)
-        return fmt::format("{} is not judged: gloam judges {}", shader::name_of(type), judged_samplers);
+        return fmt::format("{} is not judged: gloam judges {}", shader::name_of(type),
+                           internal::judged_samplers);
     for (const shader::Member& member : type.members)
         if (const std::string inside = obstacle(member.type); !inside.empty())
             return fmt::format("in {}, {}", shader::name_of(type), inside);
@@ -116,57 +111,6 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
     if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)
         return "it has no result and no out parameter, and it writes no buffer or stage output";
     return {};
-}
-
-// A variable of GLSL 1.20 that later versions have not.
-bool is_legacy(std::string_view name) {
-    constexpr std::array<std::string_view, 20> beginnings{
-        "gl_ModelView", "gl_Projection", "gl_Normal",    "gl_TextureMatrix", "gl_MultiTexCoord",
-        "gl_TexCoord",  "gl_Color",      "gl_Secondary", "gl_Front",         "gl_Back",
-        "gl_FogCoord",  "gl_FogFrag",    "gl_Fog",       "gl_Light",         "gl_FragData",
-        "gl_ClipPlane", "gl_ClipVertex", "gl_Point",     "gl_TextureEnv",    "gl_MaxLights"};
-    if (name == "gl_Vertex" || name == "ftransform") return true;
-    return std::ranges::any_of(beginnings, [&](auto beginning) { return name.starts_with(beginning); });
-}
-
-// A word of HLSL; empty if the text has none.
-std::string word_of_hlsl(const std::string& text) {
-    static const std::regex words(R"(\b(float[234](x[234])?|half[234]|int[234]|uint[234]|cbuffer|SV_\w+)\b)");
-    std::smatch found;
-    return std::regex_search(text, found, words) ? found.str() : "";
-}
-
-// Why an excerpt does not compile as a part of a compute shader.
-LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
-    const std::string first = errors.substr(0, errors.find('\n'));
-    std::istringstream parts(first);  // "own.frag:10: 'image' : undeclared identifier"
-    std::string place;
-    std::string name;
-    std::getline(parts, place, '\'');
-    std::getline(parts, name, '\'');
-    place.erase(place.find_last_not_of(": ") + 1);
-    const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
-    if (excerpt.interface.contains(name))
-        return {
-            definition,
-            fmt::format("it uses \"{}\", an image or sampler, at {}; expected no array, but one of {}, an "
-                        "image2D with a format of 32 bits like r32f, or values from parameters and "
-                        "prototypes T name(ivec2)",
-                        name, place, judged_samplers)};
-    if (is_legacy(name))
-        return {definition,
-                fmt::format("\"{}\" at {} is of GLSL 1.20; pass its value as a parameter or a uniform", name,
-                            place)};
-    if (const std::string word = word_of_hlsl(excerpt.text); !word.empty())
-        return {definition, fmt::format("it is HLSL (\"{}\"), and gloam reads GLSL: {}", word, first), true};
-    if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
-        return {definition,
-                fmt::format("{} at {} needs another stage than compute and fragment", name, place)};
-    if (is("Atomic memory function") || is("atomic memory functions"))
-        return {definition,
-                fmt::format("{} at {} needs memory that invocations share: each input is run by itself", name,
-                            place)};
-    return {definition, "it does not compile: " + first, true};
 }
 
 std::string without_blanks(std::string text) {
@@ -227,7 +171,7 @@ class Sorting {
     void refuse(const shader::Excerpt& excerpt, const std::string& errors) {
         for (const std::string& definition : excerpt.definitions)
             if (!definition.empty() && wants(definition))
-                all_.left_out.push_back(refused(excerpt, definition, errors));
+                all_.left_out.push_back(internal::refused(excerpt, definition, errors));
     }
 
     OwnFunctions take(const std::string& file, const std::vector<shader::Excerpt>& excerpts) {
@@ -236,8 +180,7 @@ class Sorting {
         });
         if (unmet == names_.end()) return std::move(all_);
         std::string known;
-        for (const shader::Excerpt& excerpt : excerpts)
-            known += (known.empty() ? "" : ", ") + excerpt.function;
+        for (const auto& excerpt : excerpts) known += (known.empty() ? "" : ", ") + excerpt.function;
         throw std::invalid_argument(
             fmt::format("{}: no function {}; it defines: {}", file, *unmet, known.empty() ? "none" : known));
     }
@@ -361,7 +304,13 @@ OwnFunctions own_functions(const LabOptions& options, const std::string& file,
             sorting.refuse(excerpt, error.what());
         }
     }
-    return sorting.take(file, options.excerpts);
+    OwnFunctions all = sorting.take(file, options.excerpts);
+    std::erase_if(all.found, [&](const OwnFunction& own) {
+        const std::string why = why_not_run(own.kernel_source(file), cache);
+        if (!why.empty()) all.left_out.push_back({own.name, "gloam cannot run it: " + why});
+        return !why.empty();
+    });
+    return all;
 }
 
 Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges) {

@@ -24,6 +24,10 @@ struct OwnFunction {
     [[nodiscard]] Signature signature() const {
         return {.result = function.result, .parameters = function.parameters, .team = team};
     }
+    // What its kernel is generated from.
+    [[nodiscard]] KernelSource kernel_source(const std::string& file) const {
+        return {.file = file, .function = function, .images = images, .text = excerpt, .team = team};
+    }
 };
 
 // One that cannot.

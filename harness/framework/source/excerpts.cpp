@@ -25,10 +25,13 @@ using internal::Outline;
 using internal::Piece;
 using Kind = Piece::Kind;
 
-constexpr std::size_t given = 1;  // files
+// The file whose functions are taken: the last of those given.
+const internal::TextFile& own_file(const ActiveText& text) {
+    return text.files[text.given - 1];
+}
 
 std::string version_of(const ActiveText& text) {
-    for (const internal::Line& line : text.files.front().lines) {
+    for (const internal::Line& line : own_file(text).lines) {
         const auto directive = internal::directive_of(line);
         if (directive && directive->keyword == "version") return directive->argument;
     }
@@ -152,9 +155,12 @@ Needs needs_of(const std::set<std::string>& mentioned, bool shares, const std::s
     const bool quad = mentions([&file](std::string_view name) {
         for (const std::string_view kind : {"Fine", "Coarse"})
             if (name.ends_with(kind)) name.remove_suffix(kind.size());
-        const bool derives = name == "dFdx" || name == "dFdy" || name == "fwidth" || name == "discard";
+        const bool derives = name == "dFdx" || name == "dFdy" || name == "fwidth" || name == "discard" ||
+                             name == "demote" || name == "helperInvocationEXT" ||
+                             name == "terminateInvocation";
         return derives || (!has_no_quads(file) && (name == "texture" || name == "textureProj" ||
-                                                   name == "textureOffset" || name == "textureProjOffset"));
+                                                   name == "textureOffset" || name == "textureProjOffset" ||
+                                                   name == "textureQueryLod" || name == "textureClampARB"));
     });
     return quad ? Needs::quad : Needs::nobody;
 }
@@ -172,7 +178,8 @@ std::string built_in_text(const std::set<std::string>& mentioned, Excerpt& excer
         text += std::string(one.type) + " " + plain + ";\n#define " + name + " " + plain + "\n";
         excerpt.globals[plain] = one.access;
     }
-    if (excerpt.needs == Needs::quad && mentioned.contains("discard")) {
+    const bool ends = mentioned.contains("discard") || mentioned.contains("terminateInvocation");
+    if (excerpt.needs == Needs::quad && ends) {
         text += std::string("bool ") + discarded + ";\n";
         excerpt.globals[discarded] = Access::any;
     }
@@ -247,7 +254,7 @@ bool is_own_built_in(const Piece& piece) {
 }
 
 // A function and what it uses.
-std::vector<const Piece*> kept_for(const std::string& function, const Outline& outline) {
+std::vector<const Piece*> kept_for(const std::string& function, const Outline& outline, std::size_t given) {
     internal::Selection selection(outline, given);
     selection.want({function});
     std::vector<const Piece*> kept;
@@ -260,7 +267,7 @@ std::vector<const Piece*> kept_for(const std::string& function, const Outline& o
 }
 
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
-    const std::vector<const Piece*> kept = kept_for(function, outline);
+    const std::vector<const Piece*> kept = kept_for(function, outline, active.given);
     const Macros macros = macros_of(outline);
     Excerpt excerpt{
         .function = function, .text = {}, .interface = {}, .bound = {}, .globals = {}, .definitions = {}};
@@ -273,7 +280,7 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
                contains(piece->tokens, "shared");
     });
     const std::string legacy = legacy_text(outline, mentioned);
-    excerpt.needs = needs_of(mentioned, shares, active.files.front().name);
+    excerpt.needs = needs_of(mentioned, shares, own_file(active).name);
     excerpt.text += legacy + built_in_text(mentioned, excerpt);
     std::set<std::string> own;
     for (const Piece* piece : kept)
@@ -287,7 +294,7 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
         const internal::TextFile& file = active.files[piece->file];
         excerpt.text += internal::line_directive(piece->line, file.name) + text + "\n";
         if (!defines(*piece, function)) continue;
-        excerpt.definitions.push_back(piece->file < given ? definition_of(*piece->function) : "");
+        excerpt.definitions.push_back(piece->file < active.given ? definition_of(*piece->function) : "");
         excerpt.comments.push_back(comment_of(*piece, file.text));
     }
     const bool stores = std::ranges::any_of(mentioned, [](const std::string& name) {
@@ -309,9 +316,9 @@ Excerpts excerpts(const ActiveText& active) {
     const Outline outline = internal::outline(active, internal::Keep::line_numbers);
     Excerpts all{.version = version_of(active), .functions = {}, .by_macro = {}};
     for (const Piece& piece : outline.pieces) {
-        if (piece.by_macro && piece.file < given)
+        if (piece.by_macro && piece.file < active.given)
             all.by_macro.push_back(fmt::format("line {}: {}", piece.line, base::one_line(piece.text)));
-        if (piece.kind != Kind::function || piece.file >= given || defines(piece, "main")) continue;
+        if (piece.kind != Kind::function || piece.file >= active.given || defines(piece, "main")) continue;
         const std::string& name = piece.names.front();
         if (std::ranges::find(all.functions, name, &Excerpt::function) == all.functions.end())
             all.functions.push_back(excerpt_of(name, active, outline));

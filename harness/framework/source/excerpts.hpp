@@ -81,7 +81,7 @@ struct Excerpts {
     std::vector<std::string> by_macro;  // "line 7: MAKE(name)": what macros may define is no excerpt
 };
 
-// The functions of the one text that was given. It need not be valid.
+// The functions of the last text that was given; others before it have definitions. It need not be valid.
 [[nodiscard]] Excerpts excerpts(const internal::ActiveText& text);
 
 }  // namespace gloam::shader

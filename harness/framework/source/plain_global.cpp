@@ -138,6 +138,7 @@ std::optional<PlainGlobals> plain_globals(const Piece& piece,
     const std::vector<Token> kept = without_qualifiers(piece.tokens);
     if (contains(piece.tokens, "constant_id")) return PlainGlobals{joined(kept, " "), {}};
     if (piece.names.empty() || piece.names.front().starts_with("gl_")) return std::nullopt;
+    if (contains(piece.tokens, "buffer_reference")) return std::nullopt;
     const Access access = access_of(up_to(piece.tokens, "{"));
     const std::vector<Token> words = without_values(kept);
     const Tokens tokens = words;

@@ -200,7 +200,8 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
 
 void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
     if (!module_.declared.extended_sets.contains(i.word(3)) || i.word(4) >= GLSLstd450Count)
-        fail(Error::Kind::unknown_instruction, "an extended instruction that is not of GLSL.std.450");
+        fail(Error::Kind::unknown_instruction,
+             "an extended instruction that is not of GLSL.std.450 (debugPrintfEXT)");
     const auto opcode = static_cast<std::uint16_t>(extended + i.word(4));
     const Known* known = known_operation(opcode);
     if (known == nullptr || i.words.size() < known->arity + 5U)
@@ -340,7 +341,8 @@ bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
     }
     operands &= ~static_cast<std::uint32_t>(SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask);
     if (operands != 0)
-        fail(Error::Kind::unknown_instruction, "a sampler with several offsets, or a least level");
+        fail(Error::Kind::unknown_instruction,
+             "a sampler with several offsets (textureGatherOffsets), or a least level");
     // Behind those there may be others, which are not used.
     const Type& image = module_.types.at(module_.types.at(type_of(i.word(3), scope)).element);
     const std::uint32_t dimensions = dimensions_of(image) + (image.arrayed || how.projected ? 1 : 0);

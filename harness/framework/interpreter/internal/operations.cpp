@@ -19,7 +19,7 @@ const std::map<std::uint16_t, const char*>& other_names() {
         {SpvOpAtomicFlagClear, "OpAtomicFlagClear"},
         {SpvOpEmitVertex, "OpEmitVertex"},
         {SpvOpEndPrimitive, "OpEndPrimitive"},
-        {SpvOpReadClockKHR, "OpReadClockKHR (clockARB)"},
+        {SpvOpReadClockKHR, "OpReadClockKHR (clockARB, clockRealtimeEXT)"},
         {SpvOpTraceRayKHR, "OpTraceRayKHR"},
         {SpvOpRayQueryInitializeKHR, "OpRayQueryInitializeKHR"},
         {SpvOpDemoteToHelperInvocation, "OpDemoteToHelperInvocation (demote)"},

@@ -134,6 +134,7 @@ check::Reason reason_of(const std::exception& error) {
     if (dynamic_cast<const shader::StepUnavailable*>(&error) != nullptr) return Reason::unsupported;
     if (dynamic_cast<const shader::Unchanged*>(&error) != nullptr) return Reason::unchanged;
     if (const auto* of_shader = dynamic_cast<const interpreter::Error*>(&error)) {
+        if (of_shader->kind() == interpreter::Error::Kind::unknown_instruction) return Reason::unsupported;
         if (of_shader->kind() == interpreter::Error::Kind::race) return Reason::race;
         if (of_shader->kind() == interpreter::Error::Kind::divergent_barrier) return Reason::divergent;
     }
