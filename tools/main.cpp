@@ -77,7 +77,8 @@ std::string help_of(const CLI::App& app) {
 
 int run(int argc, char** argv) {
     int status = 0;
-    std::vector<std::string> arguments = gloam::cli::with_own_experiment({argv + 1, argv + argc});
+    std::vector<std::string> arguments =
+        gloam::cli::with_numbers_apart(gloam::cli::with_own_experiment({argv + 1, argv + argc}));
     std::vector<std::string> tested = gloam::cli::take_command(arguments);
     CLI::App app("gloam: GLSL ambient occlusion, measured", "gloam");
     app.require_subcommand(0, 1);

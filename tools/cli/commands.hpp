@@ -49,6 +49,11 @@ void add_mutate(CLI::App& app, std::vector<std::string> words, int& status);
 // mine.json".
 [[nodiscard]] std::vector<std::string> with_own_experiment(std::vector<std::string> arguments);
 
+// The arguments of the program with a blank before each value of `gloam explain` below zero, so that "-.5"
+// and
+// "-inf" are no options.
+[[nodiscard]] std::vector<std::string> with_numbers_apart(std::vector<std::string> arguments);
+
 // Adds examples to the end of the help of the program and of its commands. Call it after all commands were
 // added.
 void add_help_examples(CLI::App& app);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "audit/audit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -183,6 +185,18 @@ class Findings {
         finding.exact = parting->other;
         finding.message = parting->driver == 0 ? "exactly" : "on another driver";
         finding.place = runs_.place_of(*parting, finding.words);
+        finding.reservation = about_zero(runs_.steps(finding.words));
+    }
+
+    // A quotient that is exactly 0: no driver is known to be off there, but Vulkan's words permit it.
+    static std::string about_zero(const Explanation& all) {
+        const auto zero = std::ranges::find_if(all.steps, [](const ExplainedStep& step) {
+            return step.operation == "OpFDiv" && step.exact == 0.0 && step.value == 0.0 &&
+                   (step.permitted.low < 0.0 || step.permitted.high > 0.0);
+        });
+        if (zero == all.steps.end()) return {};
+        return fmt::format("where a driver takes the 2.5 ULP of a quotient at an exact 0, {}",
+                           to_text(place_of(*zero)));
     }
 
     // The worst input of a search, with simpler numbers that keep most of it; null: it is not worth a line.
@@ -211,7 +225,9 @@ class Findings {
     void add_width() {
         AuditFinding* const finding = add_worst(Concern::drivers, search_.drivers);
         if (finding == nullptr) return;
-        finding->place = widest_place(runs_.steps(finding->words));
+        const Explanation steps = runs_.steps(finding->words);
+        finding->place = widest_place(steps);
+        finding->reservation = about_zero(steps);
         const numeric::Bounds bounds = runs_.permitted(finding->words).at(finding->output);
         if (!bounds.is_anything() && !bounds.nan) finding->permitted = bounds;
     }

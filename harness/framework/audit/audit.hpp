@@ -63,7 +63,8 @@ struct AuditFinding {
     bool cancels = false;  // digits: the result keeps the errors of its operands, and is small beside them
     std::string message;   // of a fault; of a parting, whose result is the other one
     std::vector<AuditWitness> witnesses;
-    AuditPlace place;  // where it arises
+    AuditPlace place;         // where it arises
+    std::string reservation;  // on what it rests that drivers hardly do; may be empty
 };
 
 // A line of the source, over all traced inputs.

@@ -80,6 +80,7 @@ std::string inputs_text(const AuditFinding& finding) {
 std::string finding_text(const AuditFinding& finding) {
     const std::string place = to_text(finding.place);
     std::string witnesses;
+    if (!finding.reservation.empty()) witnesses = "\n      " + finding.reservation;
     for (const AuditWitness& witness : finding.witnesses) witnesses += "\n      " + to_text(witness);
     return fmt::format("  {:<15} {}\n     {} {}{}{}\n", name_of(finding.concern), extent_text(finding),
                        finding.values.empty() ? "" : inputs_text(finding) + ":", result_text(finding),
@@ -87,8 +88,12 @@ std::string finding_text(const AuditFinding& finding) {
 }
 
 std::string rewrite_text(const AuditRewrite& rewrite) {
-    return fmt::format("  {:<15} {}: {} -> {}\n      {}: {}\n", "rewrite", at(rewrite.file, rewrite.line),
-                       rewrite.before, rewrite.after, rewrite.reason, rewrite.gain);
+    std::string helper = rewrite.helper.empty() ? "" : "      with " + rewrite.helper;
+    for (std::size_t end = helper.find('\n'); end != std::string::npos && end + 1 < helper.size();
+         end = helper.find('\n', end + 1))
+        helper.insert(end + 1, "           ");
+    return fmt::format("  {:<15} {}: {} -> {}\n{}      {}: {}\n", "rewrite", at(rewrite.file, rewrite.line),
+                       rewrite.before, rewrite.after, helper, rewrite.reason, rewrite.gain);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ void members(Io& io, check::AuditFinding& finding) {
          finding.words, "output", finding.output, "value", finding.value, "exact", finding.exact, "permitted",
          finding.permitted, "digits_lost", finding.lost, "place", finding.place);
     io.member("message", finding.message, Present::if_any);
+    io.member("reservation", finding.reservation, Present::if_any);
     io.member("devices", finding.witnesses, Present::if_any);
 }
 
@@ -113,6 +114,7 @@ Table domain_table(const check::Audit& audit) {
 // What the interpreter and the devices give.
 std::string result_of(const check::AuditFinding& finding) {
     std::string text = result_text(finding);
+    if (!finding.reservation.empty()) text += "; " + finding.reservation;
     for (const check::AuditWitness& witness : finding.witnesses) text += "; " + to_text(witness);
     return text;
 }

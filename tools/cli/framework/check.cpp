@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "backend/gl/device.hpp"
+#include "base/text.hpp"
 #include "base/threads.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
@@ -69,6 +70,15 @@ void print_failure(const CheckOptions& options, const report::DeviceSummary& dev
 void print_coverage(const report::CheckReport& report) {
     for (const check::Answer& row : report.rows)
         if (row.coverage) fmt::print("{} {}: {}\n", row.equation, row.variant, to_text(*row.coverage));
+}
+
+// What a table would say of what was not judged.
+void print_not_judged(const CheckOutcome& outcome) {
+    for (const report::CheckReport& report : outcome.reports)
+        for (const check::Answer& row : report.rows)
+            if (row.outcome() == check::Outcome::not_judged && row.reason != check::Reason::unchanged)
+                fmt::print("{} {}: not judged: {}\n", row.equation, row.variant,
+                           base::one_line(row.ran() ? row.not_judged_because() : row.error));
 }
 
 // Inputs for which a user's function has no defined result.
@@ -270,7 +280,10 @@ int run_check(const CheckOptions& options) {
             if (row.failed()) print_failure(options, report.device, row);
         }
     }
-    if (options.rows) fmt::print("\n{}", report::table_legend());
+    if (options.rows)
+        fmt::print("\n{}", report::table_legend());
+    else
+        print_not_judged(outcome);
     fmt::print("{}", step_summary(outcome.reports));
     for (const report::CheckReport& report : outcome.reports) print_coverage(report);
     for (const report::CheckReport& report : outcome.reports) print_undefined(report);

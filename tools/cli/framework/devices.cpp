@@ -9,6 +9,7 @@
 
 #include "backend/backend.hpp"
 #include "backend/gl/device.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "check/lab.hpp"
 #include "cli/framework/open_device.hpp"
@@ -73,12 +74,11 @@ void print_opengl(const std::vector<GlExecutor>& executors) {
 }
 
 void run_devices(bool json) {
-    const Drivers drivers = require_good_drivers();
-    if (drivers.devices.empty())
-        throw std::runtime_error(drivers.error.empty()
-                                     ? "no Vulkan device found: install a Vulkan driver, for example "
-                                       "mesa-vulkan-drivers; `gloam check --device interpreter` needs none"
-                                     : drivers.error);
+    const Drivers drivers = load_drivers();
+    for (const BrokenDriver& driver : drivers.broken) say_skipped(driver);
+    if (drivers.devices.empty() && drivers.broken.empty())
+        fmt::print(stderr, "gloam: {}\n",
+                   base::one_line(drivers.error.empty() ? "there is no Vulkan device" : drivers.error));
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const backend::DeviceInfo& device : drivers.devices) {
         if (json) {

@@ -132,8 +132,15 @@ Target target_of(const std::vector<std::string>& words, EquationsNamed* equation
     return {path_of_shader(first.file), first.function, {words.begin() + 1, words.end()}};
 }
 
+// The words as they were before with_numbers_apart().
+std::vector<std::string> without_blanks(std::vector<std::string> words) {
+    for (std::string& word : words)
+        if (word.starts_with(" -")) word.erase(0, 1);
+    return words;
+}
+
 void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
-    const Target target = target_of(options.words, equations);
+    const Target target = target_of(without_blanks(options.words), equations);
     const check::OwnFunctions functions =
         own_file(target.file, {target.function}, {}, options.includes).functions;
     if (functions.found.empty())
@@ -146,14 +153,9 @@ void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
         const auto scenarios = check::random_scenarios(own.images);
         const check::ImageSet images =
             scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
-        const check::Explanation all =
-            check::explain({.variant = shader::variant(options.variant)},
-                           {.file = std::filesystem::path(target.file).filename().string(),
-                            .function = own.function,
-                            .images = own.images,
-                            .text = own.excerpt,
-                            .team = own.team},
-                           input, images);
+        const check::Explanation all = check::explain(
+            {.variant = shader::variant(options.variant)},
+            own.kernel_source(std::filesystem::path(target.file).filename().string()), input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
     } catch (const interpreter::Error& error) {
         throw std::runtime_error(fmt::format("{}: {}: {}", target.file, target.function, error.what()));
@@ -161,6 +163,13 @@ void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
 }
 
 }  // namespace
+
+std::vector<std::string> with_numbers_apart(std::vector<std::string> arguments) {
+    if (arguments.empty() || arguments.front() != "explain") return arguments;
+    for (std::string& word : arguments)
+        if (word.starts_with('-') && base::number_from<double>(word)) word.insert(0, " ");
+    return arguments;
+}
 
 void add_explain(CLI::App& app, EquationsNamed* equations) {
     auto options = std::make_shared<ExplainOptions>();

@@ -67,7 +67,9 @@ class MessageLog {
 
 // The message if there is no usable driver, in one line.
 inline constexpr const char* no_device_message =
-    "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers";
+    "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers; checks run without "
+    "one "
+    "with --device interpreter";
 
 // The index in `devices` of the device that DeviceOptions::device selects. Throws std::runtime_error if there
 // is no device, or if none matches (the message lists the existing ones).
