@@ -89,9 +89,9 @@ int run(int argc, char** argv) {
     gloam::cli::add_list(app);
     gloam::cli::add_check(app, gloam::cli::equations_named, status);
     gloam::cli::add_check_worker(app, gloam::cli::equations_named);
-    gloam::cli::add_audit(app, status);
+    gloam::cli::add_audit(app, gloam::cli::equations_named, status);
     gloam::cli::add_explain(app, gloam::cli::equations_named);
-    gloam::cli::add_cost(app, gloam::cli::frame_of, status);
+    gloam::cli::add_cost(app, gloam::cli::equations_named, gloam::cli::frame_of, status);
     gloam::cli::add_mutate(app, std::move(tested), status);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);

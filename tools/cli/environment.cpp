@@ -59,6 +59,13 @@ void add_include_option(CLI::App& command, std::vector<std::string>& further) {
         ->check(CLI::ExistingDirectory);
 }
 
+void add_define_option(CLI::App& command, std::vector<std::string>& defines) {
+    command
+        .add_option("--define", defines,
+                    "NAME or NAME=VALUE: a macro that holds before your own file begins; may be repeated")
+        ->allow_extra_args(false);
+}
+
 fs::path stress_shaders_directory() {
     return data_in("gloam/stress", GLOAM_STRESS_SHADERS, "accumulate.glsl");
 }

@@ -25,6 +25,9 @@ namespace gloam::cli {
 // Adds --include, which names further include roots.
 void add_include_option(CLI::App& command, std::vector<std::string>& further);
 
+// Adds --define, which names macros of a user's file.
+void add_define_option(CLI::App& command, std::vector<std::string>& defines);
+
 // The folder of the shaders that only `gloam stress` uses, found in the same way.
 [[nodiscard]] std::filesystem::path stress_shaders_directory();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "module/texts.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -45,8 +47,37 @@ std::string pack(const std::vector<Source>& sources, const PackRequest& request,
     return result.text;
 }
 
-Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots) {
-    return excerpts(internal::active_text({source}, Language::vulkan450, Stage::compute, roots));
+std::string definitions_of(const std::vector<std::string>& defines) {
+    std::string lines;
+    for (std::string one : defines) {
+        const std::size_t equals = one.find('=');
+        const std::string name = one.substr(0, equals);
+        const bool is_name =
+            !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
+            std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+        if (!is_name || one.find('\n') != std::string::npos)
+            throw std::invalid_argument("--define " + one + ": expected NAME or NAME=VALUE");
+        if (equals != std::string::npos) one[equals] = ' ';
+        lines += "#define " + one + "\n";
+    }
+    return lines;
+}
+
+namespace {
+
+// A text that stands before others; none without definitions.
+std::vector<Source> before_all(const std::vector<std::string>& defines) {
+    if (defines.empty()) return {};
+    return {{.name = "--define", .text = definitions_of(defines)}};
+}
+
+}  // namespace
+
+Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots,
+                  const std::vector<std::string>& defines) {
+    std::vector<Source> texts = before_all(defines);
+    texts.push_back(source);
+    return excerpts(internal::active_text(std::move(texts), Language::vulkan450, Stage::compute, roots));
 }
 
 std::vector<Mutation> mutations(const Source& source, const std::vector<std::filesystem::path>& roots) {
@@ -74,8 +105,8 @@ void require_valid(const Source& source, const std::vector<std::filesystem::path
 }
 
 std::string pack(const std::vector<std::filesystem::path>& files, const PackRequest& request,
-                 const std::vector<std::filesystem::path>& roots) {
-    std::vector<Source> sources;
+                 const std::vector<std::filesystem::path>& roots, const std::vector<std::string>& defines) {
+    std::vector<Source> sources = before_all(defines);
     std::set<std::string> names;
     for (const std::filesystem::path& file : files) {
         const std::string name = std::filesystem::absolute(file).lexically_normal().string();

@@ -14,18 +14,23 @@
 // Texts made of texts, with the compiler's help.
 namespace gloam::shader {
 
-// The texts with their includes as one: packed(). The result has been compiled. Throws CompileError (for the
-// original texts, if the error is there), std::invalid_argument for a function that the texts do not have,
-// std::runtime_error for a file that cannot be read.
+// The texts with their includes as one: packed(). `defines`: as those of excerpts(). The result has been
+// compiled. Throws CompileError (for the original texts, if the error is there), std::invalid_argument for a
+// function that the texts do not have, std::runtime_error for a file that cannot be read.
 [[nodiscard]] std::string pack(const std::vector<std::filesystem::path>& files, const PackRequest& request,
-                               const std::vector<std::filesystem::path>& roots);
+                               const std::vector<std::filesystem::path>& roots,
+                               const std::vector<std::string>& defines = {});
 [[nodiscard]] std::string pack(const std::vector<Source>& sources, const PackRequest& request,
                                const std::vector<std::filesystem::path>& roots);
 
 // The functions of a text. The text may have any #version and any stage; it is read as GLSL 4.50 for Vulkan,
 // and need not be valid. Throws CompileError for what the preprocessor rejects, for example a missing
-// include.
-[[nodiscard]] Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots);
+// include. `defines`: macros that hold before the text begins, NAME or NAME=VALUE.
+[[nodiscard]] Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots,
+                                const std::vector<std::string>& defines = {});
+
+// The lines that define them. Throws std::invalid_argument for what is neither NAME nor NAME=VALUE.
+[[nodiscard]] std::string definitions_of(const std::vector<std::string>& defines);
 
 // The faults of a text, in its order, without those of its includes: other operators, comparisons, constants
 // and functions, conditions that always or never hold, and statements left out. Comments, directives,

@@ -22,8 +22,8 @@ struct PlainGlobals {
 // The plain variables in place of a declaration of kind `interface`: a loose uniform, stage input or output;
 // a block without an instance (each member is one), or with one (a structure of the block's name). Layouts,
 // storage qualifiers and initial values are dropped. A specialization constant becomes a constant. nullopt
-// for samplers, images, references to buffers and other types without values; `opaque`: these, by macros that stand for them.
-// nullopt also where nothing is declared.
+// for samplers, images, references to buffers and other types without values; `opaque`: these, by macros that
+// stand for them. nullopt also where nothing is declared.
 [[nodiscard]] std::optional<PlainGlobals> plain_globals(const Piece& piece,
                                                         const std::map<std::string, std::string>& opaque);
 

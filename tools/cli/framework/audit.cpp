@@ -25,10 +25,12 @@ namespace gloam::cli {
 namespace {
 
 struct AuditCommand {
-    std::filesystem::path file;
-    std::vector<std::string> functions;
+    std::vector<std::string> words;  // a file and functions, or equations
+    std::filesystem::path file = {};
+    std::vector<std::string> functions = {};
     std::vector<std::string> ranges;
     std::vector<std::string> includes;
+    std::vector<std::string> defines;
     std::vector<std::string> devices;
     std::string json;
     std::string html;
@@ -37,7 +39,8 @@ struct AuditCommand {
 
 // The functions of the file. Says what is left out; throws where nothing remains.
 std::vector<check::OwnFunction> functions_of(const AuditCommand& command) {
-    OwnFile own = own_file(command.file.string(), command.functions, command.ranges, command.includes);
+    OwnFile own =
+        own_file(command.file.string(), command.functions, command.ranges, command.includes, command.defines);
     for (const check::LeftOut& function : own.functions.left_out)
         fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
                                                       function.name, function.why)));
@@ -56,11 +59,11 @@ std::vector<check::Audit> audits_of(const AuditCommand& command,
     const std::string name = command.file.filename().string();
     const check::Ranges ranges = ranges_from(command.ranges);
     const check::Lab interpreter =
-        lab_of_file(command.file, command.includes, std::string(check::interpreter_name));
+        lab_of_file(command.file, command.includes, command.defines, std::string(check::interpreter_name));
     if (!command.devices.empty()) require_good_drivers();
     std::vector<check::Lab> labs;
     for (const std::string& device : command.devices)
-        labs.push_back(lab_of_file(command.file, command.includes, device));
+        labs.push_back(lab_of_file(command.file, command.includes, command.defines, device));
     for (const check::OwnFunction& function : functions) {
         try {
             audits.push_back(check::audit(interpreter, name, function, ranges, command.options));
@@ -76,7 +79,10 @@ std::vector<check::Audit> audits_of(const AuditCommand& command,
     return audits;
 }
 
-int run_audit(const AuditCommand& command) {
+int run_audit(AuditCommand& command, EquationsNamed* equations) {
+    command.functions = file_and_functions(command.words, equations);
+    command.file = command.functions.front();
+    command.functions.erase(command.functions.begin());
     const report::OutputFile json(command.json);
     const report::OutputFile html(command.html);
     const std::vector<check::OwnFunction> functions = functions_of(command);
@@ -95,14 +101,17 @@ int run_audit(const AuditCommand& command) {
 
 }  // namespace
 
-void add_audit(CLI::App& app, int& status) {
+void add_audit(CLI::App& app, EquationsNamed* equations, int& status) {
     auto command = std::make_shared<AuditCommand>();
     CLI::App* audit = app.add_subcommand(
         "audit", "show where a shader function itself goes wrong: NaN, lost digits, what drivers may do");
-    audit->add_option("file", command->file, "a GLSL file")->required();
-    audit->add_option("function", command->functions, "functions that it defines (all when none is given)");
+    audit
+        ->add_option("what", command->words,
+                     "a GLSL file, and functions that it defines (all when none is given); or equations")
+        ->required();
     audit->add_option("--range", command->ranges, "NAME=LOW:HIGH: what a parameter is drawn from");
     add_include_option(*audit, command->includes);
+    add_define_option(*audit, command->defines);
     audit
         ->add_option("--inputs", command->options.inputs,
                      "inputs for each function: a part at random, others with special values or by search")
@@ -115,7 +124,7 @@ void add_audit(CLI::App& app, int& status) {
     audit->add_option("--json", command->json, "file for all results");
     audit->add_option("--html", command->html,
                       "file for a page: the source coloured by what its lines lose, worst inputs, rewrites");
-    audit->callback([command, &status] { status = run_audit(*command); });
+    audit->callback([command, equations, &status] { status = run_audit(*command, equations); });
 }
 
 }  // namespace gloam::cli

@@ -53,6 +53,7 @@ std::string command_for(const CheckOptions& options, const report::DeviceSummary
     if (!row.steps().empty()) variant += " --compiler " + report::shell_word(row.steps());
     for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
     for (const std::string& folder : options.includes) what += " --include " + report::shell_word(folder);
+    for (const std::string& define : options.defines) what += " --define " + report::shell_word(define);
     std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
                                       variant, report::shell_word(device.name), options.inputs, options.seed);
     for (const auto& driver : drivers_asked_for())
@@ -238,6 +239,8 @@ void run_devices(const CheckOptions& options, CheckOutcome& outcome) {
         throw std::invalid_argument("--range is for the functions of a shader file");
     if (!is_of_file(options) && !options.includes.empty())
         throw std::invalid_argument("--include is for a shader file");
+    if (!is_of_file(options) && !options.defines.empty())
+        throw std::invalid_argument("--define is for a shader file");
     std::vector<CheckTask> tasks = tasks_of(options, outcome);
     std::vector<report::CheckReport>& reports = outcome.reports;
     const std::vector<std::string> devices = devices_to_check(options, tasks.size(), reports);
@@ -302,6 +305,7 @@ void add_selection_options(CLI::App& command, CheckOptions& options) {
     command.add_option("--range", options.ranges,
                        "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
     add_include_option(command, options.includes);
+    add_define_option(command, options.defines);
     command.add_option("--device", options.device,
                        "name or index of the device, or all: every Vulkan device; gl: every OpenGL and "
                        "OpenGL ES device, or one's "

@@ -23,6 +23,7 @@ struct CheckOptions {
         equations;                      // IDs, functions or globs; empty: all. Or a shader file and functions
     std::vector<std::string> ranges;    // of a shader file's parameters: "x=0:1"
     std::vector<std::string> includes;  // further include roots of a shader file
+    std::vector<std::string> defines;   // macros of a shader file
     std::string device;                 // name, index or "all"; empty: the default
     std::string variant = "shipped";    // see variants(), or "all"
     std::vector<std::string> compilers;  // steps after it (module/steps.hpp), joined by " | "; each a variant

@@ -55,14 +55,8 @@ std::string with_definitions(std::string text, const std::vector<std::string>& d
     const std::size_t version = text.find("#version");
     const std::size_t end = version == std::string::npos ? std::string::npos : text.find('\n', version);
     const std::size_t at = end == std::string::npos ? 0 : end + 1;
-    std::string lines;
-    for (std::string one : defines) {
-        const std::size_t equals = one.find('=');
-        if (equals != std::string::npos) one[equals] = ' ';
-        lines += "#define " + one + "\n";
-    }
     return text.insert(
-        at, fmt::format("{}#line {}\n", lines,
+        at, fmt::format("{}#line {}\n", shader::definitions_of(defines),
                         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1));
 }
 
@@ -83,9 +77,7 @@ shader::Spirv kernel_of(const check::Lab& lab, const std::string& file, const ch
 }
 
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
-    if (!command.defines.empty())
-        throw std::invalid_argument("--define is for whole compute shaders (.comp)");
-    OwnFile own = own_file(file.string(), command.functions, {}, command.includes);
+    OwnFile own = own_file(file.string(), command.functions, {}, command.includes, command.defines);
     std::vector<check::LeftOut>& left_out = own.functions.left_out;
     std::erase_if(own.functions.found, [&](const check::OwnFunction& one) {
         const bool of_quad = one.team.kind == backend::Team::Kind::quad;
@@ -97,7 +89,8 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
             fmt::format("{}: nothing was counted: {}", file.string(), why_nothing(left_out)));
     for (const check::LeftOut& one : left_out)
         fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
-    const check::Lab lab = lab_of_file(file, command.includes, std::string(check::interpreter_name));
+    const check::Lab lab =
+        lab_of_file(file, command.includes, command.defines, std::string(check::interpreter_name));
     std::vector<CostRow> rows;
     for (const check::OwnFunction& one : own.functions.found)
         rows.push_back({one.name, cost_of(kernel_of(lab, file.filename().string(), one), command.options)});
@@ -191,16 +184,21 @@ bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
     return more;
 }
 
-int run_cost(const CostCommand& command, FrameOf* frame_of) {
+int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of) {
     if (command.file.empty() == command.preset.empty())
         throw std::invalid_argument("expected a file, or --preset NAME");
     if (!command.set.empty() && command.preset.empty())
         throw std::invalid_argument("--set: expected --preset NAME");
+    if (!command.file.empty()) {
+        command.functions.insert(command.functions.begin(), command.file);
+        command.functions = file_and_functions(command.functions, equations);
+        command.file = command.functions.front();
+        command.functions.erase(command.functions.begin());
+    }
     PresetFrame frame;
     if (command.file.empty()) frame = frame_of(command.preset, command.set);
-    const std::vector<CostRow> rows = command.file.empty()
-                                          ? cost_of_frame(command, frame)
-                                          : cost_of_file(command, path_of_shader(command.file));
+    const std::vector<CostRow> rows =
+        command.file.empty() ? cost_of_frame(command, frame) : cost_of_file(command, command.file);
     if (command.json)
         fmt::print("{}\n", json_of_costs(command, rows, frame.memory)
                                .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -211,19 +209,18 @@ int run_cost(const CostCommand& command, FrameOf* frame_of) {
 
 }  // namespace
 
-void add_cost(CLI::App& app, FrameOf* frame, int& status) {
+void add_cost(CLI::App& app, EquationsNamed* equations, FrameOf* frame, int& status) {
     auto command = std::make_shared<CostCommand>();
     CLI::App* cost =
         app.add_subcommand("cost", "count what a GPU pays for a shader, by a GPU's compiler, without a GPU");
-    cost->add_option("file", command->file, "a GLSL file, or a whole compute shader (.comp)");
+    cost->add_option("file", command->file, "a GLSL file, a whole compute shader (.comp), or an equation");
     cost->add_option("function", command->functions, "functions that it defines (all when none is given)");
     cost->add_option("--preset", command->preset,
                      "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)");
     cost->add_option("--set", command->set, "with --preset: SETTING=VALUE; may be repeated")
         ->allow_extra_args(false);
     add_include_option(*cost, command->includes);
-    cost->add_option("--define", command->defines, "NAME or NAME=VALUE, of a compute shader; may be repeated")
-        ->allow_extra_args(false);
+    add_define_option(*cost, command->defines);
     cost->add_option("--family", command->options.family,
                      fmt::format("the chip: {}", fmt::join(cost::families(), ", ")))
         ->capture_default_str();
@@ -233,7 +230,7 @@ void add_cost(CLI::App& app, FrameOf* frame, int& status) {
     cost->add_flag("--validation", command->options.validation,
                    "Vulkan validation layers on; any message is an error");
     cost->add_flag("--json", command->json, "as JSON");
-    cost->callback([command, frame, &status] { status = run_cost(*command, frame); });
+    cost->callback([command, equations, frame, &status] { status = run_cost(*command, equations, frame); });
 }
 
 }  // namespace gloam::cli

@@ -29,6 +29,7 @@ struct ExplainOptions {
     std::vector<std::string> words;  // what to run, then values
     std::string variant = "strict";
     std::vector<std::string> includes;  // further include roots
+    std::vector<std::string> defines;
 };
 
 // What a scalar's value is, in words.
@@ -142,7 +143,7 @@ std::vector<std::string> without_blanks(std::vector<std::string> words) {
 void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
     const Target target = target_of(without_blanks(options.words), equations);
     const check::OwnFunctions functions =
-        own_file(target.file, {target.function}, {}, options.includes).functions;
+        own_file(target.file, {target.function}, {}, options.includes, options.defines).functions;
     if (functions.found.empty())
         throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
                                                 functions.left_out.front().why));
@@ -186,6 +187,7 @@ void add_explain(CLI::App& app, EquationsNamed* equations) {
     command->add_option("--variant", options->variant, "how the shader is compiled (gloam list variants)")
         ->capture_default_str();
     add_include_option(*command, options->includes);
+    add_define_option(*command, options->defines);
     command->callback([options, equations] { run_explain(*options, equations); });
 }
 

@@ -69,9 +69,9 @@ std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
 
 // Throws like shader::pack(), in one line for what Vulkan alone refuses: uniforms outside blocks.
 std::string packed_text(const std::vector<fs::path>& files, const shader::PackRequest& request,
-                        const std::vector<fs::path>& roots) {
+                        const std::vector<fs::path>& roots, const std::vector<std::string>& defines) {
     try {
-        return shader::pack(files, request, roots);
+        return shader::pack(files, request, roots, defines);
     } catch (const shader::CompileError& error) {
         const std::string what = error.what();
         if (what.find("non-opaque uniforms") == std::string::npos) throw;
@@ -118,7 +118,7 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
     const shader::PackRequest request{
         .language = *language, .functions = functions, .stage = stage_of(files)};
     const std::string packed = base::tried(files.front(), [&] {
-        const std::string text = packed_text(files, request, roots);
+        const std::string text = packed_text(files, request, roots, options.defines);
         if (shader::code_lines(text) <= 1)  // its #version
             throw std::invalid_argument(files.front().string() +
                                         ": nothing was packed: expected a text with more than comments");
@@ -170,6 +170,7 @@ void add_pack_options(CLI::App& command, PackOptions& options) {
                     "may be repeated")
         ->allow_extra_args(false);
     add_include_option(command, options.includes);
+    add_define_option(command, options.defines);
     command
         .add_option("--version", options.version, "450 (Vulkan), 430 (OpenGL), 330, 300es, 310es or 320es")
         ->capture_default_str();

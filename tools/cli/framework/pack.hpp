@@ -15,6 +15,7 @@ struct PackOptions {
     std::vector<std::string> files;
     std::vector<std::string> functions;
     std::vector<std::string> includes;  // further include roots
+    std::vector<std::string> defines;   // macros before the files
     std::string version = "450";
     std::string target;  // empty: GLSL
     std::filesystem::path out;

@@ -55,13 +55,32 @@ bool is_shader_file(const std::string& word) {
     return has_shader_ending(word) || std::filesystem::is_regular_file(word, none);
 }
 
+std::vector<std::string> file_and_functions(const std::vector<std::string>& words,
+                                            EquationsNamed* equations) {
+    std::vector<std::string> all = words;
+    std::error_code none;
+    all.front() = path_of_shader(all.front());
+    if (is_shader_file(all.front()) || std::filesystem::exists(all.front(), none)) return all;
+    all.clear();
+    for (const check::Question& equation : equations(words)) {
+        const std::string file = path_of_shader(equation.file);
+        if (all.empty()) all.push_back(file);
+        if (all.front() != file)
+            throw std::invalid_argument(
+                fmt::format("{} and {}: expected equations of one file", all.front(), file));
+        all.push_back(equation.function);
+    }
+    return all;
+}
+
 OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
-                 const std::vector<std::string>& ranges, const std::vector<std::string>& includes) {
+                 const std::vector<std::string>& ranges, const std::vector<std::string>& includes,
+                 const std::vector<std::string>& defines) {
     const std::filesystem::path path = std::filesystem::absolute(file);
     const std::string text = shader::read_text(file);
     const check::Ranges known = ranges_from(ranges);
     OwnFile own = base::tried(file, [&] {
-        const auto all = shader::excerpts({path.string(), text}, include_roots_of(path, includes));
+        const auto all = shader::excerpts({path.string(), text}, include_roots_of(path, includes), defines);
         return OwnFile{all.version, all.by_macro,
                        check::own_functions({.cache_directory = cache_directory(), .excerpts = all.functions},
                                             path.filename().string(), names)};
@@ -71,14 +90,14 @@ OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
 }
 
 check::Lab lab_of_file(const std::filesystem::path& file, const std::vector<std::string>& includes,
-                       const std::string& device) {
+                       const std::vector<std::string>& defines, const std::string& device) {
     const std::filesystem::path path = std::filesystem::absolute(file);
     const auto roots = include_roots_of(path, includes);
     return check::Lab(
         {.device = device,
          .include_roots = roots,
          .cache_directory = cache_directory(),
-         .excerpts = shader::excerpts({path.string(), shader::read_text(file)}, roots).functions});
+         .excerpts = shader::excerpts({path.string(), shader::read_text(file)}, roots, defines).functions});
 }
 
 std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
@@ -89,9 +108,10 @@ std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
 }
 
 OwnSelection own_selection(const std::vector<std::string>& words, const std::vector<std::string>& ranges,
-                           const std::vector<std::string>& includes) {
+                           const std::vector<std::string>& includes,
+                           const std::vector<std::string>& defines) {
     const std::string& file = words.front();
-    const OwnFile own = own_file(file, {words.begin() + 1, words.end()}, ranges, includes);
+    const OwnFile own = own_file(file, {words.begin() + 1, words.end()}, ranges, includes, defines);
     OwnSelection selection;
     if (!own.version.empty() && own.version != "450" && own.version != "450 core")
         selection.notes.push_back(
@@ -146,9 +166,11 @@ constexpr std::string_view first_variant = "shipped";
 std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant,
                                      const std::vector<std::filesystem::path>& roots,
                                      const std::filesystem::path& file,
+                                     const std::vector<std::string>& defines,
                                      std::shared_ptr<backend::Backend> device) {
     std::vector<shader::Excerpt> excerpts;
-    if (!file.empty()) excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots).functions;
+    if (!file.empty())
+        excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots, defines).functions;
     check::LabOptions made{.device = options.device,
                            .validation = options.validation,
                            .include_roots = roots,
@@ -171,20 +193,21 @@ Checker::Checker(CheckerOptions options) : options_(std::move(options)), equatio
 }
 
 const check::Lab& Checker::lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
-                               const std::filesystem::path& file) {
-    if (!lab_ || variant != variant_ || roots != roots_ || file != file_) {
+                               const std::filesystem::path& file, const std::vector<std::string>& defines) {
+    if (!lab_ || variant != variant_ || roots != roots_ || file != file_ || defines != defines_) {
         const std::shared_ptr<backend::Backend> device = lab_ ? lab_->backend() : nullptr;
-        lab_ = make_lab(options_, shader::variant(variant), roots, file, device);
+        lab_ = make_lab(options_, shader::variant(variant), roots, file, defines, device);
         variant_ = variant;
         roots_ = roots;
         file_ = file;
+        defines_ = defines;
     }
     return *lab_;
 }
 
 const check::Lab& Checker::lab(const CheckTask& task) {
     if (task.file.empty()) return lab(task.variant, {glsl_directory()}, {});
-    return lab(task.variant, include_roots_of(task.file, task.includes), task.file);
+    return lab(task.variant, include_roots_of(task.file, task.includes), task.file, task.defines);
 }
 
 check::Question Checker::question_of(const CheckTask& task) {

@@ -26,6 +26,11 @@ namespace gloam::cli {
 // of this name.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
+// FILE FUNCTION... of words that name a file, or equations of one file instead. Throws std::invalid_argument
+// for other words.
+[[nodiscard]] std::vector<std::string> file_and_functions(const std::vector<std::string>& words,
+                                                          EquationsNamed* equations);
+
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
 [[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
 
@@ -35,17 +40,19 @@ struct OwnFile {
     check::OwnFunctions functions;
 };
 
-// The functions of a file (`includes`: its further include roots) with these names (see
-// check::own_functions()); without names all. Throws std::invalid_argument for a function that the file does
-// not define, an invalid range, or a range without a parameter of its name; std::runtime_error for a missing
-// file; shader::CompileError for what the preprocessor rejects.
+// The functions of a file (`includes`: its further include roots, `defines`: as of shader::excerpts()) with
+// these names (see check::own_functions()); without names all. Throws std::invalid_argument for a function
+// that the file does not define, an invalid range, or a range without a parameter of its name;
+// std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects.
 [[nodiscard]] OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
                                const std::vector<std::string>& ranges,
-                               const std::vector<std::string>& includes);
+                               const std::vector<std::string>& includes,
+                               const std::vector<std::string>& defines);
 
 // A lab for the functions of a file.
 [[nodiscard]] check::Lab lab_of_file(const std::filesystem::path& file,
-                                     const std::vector<std::string>& includes, const std::string& device);
+                                     const std::vector<std::string>& includes,
+                                     const std::vector<std::string>& defines, const std::string& device);
 
 // Why nothing is left of a file of which these functions were left out.
 [[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
@@ -62,7 +69,8 @@ struct OwnSelection {
 // can be checked; then it has printed the notes, if there are several.
 [[nodiscard]] OwnSelection own_selection(const std::vector<std::string>& words,
                                          const std::vector<std::string>& ranges,
-                                         const std::vector<std::string>& includes);
+                                         const std::vector<std::string>& includes,
+                                         const std::vector<std::string>& defines);
 
 // The device for checks, and its options.
 struct CheckerOptions {
@@ -92,7 +100,7 @@ class Checker {
 
   private:
     const check::Lab& lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
-                          const std::filesystem::path& file);
+                          const std::filesystem::path& file, const std::vector<std::string>& defines = {});
     const check::Lab& lab(const CheckTask& task);
     [[nodiscard]] check::Question question_of(const CheckTask& task);
 
@@ -101,6 +109,7 @@ class Checker {
     std::string variant_;                       // that lab_ compiles
     std::vector<std::filesystem::path> roots_;  // in which it looks for includes
     std::filesystem::path file_;                // of a user
+    std::vector<std::string> defines_;
     std::unique_ptr<check::Lab> lab_;
 };
 

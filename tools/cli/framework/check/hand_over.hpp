@@ -31,13 +31,14 @@ struct CheckTask {
     std::string file;                   // a user's file, with its folder; empty: an equation of the catalogue
     std::vector<std::string> ranges;    // of its parameters: see check::range_from()
     std::vector<std::string> includes;  // its further include roots
+    std::vector<std::string> defines = {};  // macros that hold before it begins
 };
 
 template <class Io>
 void members(Io& io, CheckTask& task) {
     report::each(io, "equation", task.equation, "variant", task.variant, "inputs", task.inputs, "seed",
                  task.seed, "coverage", task.coverage, "file", task.file, "ranges", task.ranges, "includes",
-                 task.includes);
+                 task.includes, "defines", task.defines);
 }
 
 // A worker's greeting: its device, or why there is none.

@@ -91,7 +91,8 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
 // The IDs of the selected equations, or the functions of a file.
 std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
     if (is_of_file(options)) {
-        OwnSelection own = own_selection(options.equations, options.ranges, options.includes);
+        OwnSelection own =
+            own_selection(options.equations, options.ranges, options.includes, options.defines);
         outcome.notes = std::move(own.notes);
         outcome.complete = own.complete;
         return own.names;
@@ -120,7 +121,8 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
                              .coverage = options.coverage,
                              .file = file,
                              .ranges = options.ranges,
-                             .includes = options.includes});
+                             .includes = options.includes,
+                             .defines = options.defines});
         }
     }
     return tasks;

@@ -83,6 +83,7 @@ void run_pack(PackCommand& options) {
     if (options.effect) {
         options.of_effect.out = options.out;
         if (!options.target.empty()) throw std::invalid_argument("--effect takes no --target");
+        if (!options.defines.empty()) throw std::invalid_argument("--effect takes no --define");
         options.of_effect.version = options.version;
         return pack_effect(options.of_effect);
     }
