@@ -65,6 +65,24 @@ TEST(Audit, TellsUnspecifiedFromUndefined) {
         << "a negative number has no power";
 }
 
+// Random numbers are never there.
+TEST(Audit, TriesMiddlesQuartersZerosAndDiagonals) {
+    for (const char* text :
+         {"float f(vec2 uv) { vec2 p = uv * 2.0 - 1.0; return atan(p.y, p.x); }",
+          "vec2 f(vec2 uv) { return normalize(uv + uv - vec2(1.0)); }",
+          "// a in [0, 8], b in [-3, 1]\nvec2 f(float a, float b) { return normalize(vec2(a - 4, b + 1)); }",
+          "vec2 f(vec2 uv) { return normalize(uv - vec2(0.3, 0.7)); }",
+          "vec2 f(vec2 uv) { return normalize(uv * 5.0 - 2.0); }",
+          "// a in [0, 4]\nvec3 f(vec3 a) { return normalize(a - 3.0); }",
+          "// a in [-8, 8], b in [0, 1]\nfloat f(float a, float b) { return 1.0 / (abs(a - 4.0) + abs(b - "
+          "0.75)); }",
+          "float f(vec3 n) { return 1.0 / (abs(n.x - n.y) + abs(n.z)); }",
+          "// n in [0, 65535]\nfloat f(uint n) { return 1.0 / (float(n) - 40000.0); }"}) {
+        const Audit audit = Audited(text).audit("f", {}, 1024);
+        EXPECT_TRUE(audit.is_broken()) << text << "\n" << to_text(audit);
+    }
+}
+
 // The bounds of the two factors of a square include both signs; the square has one.
 TEST(Audit, KnowsThatASquareIsNotNegative) {
     const std::string noise = "vec2 noise(vec2 uv) { return fract(sin(uv * 12.9898) * 43758.5453) - 0.5; }\n";

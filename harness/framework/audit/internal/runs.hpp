@@ -15,6 +15,7 @@
 #include "check/interpreted_kernel.hpp"
 #include "check/lab.hpp"
 #include "check/question.hpp"
+#include "module/spirv.hpp"
 
 namespace gloam::check::internal {
 
@@ -92,6 +93,8 @@ class AuditRuns {
     [[nodiscard]] const Question& question() const { return question_; }
     [[nodiscard]] glm::ivec2 image_size() const { return image_size_; }
     [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
+    // The float constants of the function's module.
+    [[nodiscard]] std::vector<float> numbers() const { return shader::float_constants(modules_[0]->spirv); }
 
   private:
     AuditRuns(KernelModule module, const Question& question, ImageSet images);

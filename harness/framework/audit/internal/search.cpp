@@ -41,6 +41,7 @@ class Search {
         (void)draw(moves.drawn(), false, 0.5);
         try_remainders(moves.drawn());
         try_decimals(moves.drawn());
+        try_places(usual);
         const std::size_t rest = (options_.inputs - draws) / 2;
         if (moves.possible())
             climb(moves, Concern::digits, rest, 0.75), climb(moves, Concern::drivers, rest, 1.0);
@@ -100,6 +101,20 @@ class Search {
         if (reading.fault.empty() && !runs_.is_undefined(*words, reading) &&
             runs_.parting_of(*words, reading))
             keep(found_.parted, *words, false);
+    }
+
+    // Where the function goes wrong at one number only.
+    void try_places(const Domain::Inputs& drawn) {
+        constexpr double share = 0.6;
+        const auto places = places_of(runs_.question(), runs_.numbers(), drawn, options_.inputs / 2);
+        for (std::size_t i = 0; i < places.size() && has_steps(share); ++i) {
+            std::vector<Word> words = places[i];
+            runs_.question().domain.adjust(words);
+            const Reading reading = runs_.read(words);
+            if (shows(Concern::fault, reading)) keep(found_.faults, words, false);
+            if (shows(Concern::not_finite, reading)) keep(found_.not_finite, words, false);
+            if (runs_.is_undefined(words, reading)) keep(found_.undefined, words, false);
+        }
     }
 
     // Returns how many were run.

@@ -53,6 +53,13 @@ struct AuditSearch {
 // loses most digits, and to where drivers may differ most. No input that it runs leaves the domain.
 [[nodiscard]] AuditSearch search(AuditRuns& runs, const AuditOptions& options);
 
+// Inputs of the domain that random ones miss, at which a text is likely to divide by zero or to ask for a
+// direction: middles and quarters of the ranges of several parameters together, zeros of linear expressions
+// of the text's numbers, unit vectors along a diagonal. The rest is that of rows of `drawn`. At most so many.
+[[nodiscard]] std::vector<std::vector<Word>> places_of(const Question& question,
+                                                       std::span<const float> numbers,
+                                                       const Domain::Inputs& drawn, std::size_t most);
+
 // Whether a reading shows a concern; an unspecified result is an undefined one of a reading with open gaps.
 [[nodiscard]] bool shows(Concern concern, const Reading& reading);
 
