@@ -68,7 +68,7 @@ class Installation {
 
     // Makes results of gloam_radical_inverse_base2 wrong; the first such index is 1.
     void spoil_radical_inverse_base2() const {
-        replace("gloam/sampling/halton.glsl", "5.9604644775390625e-8", "5.9604652e-8");
+        replace("gloam/sampling/halton.glsl", "0.000244140625", "0.00024414066");
     }
 
     // Makes gloam_radical_inverse_base2 loop until a generator of period 2^32 returns to a certain number.

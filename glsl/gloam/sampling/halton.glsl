@@ -17,8 +17,8 @@ float gloam_radical_inverse_base2(uint index) {
     bits = ((bits & 0x33333333u) << 2u) | ((bits >> 2u) & 0x33333333u);
     bits = ((bits & 0x55555555u) << 1u) | ((bits >> 1u) & 0x55555555u);
 #endif
-    // 24 bits fit a float; all 32 would round up to 1.
-    return float(bits >> 8u) * 5.9604644775390625e-8;
+    // 24 bits fit a float; all 32 would round up to 1. Each half of them also fits a float of half precision.
+    return float(bits >> 20u) * 0.000244140625 + float((bits >> 8u) & 0xFFFu) * 5.9604644775390625e-8;
 }
 
 // radical inverse in any base (HALTON): `Phi_b(i) = sum of a_m b^(-m-1), i = sum of a_m b^m` [Halton 1960].

@@ -156,7 +156,7 @@ void append_estimates(Entries& entries) {
         {sum, weights, integers(0, 64), integers(1, 64)}, {.ulp = 2.5}, {0, 8192},
         [](double occluded, double, unsigned, unsigned) { return moderate(1e-30, 3e37, occluded); });
     add(entries, "TSSAO-2-sees", &reference::gloam_tap_sees,
-        {either(log_uniform(1e-37, 1e38), any_float()).and_special()});
+        {either(log_uniform(1e-4, 6e4), either(log_uniform(1e-37, 1e38), any_float())).and_special()});
     add(entries, "PAIR-samples", &reference::gloam_paired_samples, {log_integers(100'000)});
 }
 
