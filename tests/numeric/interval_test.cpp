@@ -57,11 +57,17 @@ TEST(Interval, OfADivisionByWhatIsVeryLargeOrMayBeZeroNothingIsPromised) {
 }
 
 TEST(Interval, WhatIsUndefinedIsAnything) {
-    for (const Interval& x : {log(at(-1.0)), log2(at(0.0)), inversesqrt(at(0.0)), sqrt(at(-1.0)),
-                              pow(at(-2.0), at(2.0)), sin(at(4.0)), cos(at(-1e6)), atan(at(0.0), at(0.0)),
-                              clamp(at(1.0), at(3.0), at(2.0)), smoothstep(at(1.0), at(1.0), at(0.5))}) {
+    for (const Interval& x :
+         {log(at(-1.0)), log2(at(0.0)), inversesqrt(at(0.0)), sqrt(at(-1.0)), pow(at(-2.0), at(2.0)),
+          sin(at(4.0)), cos(at(-1e6)), atan(at(0.0), at(0.0)), clamp(at(1.0), at(3.0), at(2.0)),
+          smoothstep(at(1.0), at(1.0), at(0.5)), ldexp(at(0x1p-100), 129), ldexp(at(0x1p100), 28),
+          ldexp(at(1.0), 128), clamp(at(1.0), Interval::within(1.0, 3.0), at(2.0))}) {
         EXPECT_TRUE(x.bounds().is_anything());
     }
+    EXPECT_EQ(ldexp(at(0x1p-1), 128).bounds(), Bounds::point(0x1p127));
+    EXPECT_EQ(ldexp(at(0x1p20), -126).bounds(), Bounds::point(0x1p-106));
+    EXPECT_EQ(ldexp(at(0x1p20), -127).bounds(), (Bounds{0.0, 0x1p-107, false})) << "may be flushed";
+    EXPECT_EQ(times_power_of_two(at(0x1p127), -128).bounds(), Bounds::point(0.5)) << "a part of frexp()";
 }
 
 // The bounds of an expression where the gaps of Vulkan's rules are closed.

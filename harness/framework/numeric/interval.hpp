@@ -185,6 +185,8 @@ template <std::integral Integer>
 [[nodiscard]] Interval remainder(const Interval& x, const Interval& y);  // OpFRem
 [[nodiscard]] Interval mix(const Interval& a, const Interval& b, const Interval& t);
 [[nodiscard]] Interval smoothstep(const Interval& edge0, const Interval& edge1, const Interval& x);
+[[nodiscard]] Interval times_power_of_two(const Interval& x, int exponent);
+// The same, but anything beyond the largest exponent or number of the format, and 0 also below the smallest.
 [[nodiscard]] Interval ldexp(const Interval& x, int exponent);
 [[nodiscard]] Interval radians(const Interval& x);
 [[nodiscard]] Interval degrees(const Interval& x);

@@ -173,9 +173,21 @@ Interval smoothstep(const Interval& edge0, const Interval& edge1, const Interval
     return narrowed(all, monotonic(t.bounds(), curve), 3.0);
 }
 
-Interval ldexp(const Interval& x, int exponent) {
+Interval times_power_of_two(const Interval& x, int exponent) {
     if (x.bounds().empty()) return x;
     return enclose(monotonic(x.bounds(), [&](double v) { return std::ldexp(v, exponent); }));
+}
+
+Interval ldexp(const Interval& x, int exponent) {
+    const FloatFormat& format = Paths::format();
+    const Bounds& b = x.bounds();
+    const bool may_be_finite = !b.empty() && !(std::isinf(b.low) && b.low == b.high);
+    const double largest = std::min(std::max(std::abs(b.low), std::abs(b.high)), format.largest());
+    const bool too_large = may_be_finite && std::ldexp(largest, exponent) > format.largest();
+    if (exponent > format.max_exponent + 1 || too_large) return Interval::anything();
+    const Interval all = times_power_of_two(x, exponent);
+    if (exponent >= format.min_exponent || b.empty()) return all;
+    return Interval::within(hull(all.bounds(), Bounds::point(0.0)));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "interpreter/internal/scalars.hpp"
 #include "interpreter/internal/state.hpp"
@@ -57,6 +58,30 @@ void ternary(State<N>& s, const Instruction& i) {
         const N y = s.number(i, i.b + k);
         const N z = s.number(i, i.c + k);
         s.set(i, i.result + k, assumed(i, apply(F{}, x, y, z), x, y, z));
+    }
+}
+
+// The value of a number; NaN of an interval, whose operations tell by themselves what is undefined.
+template <class N>
+[[nodiscard]] double known_value(const N& x) {
+    if constexpr (std::is_floating_point_v<N>) {
+        return static_cast<double>(x);
+    } else if constexpr (has_bounds<N>) {
+        return std::numeric_limits<double>::quiet_NaN();
+    } else {
+        return x.value;
+    }
+}
+
+// clamp(): undefined where the lower end is above the upper one.
+template <class N>
+void clamp_float(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        const N low = s.number(i, i.b + k);
+        const N high = s.number(i, i.c + k);
+        const N result = assumed(i, apply(Clamp{}, x, low, high), x, low, high);
+        s.set_if(!(known_value(low) > known_value(high)), i, i.result + k, result);
     }
 }
 

@@ -82,16 +82,32 @@ struct Scale {
     int exponent;
     template <class N>
     N operator()(const N& x) const {
+        if constexpr (std::is_floating_point_v<N>)
+            return std::ldexp(x, exponent);
+        else
+            return numeric::times_power_of_two(x, exponent);
+    }
+};
+struct LoadExponent {
+    int exponent;
+    template <class N>
+    N operator()(const N& x) const {
         using namespace scalars;
         return ldexp(x, exponent);
     }
 };
 
+// ldexp(): undefined for a larger exponent than the type's, and for a product beyond it.
 template <class N>
 void load_exponent(State<N>& s, const Instruction& i) {
+    const auto& format = (i.flags & flags::half) != 0 ? numeric::float16 : numeric::float32;
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N x = s.number(i, i.a + k);
-        s.set(i, i.result + k, assumed(i, apply(Scale{as_int(s.bits(i.b + k))}, x), x));
+        const int exponent = as_int(s.bits(i.b + k));
+        const N product = assumed(i, apply(LoadExponent{exponent}, x), x);
+        const double value = std::abs(known_value(x));
+        const bool too_large = std::isfinite(value) && std::ldexp(value, exponent) > format.largest();
+        s.set_if(exponent <= format.max_exponent + 1 && !too_large, i, i.result + k, product);
     }
 }
 

@@ -134,10 +134,15 @@ void on_two_if(State<N>& s, const Instruction& i) {
         s.set_if(Defined(x, y), i, i.result + k, static_cast<Word>(F(x, y)));
     }
 }
-template <class N, auto F>
-void on_three(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c + k))));
+// clamp(), undefined where the lower end is above the upper one.
+template <class N, class Integer>
+void clamp_integer(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const auto x = static_cast<Integer>(s.bits(i.a + k));
+        const auto low = static_cast<Integer>(s.bits(i.b + k));
+        const auto high = static_cast<Integer>(s.bits(i.c + k));
+        s.set_if(low <= high, i, i.result + k, static_cast<Word>(std::min(std::max(x, low), high)));
+    }
 }
 
 // Offset and width are the same for all components.

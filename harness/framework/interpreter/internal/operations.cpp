@@ -91,6 +91,13 @@ std::string cause_of(const Code& code, const Instruction& instruction) {
             return "int() of NaN or of a number beyond an int";
         case SpvOpConvertFToU:
             return "uint() of NaN, of a negative number or of one beyond a uint";
+        case extended + GLSLstd450FClamp:
+        case extended + GLSLstd450UClamp:
+        case extended + GLSLstd450SClamp:
+        case extended + GLSLstd450NClamp:
+            return "clamp() with its lower end above the upper one";
+        case extended + GLSLstd450Ldexp:
+            return "ldexp() with an exponent or a product beyond the type";
         default:
             return name_of(instruction.op) + " has no defined result";
     }

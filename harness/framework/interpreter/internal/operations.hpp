@@ -153,11 +153,9 @@ template <class N>
         GLOAM_GLSL(UMax, 2, plain, on_two<N, ([](Word x, Word y) { return std::max(x, y); })>),
         GLOAM_GLSL(SMax, 2, plain, on_two<N,
             ([](Word x, Word y) { return std::max(as_int(x), as_int(y)); })>),
-        GLOAM_GLSL(FClamp, 3, plain, ternary<N, Clamp>),
-        GLOAM_GLSL(UClamp, 3, plain, on_three<N,
-            ([](Word x, Word low, Word high) { return std::min(std::max(x, low), high); })>),
-        GLOAM_GLSL(SClamp, 3, plain, on_three<N,
-            ([](Word x, Word a, Word b) { return std::min(std::max(as_int(x), as_int(a)), as_int(b)); })>),
+        GLOAM_GLSL(FClamp, 3, plain, clamp_float<N>),
+        GLOAM_GLSL(UClamp, 3, plain, clamp_integer<N, Word>),
+        GLOAM_GLSL(SClamp, 3, plain, clamp_integer<N, std::int32_t>),
         GLOAM_GLSL(FMix, 3, plain, ternary<N, Mix>),
         GLOAM_GLSL(Step, 2, plain, binary<N, StepAt>),
         GLOAM_GLSL(SmoothStep, 3, plain, ternary<N, SmoothStep>),
@@ -189,7 +187,7 @@ template <class N>
         GLOAM_GLSL(FindUMsb, 1, plain, on_one<N, highest_bit>),
         GLOAM_GLSL(NMin, 2, plain, binary<N, Min>),
         GLOAM_GLSL(NMax, 2, plain, binary<N, Max>),
-        GLOAM_GLSL(NClamp, 3, plain, ternary<N, Clamp>),
+        GLOAM_GLSL(NClamp, 3, plain, clamp_float<N>),
     };
     return all;
 }

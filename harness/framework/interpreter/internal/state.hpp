@@ -266,7 +266,8 @@ struct State {
     void set(const Instruction& i, Slot slot, int x) { set(i, slot, static_cast<Word>(x)); }
     void set(const Instruction& i, Slot slot, bool x) { set(i, slot, x ? Word{1} : Word{0}); }
     // The result of an operation that is defined for some operands only.
-    void set_if(bool defined, const Instruction& i, Slot slot, Word x) {
+    template <class T>
+    void set_if(bool defined, const Instruction& i, Slot slot, const T& x) {
         if (knows_undefined<N> && !defined && !undefinedness.touched) {
             slots[slot] = Value<N>::undefined(next);
         } else {
