@@ -215,6 +215,22 @@ TEST(OrdinaryValues, ReadComments) {
         EXPECT_THAT(described(Audited(text).values("f")), Contains("x: 0 to 4 (comment)"));
 }
 
+TEST(OrdinaryValues, AreAnyWordWhereTheTextTakesItApart) {
+    const std::string parts = "uint mixed(float x, uint a) { return a ^ (a >> 16); }\n";
+    for (const char* text :
+         {"float f(uint w) { return float((w & 0x8000u) << 16); }", "uint f(uint w) { return w >> 10; }",
+          "uint f(uint w) { return 255u & w; }", "float f(uint w) { return uintBitsToFloat(w); }",
+          "vec2 f(uint w) { return unpackHalf2x16(w); }", "uint f(uvec2 w) { return w.x >> 4u; }",
+          "uint f(uint w) { return mixed(1.0, w); }", "uint f(uint w) { w ^= w >> 3; return w; }"})
+        EXPECT_THAT(described(Audited(parts + text).values("f")), ElementsAre("w: 0 to 4294967295 (bits)"))
+            << text;
+    for (const char* text :
+         {"uint f(uint w) { return mixed(2.0, 3u) << w; }", "uint f(uint w) { return w + 1u; }",
+          "bool f(uint w) { return w > 1u && w < 3u; }", "uint f(int w) { return uint(w) & 1u; }",
+          "uint f(uint w) { uint s = 0u; for (uint i = 0u; i < w; ++i) s += w & 1u; return s; }"})
+        EXPECT_THAT(described(Audited(parts + text).values("f")), ElementsAre("w: 0 to 7 (type)")) << text;
+}
+
 TEST(OrdinaryValues, DrawNoSubnormalNumbers) {
     const auto own = fixture().function("gamma_curve");
     const Domain domain = ordinary_domain(own.function, fixture().values("gamma_curve"));

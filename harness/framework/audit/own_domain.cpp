@@ -104,11 +104,77 @@ std::optional<long> indexed_length(shader::Tokens tokens, const std::string& nam
     return shortest;
 }
 
+// The bodies of the functions with this name, each with the names of its parameters.
+struct Body {
+    std::vector<std::string> parameters;
+    shader::Tokens tokens;
+};
+std::vector<Body> bodies_of(shader::Tokens tokens, const std::string& function) {
+    std::vector<Body> all;
+    for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
+        if (tokens[i] != function || tokens[i + 1] != "(" || !tokens[i - 1].is_word()) continue;
+        const std::size_t behind = shader::behind_bracket(tokens, i + 1);
+        if (behind >= tokens.size() || tokens[behind] != "{") continue;
+        Body body{.parameters = {},
+                  .tokens = tokens.subspan(behind, shader::behind_bracket(tokens, behind) - behind)};
+        for (std::size_t k = i + 2; k < behind; ++k)
+            if (tokens[k] == "," || k + 1 == behind) body.parameters.push_back(tokens[k - 1].text);
+        all.push_back(std::move(body));
+    }
+    return all;
+}
+
+// The name of the function that is called with the token at `at` as its whole argument, and which argument
+// that is; empty: it is none.
+std::pair<std::string, std::size_t> call_with(shader::Tokens tokens, std::size_t at) {
+    std::size_t argument = 0;
+    const auto ends = [&](std::size_t i) { return tokens[i] == "," || tokens[i] == ")" || tokens[i] == "("; };
+    if (!ends(at - 1) || !ends(at + 1)) return {};
+    for (int depth = 0; --at > 0;) {
+        if (tokens[at] == ")" || tokens[at] == "]") ++depth;
+        if (depth == 0 && tokens[at] == "(") return {tokens[at - 1].text, argument};
+        if (depth == 0 && tokens[at] == ",") ++argument;
+        if (tokens[at] == "(" || tokens[at] == "[") --depth;
+    }
+    return {};
+}
+
+// Whether a function reads single bits of an integer parameter, itself or where it passes it on: by shifts,
+// masks, and functions of bits and packed numbers. A limit of a loop is a count.
+// `asked`: functions and parameters that were asked before.
+bool takes_apart(shader::Tokens tokens, const std::string& function, const std::string& name,
+                 std::set<std::pair<std::string, std::string>>& asked) {
+    if (!asked.emplace(function, name).second) return false;
+    static const std::set<std::string, std::less<>> of_bits{
+        "uintBitsToFloat", "bitfieldExtract", "bitfieldReverse", "unpackHalf2x16",
+        "unpackUnorm2x16", "unpackSnorm2x16", "unpackUnorm4x8",  "unpackSnorm4x8"};
+    bool found = false;
+    for (const auto& [parameters, body] : bodies_of(tokens, function)) {
+        for (std::size_t i = 1; i + 1 < body.size(); ++i) {
+            if (body[i] != name) continue;
+            const std::string& before = body[i - 1].text;
+            const std::string& after = body[body[i + 1] == "." && i + 3 < body.size() ? i + 3 : i + 1].text;
+            if (before == "<" || before == "<=") return false;
+            found =
+                found || after == ">>" || after == "&" || after == ">>=" || after == "&=" || before == "&";
+            const auto [called, argument] = call_with(body, i);
+            found = found || of_bits.contains(called);
+            for (const Body& other : bodies_of(tokens, called))
+                found = found || (argument < other.parameters.size() &&
+                                  takes_apart(tokens, called, other.parameters[argument], asked));
+        }
+    }
+    return found;
+}
+
 // The values of a parameter, or of a member of one.
 class Ordinary {
   public:
     Ordinary(const OwnFunction& own, const Ranges& ranges)
-        : tokens_(shader::tokens_of(own.excerpt)), comment_(own.comment), ranges_(ranges) {
+        : tokens_(shader::tokens_of(own.excerpt)),
+          function_(own.function.name),
+          comment_(own.comment),
+          ranges_(ranges) {
         for (const shader::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
     }
 
@@ -168,6 +234,9 @@ class Ordinary {
         if (!is_float && type.scalar != Scalar::bool_)
             if (const auto length = indexed_length(tokens_, last))
                 return {in_range(type.scalar, {0.0, static_cast<double>(*length - 1)}, components), "array"};
+        std::set<std::pair<std::string, std::string>> asked;
+        if (type.scalar == Scalar::uint_ && takes_apart(tokens_, function_, name, asked))
+            return {in_range(type.scalar, {0.0, 0x1p32 - 1.0}, components), "bits"};
         if (is_float && type.columns > 1)
             return {floats_with({Kind::range, -2.0, 2.0}, type.scalar, components), "type"};
         if (is_float)
@@ -193,6 +262,7 @@ class Ordinary {
     }
 
     std::vector<shader::Token> tokens_;
+    std::string function_;
     const std::string& comment_;
     const Ranges& ranges_;
     std::set<std::string> names_;

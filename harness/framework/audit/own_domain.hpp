@@ -12,7 +12,7 @@ namespace gloam::check {
 struct OrdinaryValues {
     std::string parameter;  // "x"; a structure's member: "light.color"
     std::string text;       // "0 to 1", "unit vectors"
-    std::string reason;     // "--range", "comment", "name", "array", "type"
+    std::string reason;     // "--range", "comment", "name", "array", "bits", "type"
     Values values;
 };
 
@@ -22,6 +22,7 @@ struct OrdinaryValues {
 //   its comment, where it names the parameter: "x in [0, 1]", "x: 0 to 1", "x >= 0", "n: unit vector";
 //   the name: uv and colours in [0, 1], normals and directions unit vectors, angles in radians, and so on;
 //   the array that an integer indexes in its excerpt;
+//   shifts, masks and functions of bits: a uint that the function takes apart is any word;
 //   the type: floats -1000 to 1000, half of them 0 to 1; integers 0 to 7.
 // Of a quad, neighbours differ as neighbours() says.
 [[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges& ranges);
