@@ -167,6 +167,7 @@ void Answer::merge(const Answer& later) {
         predicate[i].inputs += later.predicate[i].inputs;
         predicate[i].judged += later.predicate[i].judged;
     }
+    if (broken.empty()) broken = later.broken;
     max_ulp = std::max(max_ulp, later.max_ulp);
     max_absolute = std::max(max_absolute, later.max_absolute);
     fraction = std::max(fraction, later.fraction);

@@ -195,6 +195,7 @@ struct Answer {
     std::size_t differs = 0;
     std::optional<Coverage> coverage;  // what the inputs reached, if measured
     std::string fault;                 // an access outside an image; empty: none
+    std::string broken;                // see Question::must_hold; the first such input; empty: none
     std::string error;                 // why it could not run; empty: it ran
     Reason reason = Reason::none;
     double seconds = 0.0;

@@ -109,6 +109,9 @@ class Judge {
         if (edge && !accurate && !internal::holds_at_edge(question_, images_, scalars_, sample))
             sample.fraction = infinity;
         answer.add(sample, sample.fraction > 1.0);
+        const bool holds = std::ranges::find(sample.got, Word{0}) == sample.got.end();
+        if (question_.must_hold && !holds && answer.broken.empty())
+            answer.broken = describe_inputs(question_.signature, sample.inputs);
         const bool open = free && !by_budget && !edge;
         if (open) answer.add_open(sample.input_class);
         if (predicate_) answer.add_predicate(sample.want, !open);
@@ -323,6 +326,9 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
                          [&](std::size_t i) { parts[i] = part(shares[i].begin, shares[i].end); });
     Answer all = empty_answer(question, options.verdict);
     for (const Answer& answer : parts) all.merge(answer);
+    if (all.outside() == 0 && !all.broken.empty())
+        throw std::runtime_error(
+            fmt::format("{} must hold, and is false for {}", question.function, all.broken));
     describe_samples(question.signature, all);
     return all;
 }

@@ -336,6 +336,7 @@ Question question_of(const Lab& lab, const std::string& file, const OwnFunction&
     }
     question.domain = Domain(std::move(parameters));
     question.defined = all_given;
+    question.must_hold = own.is_property();
     const KernelSource source = lab.source(file, function.name, question.signature);
     question.scenarios = random_scenarios(source.images);
     return question;

@@ -28,6 +28,9 @@ struct OwnFunction {
     [[nodiscard]] KernelSource kernel_source(const std::string& file) const {
         return {.file = file, .function = function, .images = images, .text = excerpt, .team = team};
     }
+    // Whether it is a property (Question::must_hold): it gives bools alone, and its name begins with test_ or
+    // a line of its comment is "must hold".
+    [[nodiscard]] bool is_property() const;
 };
 
 // One that cannot.

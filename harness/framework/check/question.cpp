@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+
+#include "check/own_function.hpp"
 
 namespace gloam::check {
 namespace {
@@ -71,6 +74,13 @@ std::vector<ImageScenario> with_exact_ends(std::vector<ImageScenario> scenarios)
         changed(base, "all 1", [](auto pixel, Random&, bool) { set_one(pixel, pixel.size() - 1); }));
     scenarios.push_back(changed(base, "0 and 1", set_mixed));
     return scenarios;
+}
+
+bool OwnFunction::is_property() const {
+    static const std::regex line(R"((^|\n)[\s/*]*must hold[\s.*/]*(\n|$))", std::regex::icase);
+    const std::vector<shader::Scalar> outputs = signature().output_scalars();
+    return (function.name.starts_with("test_") || std::regex_search(comment, line)) &&
+           std::ranges::count(outputs, shader::Scalar::bool_) == std::ssize(outputs);
 }
 
 }  // namespace gloam::check

@@ -114,6 +114,9 @@ struct Question {
     // Whether every input of the domain has a defined result. If not, an input for which the function reads
     // outside an array, for example, is not judged; otherwise it is a failure.
     bool defined = true;
+    // Whether every bool of the result has to be true: a false one that the rules permit is a failure of the
+    // function itself.
+    bool must_hold = false;
     std::vector<ImageScenario> scenarios;  // empty: the function reads no image
     bool only_rules = false;               // it documents no accuracy: judged by the rules in every variant
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "audit/coverage.hpp"
+#include "audit/own_domain.hpp"
 #include "backend/backend.hpp"
 #include "base/compiler_limits.hpp"
 #include "base/text.hpp"
@@ -140,7 +141,12 @@ check::Question own_question(const check::Lab& lab, const CheckTask& task) {
     const check::OwnFunctions own = check::own_functions(lab.options(), file, {task.equation});
     if (own.found.empty())
         throw std::invalid_argument(fmt::format("{}: {}: {}", file, task.equation, own.left_out.front().why));
-    return check::question_of(lab, file, own.found.front(), ranges_from(task.ranges));
+    const check::OwnFunction& function = own.found.front();
+    const check::Ranges ranges = ranges_from(task.ranges);
+    check::Question question = check::question_of(lab, file, function, ranges);
+    if (question.must_hold)  // for what it is meant for
+        question.domain = check::ordinary_domain(function.function, check::ordinary_values(function, ranges));
+    return question;
 }
 
 // The kind of an error, from an exception of the rooms.
