@@ -101,7 +101,9 @@ void each_frame(char** arguments, const Draw& draw) {
         gloam_camera camera{};
         std::ranges::copy(numbers_of(json, "proj_vk"), camera.projection);
         std::ranges::copy(numbers_of(json, "view"), camera.view);
-        gloam_next(&frame, settings, camera, motion.empty() ? nullptr : motion.data());
+        const gloam_error error =
+            gloam_next(&frame, settings, camera, motion.empty() ? nullptr : motion.data());
+        if (error != gloam_fine) throw std::runtime_error(name + ": gloam_error " + std::to_string(error));
         Picture picture{depth.width, depth.height, 1, std::vector<float>(depth.values.size())};
         const std::vector<unsigned char> shown = draw(frame, depth, normal);
         for (std::size_t i = 0; i < depth.values.size(); ++i)

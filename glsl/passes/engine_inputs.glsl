@@ -36,12 +36,13 @@ vec3 octahedral_vector(vec2 at) {
 }
 
 // Normal in view space, not normalised.
-// stored: a texel of the engine's normals. columns: of the rotation from world space to view space, in xyz.
+// stored: a texel of the engine's normals. columns: of the rotation from world space to view space, in xyz. The last w
+// is 2 where the engine's view space is left-handed, else 0: its z is turned, that of the matrix is right-handed.
 vec3 view_direction(vec3 stored, mat3x4 columns) {
     vec3 v = unorm_normals ? 2.0 * stored - 1.0 : stored;
     if (octahedral_normals) v = octahedral_vector(v.xy);
-    if (world_normals) v = columns[0].xyz * v.x + columns[1].xyz * v.y + columns[2].xyz * v.z;
-    return v;
+    return world_normals ? columns[0].xyz * v.x + columns[1].xyz * v.y + columns[2].xyz * v.z
+                         : vec3(v.xy, v.z - columns[2].w * v.z);
 }
 
 // The same as a unit vector; 0 where the stored normal has no direction.

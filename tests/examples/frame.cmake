@@ -10,3 +10,11 @@ build(${EXAMPLE} "-DEFFECT=${WORK}/effect" -DPRESET=${PRESET})
 sequence("${WORK}/gbuffers" --preset ${PRESET} --radius 0.3 --depth ${DEPTH} --normals ${NORMALS})
 run("example" "${WORK}/build/${EXAMPLE}_frame" "${WORK}/gbuffers" "${WORK}/shown" 0.3 ${DEPTH})
 run("compare" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/compare.py" "${WORK}/rendered" "${WORK}/shown" ${APART})
+
+# The same by left-handed cameras.
+run("mirror" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/mirror.py" "${WORK}/gbuffers" ${NORMALS})
+run("left example" "${WORK}/build/${EXAMPLE}_frame" "${WORK}/gbuffers" "${WORK}/left" 0.3 ${DEPTH})
+run("left" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/compare.py" "${WORK}/shown" "${WORK}/left" 0)
+run("left render" "${GLOAM}" render --gbuffer "${WORK}/gbuffers" --preset ${PRESET} --radius 0.3 --depth ${DEPTH}
+  --normals ${NORMALS} --out "${WORK}/left_rendered")
+run("left" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/compare.py" "${WORK}/rendered" "${WORK}/left_rendered" 0)

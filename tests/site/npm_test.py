@@ -100,10 +100,28 @@ class NpmTest(BrowserCase):
                     self.assertLess(abs(sum(apart)) / len(apart), 2e-4, i)
                     self.assertGreater(max(want), 0.4)
 
-    def test_other_encodings_give_the_same(self):
-        got = self.ask("return encoded();")
-        self.assertLess(got["mean"], 1e-3)
-        self.assertEqual(0, got["most"])
+    def test_other_encodings_and_left_handed_views_give_the_same(self):
+        for view in ("made()", "orthographic(made())"):
+            for how in ('"world-octahedral", false', '"world-octahedral", true', '"view", true'):
+                with self.subTest(view + how):
+                    got = self.ask(f"return encoded({view}, {how});")
+                    self.assertLess(got["mean"], 1e-3)
+                    self.assertEqual(0, got["most"])
+
+    def test_a_left_handed_camera_of_three_gives_what_its_mirror_gives(self):
+        for view in ("made()", "made({reversedDepthBuffer: true})", "orthographic(made())"):
+            with self.subTest(view):
+                got = self.ask(f"""
+                    const right = {view};
+                    const want = occlusion(frames(right, 4));
+                    closed(right);
+                    const left = leftHanded({view});
+                    const got = occlusion(frames(left, 4));
+                    closed(left);
+                    return {{...apart(want, got), max: Math.max(...want)}};""")
+                self.assertLess(got["mean"], 1e-3)
+                self.assertEqual(0, got["most"])
+                self.assertGreater(got["max"], 0.4)
 
     def test_a_camera_that_zooms_gives_what_one_gives_that_stands_still(self):
         got = self.ask("""
@@ -184,6 +202,8 @@ class NpmTest(BrowserCase):
                 () => { plain.setPreset("balanced", 1); plain.setSize(8, 8);
                     plain.render({projection: identity, view: [NaN]}); },
                 () => plain.render({projection: identity, view: identity}),
+                () => plain.render({projection: [1, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1, -0.2, 0, 0, -1, 0], view: identity}),
+                () => plain.render({projection: identity, view: identity.map((x, i) => i === 7 ? 3 : x)}),
                 () => { view.occlusion.source = "composer"; view.draw(); },
                 () => { view.occlusion.source = "scene"; view.occlusion.preset = "none"; view.draw(); },
                 () => made({logarithmicDepthBuffer: true}).draw(),
@@ -198,7 +218,8 @@ class NpmTest(BrowserCase):
         expected = ["not one of WebGL2", 'depth "log": expected "linear" or "buffer"', 'range "0-1": expected',
                     'normals "tangent": expected', "no size or no preset", 'preset "none": expected fast, balanced',
                     "radius -1: expected", "size 0x5: expected whole numbers", "view: expected 16 finite numbers",
-                    "depth: expected a texture", "whose target has a depthTexture",
+                    "depth: expected a texture", "projection: the matrix is written row by row, expected column",
+                    "view: the matrix is written row by row", "whose target has a depthTexture",
                     'preset "none": expected fast', "logarithmicDepthBuffer: expected",
                     'output "light": expected "shaded" or "visibility" or "ambient"',
                     'option "raduis": expected preset, radius, intensity, output, source, bounces',

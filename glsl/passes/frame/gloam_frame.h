@@ -38,8 +38,9 @@
 #include <math.h>
 #include <string.h>
 
-/* half: the sweep takes every second pixel in both directions. range, sharpness: of the history. */
-typedef struct { int half; float range, sharpness; } gloam_preset;
+/* half: the sweep takes every second pixel in both directions. range, sharpness: of the history. orthographic: cameras
+ * that the passes are made for, as constant 1 says. */
+typedef struct { int half; float range, sharpness; int orthographic; } gloam_preset;
 typedef struct { /* another one begins a sequence */
     gloam_preset preset;
     int size[2];      /* of the view, pixels */
@@ -47,13 +48,24 @@ typedef struct { /* another one begins a sequence */
     int depth_buffer; /* depth is that of the projection, 0 to 1; otherwise eye-linear, world units */
 } gloam_settings;
 /* Both column by column. projection: to clip space with z from 0 to 1; row 0 of images is at y = -1 of it. view: from
- * world space. */
+ * world space. Right- or left-handed, as the projection is: one of perspective where w is -z or z; an orthographic one
+ * where the middle of its depths lies at z <= 0 or z > 0. */
 typedef struct { float projection[16], view[16]; } gloam_camera;
+
+/* What gloam_next() returns: 0, or why this frame cannot be drawn. */
+typedef enum {
+    gloam_fine,
+    gloam_projection_by_rows, /* written row by row, expected column by column */
+    gloam_view_by_rows,
+    gloam_previous_by_rows, /* previous_from_current */
+    gloam_other_projection  /* orthographic, and by the preset the passes are for perspective; or the reverse */
+} gloam_error;
 
 /* What the passes are given. depth: numerator and divisor. */
 typedef struct { float before[4][4], depth[4], inverse_size[2], far_value; } gloam_prepare;
 typedef struct {
-    float view_from_world[3][4], inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], noise[2];
+    float view_from_world[3][4]; /* the last is 2 for left-handed cameras */
+    float inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], noise[2];
     float depth[4], far_value; /* for normals from depth */
 } gloam_sweep;
 typedef struct { /* filter or join. albedo: for multi-bounce, of what blocks, 0 to 1, by the engine */
@@ -145,12 +157,50 @@ static inline void gloam_fill(gloam_frame* frame, const float* p) {
 /* The next frame begins a sequence. */
 static inline void gloam_cut(gloam_frame* frame) { memset(&frame->settings, 0, sizeof frame->settings); }
 
+/* Whether a matrix has (0, 0, 0, 1) in its last column, and not in its last row; a perspective (0, 0, 1 or -1, 0). */
+static inline int gloam_is_last(const float* m, int step, int projects) {
+    const float z = m[2 * step], w = m[3 * step], slack = projects ? 0 : 1e-6f;
+    if (projects && w == 0) return m[0] == 0 && m[step] == 0 && (z == 1 || z == -1);
+    return fabsf(m[0]) <= slack && fabsf(m[step]) <= slack && fabsf(z) <= slack && fabsf(w - 1) <= slack;
+}
+static inline int gloam_by_rows(const float* m, int projects) {
+    /* An infinite far plane, reversed, and 1 as the near one: the middle of depth is behind the eye. */
+    const int behind = projects && m[15] == 0 && m[14] * m[11] * (m[10] - 0.5f * m[11]) > 0;
+    return gloam_is_last(m + 12, 1, projects) && (behind || !gloam_is_last(m + 3, 4, projects));
+}
+
+/* Left-handed cameras are taken by the mirror z = -z, behind a matrix (rows), before it (columns), or both. */
+static inline int gloam_is_left(const float* projection) {
+    const float* p = projection;
+    return p[11] == 0 ? (1 - 2 * p[14]) / p[10] > 0 : p[11] > 0;
+}
+static inline void gloam_mirror(float* m, int rows, int columns) {
+    for (int i = 0; i < 16; ++i)
+        if ((rows && i % 4 == 2) != (columns && i / 4 == 2)) m[i] = -m[i];
+}
+
 /* The next frame. A projection that is aside of the last one's by up to a pixel has a jitter, for antialiasing.
  * previous_from_current: the view matrix of the last frame times the inverse of this one's, multiplied in double,
- * without a jitter; NULL begins a sequence where the camera moves. */
-static inline void gloam_next(gloam_frame* frame, gloam_settings settings, gloam_camera camera,
-                              const float* previous_from_current) {
-    const int flat = camera.projection[11] == 0, alike = flat == (frame->now.projection[11] == 0);
+ * without a jitter; NULL begins a sequence where the camera moves. After an error nothing is to be drawn, and the next
+ * frame begins a sequence. */
+static inline gloam_error gloam_next(gloam_frame* frame, gloam_settings settings, gloam_camera camera,
+                                     const float* previous_from_current) {
+    const float* p = camera.projection;
+    const int flat = p[11] == 0, left = gloam_is_left(p);
+    const float turned = left ? 2 : 0;
+    const gloam_error error = gloam_by_rows(p, 1)             ? gloam_projection_by_rows
+                              : gloam_by_rows(camera.view, 0) ? gloam_view_by_rows
+                              : previous_from_current && gloam_by_rows(previous_from_current, 0)
+                                  ? gloam_previous_by_rows
+                              : flat != !!settings.preset.orthographic ? gloam_other_projection
+                                                                       : gloam_fine;
+    if (error != gloam_fine) {
+        gloam_cut(frame);
+        return error;
+    }
+    gloam_mirror(camera.projection, 0, left);
+    gloam_mirror(camera.view, left, 0);
+    const int alike = turned == frame->sweep.view_from_world[2][3];
     const int same = alike && memcmp(&settings, &frame->settings, sizeof settings) == 0;
     gloam_camera held = camera;
     for (int i = flat ? 12 : 8, k = 0; same && k < 2; ++i, ++k)
@@ -165,6 +215,9 @@ static inline void gloam_next(gloam_frame* frame, gloam_settings settings, gloam
     frame->now = held;
     for (int i = 0; i < 16; ++i)
         frame->previous_from_current[i] = follows && !frame->still ? previous_from_current[i] : i % 5 == 0;
+    gloam_mirror(frame->previous_from_current, left, left);
     gloam_fill(frame, camera.projection);
+    frame->sweep.view_from_world[2][3] = turned;
+    return gloam_fine;
 }
 #endif

@@ -27,6 +27,7 @@ void main() {
 #endif
     imageStore(texel_image, pixel, uvec4(texel_of(pixel)));
 #ifdef GLOAM_BENT_NORMALS
+    blocked.z -= parameters.view_from_world[2].w * blocked.z;  // in the view space of the engine
     imageStore(bend_image, pixel, vec4((128.0 - 127.0 * blocked) / 255.0, 1.0));
 #endif
 }

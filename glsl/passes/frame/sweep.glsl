@@ -25,7 +25,7 @@ const float rise = 1.0 / 1024.0;  // the same for each unit of depth: two roundi
 
 // Lengths are in radii of influence. Signs of y, and of x where the projection mirrors, turn view space to the image.
 struct SweepParameters {
-    mat3x4 view_from_world;  // a rotation: only xyz of each column are used
+    mat3x4 view_from_world;  // a rotation in xyz; the last w as view_direction() has it
     vec2 inverse_span;       // 1 / (pixels of the view - 1)
     vec2 first;              // middle of the first pixel, in the image from 0 to 1
     vec2 span;               // from there to the middle of the last pixel

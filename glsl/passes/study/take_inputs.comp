@@ -21,7 +21,7 @@ layout(binding = 2, r32f) uniform writeonly highp image2D depth_image;
 layout(binding = 3, rgba32f) uniform writeonly highp image2D normal_image;
 
 layout(push_constant) uniform Parameters {
-    mat3x4 view_from_world;  // a rotation: only xyz of each column are used
+    mat3x4 view_from_world;  // a rotation in xyz; w is 0
     vec2 p22_p32;            // elements [2][2] and [3][2] of the projection, depth range [0, 1]
     ivec2 size;              // of the images, pixels
 } parameters;

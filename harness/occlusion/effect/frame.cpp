@@ -57,7 +57,8 @@ gloam_camera camera_of(const View& view) {
 
 gloam_settings settings_of(const Settings& settings, const Taken& taken) {
     const gpu::Extent extent = taken.view.extent;
-    return {.preset = {is_half(settings), settings.history_range, settings.history_sharpness},
+    return {.preset = {is_half(settings), settings.history_range, settings.history_sharpness,
+                       taken.view.camera.orthographic()},
             .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
             .radius = taken.radius,
             .depth_buffer = taken.encoding.depth_buffer};

@@ -170,6 +170,13 @@ glm::vec3 view_normal(const glm::vec3& stored, const Encoding& encoding, const C
     return length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0F);
 }
 
+glm::vec3 other_handed(glm::vec3 stored, const Encoding& encoding) {
+    if (!encoding.octahedral) return {stored.x, stored.y, encoding.unorm ? 1.0F - stored.z : -stored.z};
+    const glm::dvec2 at(stored);
+    const glm::dvec2 turned = encoding.unorm ? 0.5 * folded(2.0 * at - 1.0) + 0.5 : folded(at);
+    return {glm::vec2(turned), stored.z};
+}
+
 double stored_depth(double depth, const Encoding& encoding, const CameraFrame& camera) {
     if (!encoding.depth_buffer) return depth;
     if (!is_depth(depth)) return reversed(camera) ? 0.0 : 1.0;

@@ -83,6 +83,9 @@ struct Encoding {
 [[nodiscard]] glm::vec3 view_normal(const glm::vec3& stored, const Encoding& encoding,
                                     const CameraFrame& camera);
 
+// A stored view-space normal with its z turned: of the same view in a left-handed view space, or back.
+[[nodiscard]] glm::vec3 other_handed(glm::vec3 stored, const Encoding& encoding);
+
 // What an engine stores of an eye-linear depth, and of a view-space unit normal; not rounded to fewer bits.
 [[nodiscard]] double stored_depth(double depth, const Encoding& encoding, const CameraFrame& camera);
 [[nodiscard]] glm::dvec3 stored_normal(const glm::dvec3& normal, const Encoding& encoding,

@@ -2,6 +2,8 @@
 #include "scene/read_gbuffer.hpp"
 
 #include <fmt/format.h>
+#include <passes/frame/gloam_frame.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,6 +87,9 @@ std::optional<glm::dmat4> matrix(const json& object, const char* key) {
         result[i / 4][i % 4] = value.get<double>();
     }
     if (!is_invertible(result)) refuse(key, ": the matrix cannot be inverted");
+    const bool projects = std::string_view(key).starts_with("proj");
+    if (gloam_by_rows(&glm::mat4(result)[0][0], projects))
+        refuse(key, ": the matrix is written row by row, expected column by column");
     return result;
 }
 
@@ -104,7 +109,8 @@ glm::dvec2 off_centre_of(const glm::mat4& projection, gpu::Extent extent) {
     const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F || projection[0][2] != 0.0F ||
                         projection[1][2] != 0.0F;  // the last two: an oblique near plane
     const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
-    const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
+    const bool in_front = projection[3][2] * (projection[2][2] + 0.5F) > 0.0F;  // the middle of its depths
+    const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F && in_front;
     if (!shape || !kind) refuse("camera", ": expected a perspective or orthographic projection without skew");
     const glm::dvec2 lacks = glm::dvec2(offset) * glm::dvec2(extent.width, extent.height);
     if (std::abs(lacks.x) <= longest_side && std::abs(lacks.y) <= longest_side) return lacks;
@@ -126,6 +132,16 @@ CameraFrame camera_of(const json& camera) {
                             : projection_from_planes(camera),
             .previous_view = Single(matrix(camera, "prev_view")),
             .previous_from_current = Single(matrix(camera, "previous_from_current"))};
+}
+
+// Makes a left-handed camera right-handed (scale 1, 1, -1); tells whether it was left-handed.
+bool turned(CameraFrame& camera) {
+    if (!gloam_is_left(&camera.proj_vk[0][0])) return false;
+    gloam_mirror(&camera.proj_vk[0][0], 0, 1);
+    gloam_mirror(&camera.view[0][0], 1, 0);
+    if (camera.previous_view) gloam_mirror(&(*camera.previous_view)[0][0], 1, 0);
+    if (camera.previous_from_current) gloam_mirror(&(*camera.previous_from_current)[0][0], 1, 1);
+    return true;
 }
 
 // Guard band: pixels on the left and right, and at top and bottom, or on each of the four sides.
@@ -162,12 +178,13 @@ FrameDescription parse(const std::string& text) {
     const Border around = around_viewport(root, image);
     GBuffer view{.extent = frame_of({.extent = image, .border = around}),
                  .camera = camera_of(root["camera"])};
+    const bool left_handed = turned(view.camera);
     const glm::dvec2 off_centre = off_centre_of(view.camera.proj_vk, view.extent);
     view.border = border_of(root, view.extent);
     const json* radius = given(root, "ao_radius");
     if (radius != nullptr) view.ao_radius = number(root, "ao_radius");
     if (radius != nullptr && !(*view.ao_radius > 0.0)) refuse("ao_radius", ": expected a length > 0", radius);
-    return {view, around, off_centre};
+    return {view, around, off_centre, left_handed};
 }
 
 json to_json(const glm::dmat4& matrix) {

@@ -164,6 +164,8 @@ GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encod
     GBuffer gbuffer = description.view;
     gbuffer.depth = numbers("_depth");
     gbuffer.normal = vectors("_normal");
+    if (description.left_handed && !encoding.world)
+        for (glm::vec3& normal : gbuffer.normal) normal = other_handed(normal, encoding);
     gbuffer.motion = vectors("_motion");
     gbuffer.previous_depth = numbers("_previous_depth");
     gbuffer.color = vectors("_color");

@@ -27,7 +27,7 @@ namespace gloam::scene {
 // the background; layers that are 0 or not finite become +infinity; motion that is not finite becomes 0, not
 // valid. Throws std::runtime_error with one line that names the file and what was expected: missing,
 // malformed or cut short, a size that disagrees, an image offered in both kinds, a matrix that cannot be
-// inverted, a skewed projection.
+// inverted or is written row by row, a skewed projection. A left-handed view becomes right-handed.
 // encoding: of PREFIX_depth and PREFIX_normal. With another than the default, the GBuffer also has them as
 // they are stored. off_centre: of the frame before; a jitter of the projection does not change it. For the
 // effect the result has to be centred().
@@ -62,6 +62,7 @@ struct FrameDescription {
     GBuffer view;              // the viewport, without images
     Border around;             // the viewport in the images
     glm::dvec2 off_centre{0};  // as that of GBuffer, not rounded
+    bool left_handed = false;  // the engine's view space; that of `view` is right-handed
 };
 
 // Reads it. Throws std::runtime_error with the file's name, the key and what was expected.

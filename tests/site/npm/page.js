@@ -204,19 +204,36 @@ function recorded(view, count, before) {
 const written = (all) => all.map((frame) =>
     ({...frame, texels: base64(frame.texels), occlusion: base64(frame.occlusion)}));
 
-// How far a frame of the class is from that of the pass when it is given linear depth and octahedral world normals.
-function encoded() {
-    const view = made();
+// A matrix with a row or a column negated.
+const negated = (m, isThat) => Array.from(m, (x, i) => isThat(i) ? -x : x);
+
+// The matrices of a left-handed view space in the place of a camera's own ones.
+function leftHanded(view) {
+    const {camera} = view;
+    view.draw();
+    camera.matrixWorldAutoUpdate = false;
+    camera.matrixWorldInverse.fromArray(negated(camera.matrixWorldInverse.elements, (i) => i % 4 === 2));
+    camera.projectionMatrix.fromArray(negated(camera.projectionMatrix.elements, (i) => i >> 2 === 2));
+    view.occlusion.restart();
+    return view;
+}
+
+// How far a frame of the class is from that of the pass when it is given linear depth and these normals, octahedral
+// ones in world space or "view". left: by a left-handed camera.
+function encoded(view, normals, left) {
     const [{size: [width, height], texels, proj_vk: p, view: matrix, occlusion: want}] = recorded(view, 1, () => {});
     const other = new AmbientOcclusion(view.renderer.getContext(), effect,
-        {depth: "linear", range: "zero-to-one", normals: "world-octahedral"});
+        {depth: "linear", range: "zero-to-one", normals});
     const {gl} = other.passes;
     const [depth, normal] = [0, 1].map(() => ({values: new Float32Array(texels.length),
         image: other.passes.image("RGBA32F", [width, height])}));
     for (let i = 0; i < texels.length; i += 4) {
-        depth.values[i] = texels[i + 3] === 1 ? 0 : p[14] / (p[10] + texels[i + 3]);
-        const {x, y, z} = new Vector3(...texels.subarray(i, i + 3)).multiplyScalar(2).subScalar(1)
-            .transformDirection(view.camera.matrixWorld);
+        const [stored, flat] = [texels[i + 3], p[11] === 0];
+        depth.values[i] = stored === 1 ? 0 : flat ? (p[14] - stored) / p[10] : p[14] / (p[10] + stored);
+        const inView = new Vector3(...texels.subarray(i, i + 3)).multiplyScalar(2).subScalar(1);
+        normal.values.set([inView.x, inView.y, left ? -inView.z : inView.z], i);
+        if (normals === "view") continue;
+        const {x, y, z} = inView.transformDirection(view.camera.matrixWorld);
         const [u, v] = [x, y].map((one) => one / (Math.abs(x) + Math.abs(y) + Math.abs(z)));
         const folded = (one, across) => (1 - Math.abs(across)) * (one < 0 ? -1 : 1);
         normal.values.set(z < 0 ? [folded(u, v), folded(v, u)] : [u, v], i);
@@ -227,7 +244,8 @@ function encoded() {
     }
     other.setPreset("balanced", 1);
     other.setSize(width, height);
-    other.render({depth: depth.image, normal: normal.image, projection: p, view: matrix});
+    other.render({depth: depth.image, normal: normal.image, projection: negated(p, (i) => left && i >> 2 === 2),
+        view: negated(matrix, (i) => left && i % 4 === 2)});
     const got = apart(want, other.readOcclusion());
     closed(view);
     return got;
@@ -268,5 +286,5 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, ambient, apart, closed, comparedPairs, effect, encoded, frames, jitter,
+window.page = {AmbientOcclusion, ambient, apart, closed, comparedPairs, effect, encoded, frames, jitter, leftHanded,
     lostAndRestored, made, occlusion, orthographic, recorded, refusal, shown, withComposerDepth, written};

@@ -1,14 +1,33 @@
 // SPDX-License-Identifier: MIT
 // What the passes of a frame read of its camera, computed in double. Lengths of view space are in radii of influence.
 
+// Whether a matrix is written row by row: it has (0, 0, 0, 1) in its last column, not in its last row; a perspective
+// (0, 0, 1 or -1, 0).
+function byRows(m, projects) {
+    const last = (x, y, z, w) => projects && w === 0 ? x === 0 && y === 0 && Math.abs(z) === 1
+        : [x, y, z, w - 1].every((one) => Math.abs(one) <= (projects ? 0 : 1e-6));
+    return last(...[12, 13, 14, 15].map((i) => m[i])) && !last(...[3, 7, 11, 15].map((i) => m[i]));
+}
+
+// A matrix before or behind which z is turned: by its columns or rows.
+const mirrored = (m, {rows, columns}) =>
+    Array.from(m, (x, i) => (rows && i % 4 === 2) || (columns && i >> 2 === 2) ? -x : x);
+
 // A frame's camera. projection: from view to clip space, of OpenGL, or of Vulkan with y down. view: from world to view
-// space. radius: world units. before: the camera of the frame before, or null; a jitter around it by up to a pixel, for
-// antialiasing, moves no history. Throws an Error for what is no matrix.
+// space, left-handed where the projection is: a perspective whose w is z, an orthographic one with the middle of its
+// depths at z > 0. radius: world units. before: the camera of the frame before, or null; a jitter around it by up to a
+// pixel, for antialiasing, moves no history. Throws an Error for what is no matrix.
 function cameraOf(projection, view, size, radius, {depth, range}, before) {
-    for (const [name, matrix] of [["projection", projection], ["view", view]])
+    for (const [name, matrix] of [["projection", projection], ["view", view]]) {
         if (matrix?.length !== 16 || !Array.from(matrix).every(Number.isFinite))
             throw new Error(`${name}: expected 16 finite numbers, column by column`);
+        if (byRows(matrix, name === "projection"))
+            throw new Error(`${name}: the matrix is written row by row, expected column by column`);
+    }
     const orthographic = projection[11] === 0;
+    const [scaled, offset] = range === "zero-to-one" ? [1, 0] : [2, -1];
+    const left = orthographic ? (scaled + 2 * offset - 2 * projection[14]) / projection[10] > 0 : projection[11] > 0;
+    if (left) [projection, view] = [mirrored(projection, {columns: true}), mirrored(view, {rows: true})];
     const unit = orthographic ? radius : 1;
     const scale = [projection[0] * unit, projection[5] * unit];
     const axis = orthographic ? [-projection[12], -projection[13]] : [projection[8], projection[9]];
@@ -17,10 +36,10 @@ function cameraOf(projection, view, size, radius, {depth, range}, before) {
     const jitters = before?.orthographic === orthographic &&
         axis.every((x, i) => Math.abs(x - before.axis[i]) * size[i] <= 2);
     const held = jitters ? before.axis : axis;
-    return {orthographic, size, radius, step, axis: held, first: firstOf(held), first_ray: firstOf(axis),
+    return {orthographic, left, size, radius, step, axis: held, first: firstOf(held), first_ray: firstOf(axis),
         view: Array.from(view),
         ...(depth === "linear" ? {numerator: [0, 1 / radius], divisor: [1, 0], far: Infinity, lift: 0}
-            : depthOf(projection, radius, range === "zero-to-one" ? [1, 0] : [2, -1]))};
+            : depthOf(projection, radius, [scaled, offset]))};
 }
 
 // What makes depth in radii of a depth buffer's (gloam_level_depth). scale, offset: from stored depth to clip space.
@@ -37,9 +56,10 @@ function depthOf(projection, radius, [scale, offset]) {
 }
 
 // What the sweep reads, but for the frame's noise.
-function sweepValues({view, size, step}) {
+function sweepValues({view, size, step, left}) {
     const last = size.map((n) => Math.max(n - 1, 1));
-    return {view_from_world: [0, 1, 2].flatMap((column) => [...view.slice(4 * column, 4 * column + 3), 0]),
+    return {view_from_world: [0, 1, 2].flatMap((column) => [...view.slice(4 * column, 4 * column + 3),
+        left && column === 2 ? 2 : 0]),
         inverse_span: last.map((n) => 1 / n), first: size.map((n) => 0.5 / n), span: last.map((n, i) => n / size[i]),
         ray_span: step.map((x, i) => x * last[i]), reach: step.map((x) => 1 / x)};
 }

@@ -46,7 +46,7 @@ export interface Inputs {
 export interface Frame {
     depth: WebGLTexture;
     normal?: WebGLTexture | null;
-    /** From view to clip space, 16 numbers, column by column. It may be off its centre. */
+    /** From view to clip space, 16 numbers, column by column. It may be off its centre, and of a left-handed view. */
     projection: ArrayLike<number>;
     /** From world to view space, likewise. */
     view: ArrayLike<number>;

@@ -56,7 +56,7 @@ effect::PlanOptions plan_options(const EffectPackOptions& options) {
 }
 
 // The header of the library with the format of what is shown, and the preset.
-std::string header_of(const std::string& preset, const effect::Settings& settings) {
+std::string header_of(const std::string& preset, const effect::Settings& settings, bool orthographic) {
     std::string header = shader::read_text(glsl_directory() / "passes/frame/gloam_frame.h");
     if (settings.output != effect::OutputFormat::r8) {
         constexpr std::string_view shown = " * shown        R8  ";
@@ -66,9 +66,10 @@ std::string header_of(const std::string& preset, const effect::Settings& setting
     std::string name = preset;
     std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return fmt::format(
-        "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{{:d}, {:#}f, {:#}f}}; /* of gloam {} */\n",
+        "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{{:d}, {:#}f, {:#}f, {:d}}}; /* of gloam {} "
+        "*/\n",
         header, name, settings.resolution == effect::Resolution::half, settings.history_range,
-        settings.history_sharpness, base::version());
+        settings.history_sharpness, orthographic, base::version());
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ void pack_effect(const EffectPackOptions& options) {
             pass.source.defines.emplace_back("GLOAM_PARAMETER_BLOCK");
         folder.write(file, with_version(text_of(pass, library, language), api_of(language)));
     }
-    folder.write("gloam_frame.h", header_of(options.preset, settings));
+    folder.write("gloam_frame.h", header_of(options.preset, settings, options.orthographic));
     folder.keep();
 }
 
