@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <glm/gtc/packing.hpp>
+
 #include "scene/support.hpp"
 
 // Buffers of an engine that contradict each other, or what was said of them, are refused by one sentence.
@@ -17,7 +21,15 @@ struct Row {
     Normal change = [](glm::vec3 n) { return n; };
     float scale = 1.0F;     // of the depth
     std::size_t every = 1;  // of the pixels is changed
+    bool radial = false;    // depth is the distance to the eye
 };
+
+// A bump map: every direction within about 20 degrees of a normal, in turn.
+glm::vec3 rough(glm::vec3 n) {
+    static int turns = 0;
+    const float angle = 2.4F * static_cast<float>(++turns);
+    return glm::normalize(n + 0.35F * glm::vec3(std::cos(angle), std::sin(angle), std::sin(2.0F * angle)));
+}
 
 const std::vector<Row> rows{
     {"as stored", ""},
@@ -37,6 +49,18 @@ const std::vector<Row> rows{
     {"normals of another length", "another length", plain, plain, [](glm::vec3 n) { return 255.0F * n; }},
     {"another view space", "normals", plain, plain, [](glm::vec3 n) { return glm::vec3(n.z, n.x, n.y); }},
     {.what = "depth in centimetres", .expected = "planes", .scale = 1e5F},
+    {.what = "distance to the eye", .expected = "expected eye-linear depth", .radial = true},
+    {.what = "distance to the eye, world normals",
+     .expected = "distance to the eye",
+     .stored = {"linear", "world"},
+     .read = {"linear", "world"},
+     .radial = true},
+    {.what = "bumps", .expected = "", .change = rough},
+    {.what = "bumps, distance to the eye",
+     .expected = "distance to the eye",
+     .change = rough,
+     .every = 3,
+     .radial = true},
     {"one wrong pixel in ten", "", plain, plain, [](glm::vec3) { return glm::vec3(0); }, 1.0F, 10},
 };
 
@@ -46,7 +70,9 @@ TEST(Contradictions, OfEncodingsAndBuffersAreNamed) {
         GBuffer written = floor_and_wall();
         const StoredInputs stored = stored_inputs(written, named(row.stored));
         written.depth = stored.depth;
-        for (float& depth : written.depth) depth *= row.scale;
+        const PixelPositions positions(written);
+        for (std::size_t i = 0; i < written.depth.size(); ++i)
+            written.depth[i] *= row.radial ? float(glm::length(positions.ray(i).direction)) : row.scale;
         written.normal = stored.normal;
         for (std::size_t i = 0; i < written.normal.size(); i += row.every)
             written.normal[i] = row.change(stored.normal[i]);
@@ -74,6 +100,44 @@ TEST(Contradictions, ABufferWhoseZIsReversedUnlikeTheProjection) {
         write_frame(folder, 0, view);
         expect_error<std::runtime_error>(
             [&] { (void)read_gbuffer(folder.path(), 0, {.depth_buffer = true}); }, {"f0000", "near plane"});
+    }
+}
+
+// Depth of so many bits, or of halves, by a camera with this near plane.
+TEST(Contradictions, StepsOfDepthAreSmallBesideTheRadius) {
+    struct Steps {
+        int bits;
+        double near;
+        bool reversed;
+        double radius;
+        bool coarse;
+    };
+    constexpr int floats = 0;
+    constexpr int halves = -1;
+    constexpr int linear_halves = -2;
+    for (const Steps& row : {Steps{floats, 0.1, false, 0.5, false},
+                             {floats, 1e-6, false, 0.5, true},
+                             {floats, 1e-6, true, 0.5, false},
+                             {24, 1e-6, true, 0.5, true},
+                             {24, 0.1, false, 0.5, false},
+                             {16, 0.1, false, 0.5, false},
+                             {16, 0.001, false, 0.5, true},
+                             {12, 0.1, false, 0.05, true},
+                             {halves, 0.1, false, 0.01, true},
+                             {halves, 0.1, true, 0.5, false},
+                             {linear_halves, 0.1, false, 0.5, false},
+                             {linear_halves, 0.1, false, 0.005, true}}) {
+        GBuffer view = floor_and_wall();
+        view.camera = make_frame({.near = row.near, .reversed_z = row.reversed}, 1.0);
+        view.stored = stored_inputs(view, {.depth_buffer = row.bits != linear_halves});
+        for (float& x : view.stored->depth) {
+            const double largest = std::exp2(row.bits) - 1.0;
+            if (row.bits > 0) x = static_cast<float>(std::round(x * largest) / largest);
+            if (row.bits < 0) x = glm::unpackHalf1x16(glm::packHalf1x16(x));
+        }
+        const std::string text = too_coarse_steps(view, row.radius);
+        EXPECT_EQ(!text.empty(), row.coarse) << row.bits << " bits, near " << row.near << ": " << text;
+        EXPECT_EQ(text.find(fmt::format("near {:g} and far", row.near)) != text.npos, row.coarse);
     }
 }
 

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <set>
 
 namespace gloam::scene {
 namespace {
@@ -98,12 +101,25 @@ std::string lengths_that_differ(const GBuffer& view, const Surface& surface, con
 }
 
 // The vector between the points of two neighbours, or from the pixel to the one whose depth is nearer to its
-// own.
-glm::dvec3 along(const GBuffer& view, const PixelPositions& positions, std::size_t i, std::size_t step) {
-    const auto point = [&](std::size_t pixel) { return positions.at(pixel, double{view.depth[pixel]}); };
+// own. radial: what is stored as depth is the distance to the eye.
+glm::dvec3 along(const GBuffer& view, const PixelPositions& positions, std::size_t i, std::size_t step,
+                 bool radial) {
+    const auto point = [&](std::size_t pixel) {
+        const double length = radial ? glm::length(positions.ray(pixel).direction) : 1.0;
+        return positions.at(pixel, double{view.depth[pixel]} / length);
+    };
     const float before = std::abs(view.depth[i] - view.depth[i - step]);
     const float behind = std::abs(view.depth[i + step] - view.depth[i]);
     return before < behind ? point(i) - point(i - step) : point(i + step) - point(i);
+}
+
+// The normal that the depth shows, towards the eye.
+glm::dvec3 normal_by_depth(const GBuffer& view, const PixelPositions& positions, std::size_t i,
+                           bool radial = false) {
+    const glm::dvec3 across = glm::cross(along(view, positions, i, view.extent.width, radial),
+                                         along(view, positions, i, 1, radial));
+    const bool away = glm::dot(across, positions.ray(i).direction) > 0.0;  // rows may go up or down
+    return (away ? -1.0 : 1.0) / glm::length(across) * across;
 }
 
 bool has_neighbours(const GBuffer& view, std::size_t i) {
@@ -113,6 +129,39 @@ bool has_neighbours(const GBuffer& view, std::size_t i) {
     if (x == 0 || y == 0 || x + 1 == width || y + 1 == view.extent.height) return false;
     return is_surface(view.depth[i - 1]) && is_surface(view.depth[i + 1]) &&
            is_surface(view.depth[i - width]) && is_surface(view.depth[i + width]);
+}
+
+// Depth that is the distance to the eye bends every surface, at the sides of an image by degrees. Pixels
+// where the two meanings of depth are so far apart are judged: a normal tells one of them that is near to it,
+// and half as far as from the other.
+std::string distances_to_the_eye(const GBuffer& view, const Surface& surface) {
+    const PixelPositions positions(view);
+    if (positions.orthographic()) return "";
+    constexpr double apart = 0.035;  // 2 degrees
+    constexpr double near = 0.175;   // 10 degrees
+    std::size_t judged = 0;
+    std::size_t linear = 0;
+    std::size_t radial = 0;
+    for (const std::size_t i : surface.pixels) {
+        const glm::dvec3 normal(view.normal[i]);
+        if (!has_neighbours(view, i) || normal == glm::dvec3(0)) continue;
+        const glm::dvec3 first = normal_by_depth(view, positions, i);
+        const glm::dvec3 second = normal_by_depth(view, positions, i, true);
+        if (!(glm::distance(first, second) > apart)) continue;
+        ++judged;
+        const double to_first = glm::distance(normal, first);
+        const double to_second = glm::distance(normal, second);
+        if (to_first < near && to_first < 0.5 * to_second) ++linear;
+        if (to_second < near && to_second < 0.5 * to_first) ++radial;
+    }
+    const double share = static_cast<double>(radial) / static_cast<double>(std::max<std::size_t>(judged, 1));
+    constexpr double least = 0.25;
+    if (judged < too_few_pixels || share < least || radial < 4 * linear) return "";
+    return fmt::format(
+        "by {} of the normals the depth is the distance to the eye: expected eye-linear depth, the distance "
+        "along "
+        "-z",
+        percent(share));
 }
 
 std::string directions_that_differ(const GBuffer& view, const Surface& surface) {
@@ -134,12 +183,9 @@ std::string directions_that_differ(const GBuffer& view, const Surface& surface) 
     std::size_t agree = 0;
     for (const std::size_t i : surface.pixels) {
         if (!has_neighbours(view, i)) continue;
-        const glm::dvec3 across =
-            glm::cross(along(view, positions, i, view.extent.width), along(view, positions, i, 1));
-        const double facing = glm::dot(across, to_eye(i)) < 0.0 ? -1.0 : 1.0;  // rows may go up or down
         constexpr double same = 0.866;  // within 30 degrees: bump maps stay within it on most of a surface
         ++judged;
-        if (facing * glm::dot(across, glm::dvec3(view.normal[i])) > same * glm::length(across)) ++agree;
+        if (glm::dot(normal_by_depth(view, positions, i), glm::dvec3(view.normal[i])) > same) ++agree;
     }
     constexpr double least = 0.25;
     const double share = static_cast<double>(agree) / static_cast<double>(std::max<std::size_t>(judged, 1));
@@ -149,6 +195,36 @@ std::string directions_that_differ(const GBuffer& view, const Surface& surface) 
         "and normals of one camera, in the spaces and encodings that --depth and --normals name",
         percent(share));
 }
+
+// From one value that an engine can store as depth to the next: of floats, or where all values are halves or,
+// in a depth buffer, whole numbers of some bits that stand for 0 to 1, of these.
+class Spacing {
+  public:
+    Spacing(const std::vector<float>& stored, const Surface& surface, bool buffer) {
+        std::set<float> values;
+        for (const std::size_t i : surface.pixels) values.insert(stored[i]);
+        const auto zeros = [](float x) { return std::countr_zero(std::bit_cast<std::uint32_t>(x)); };
+        constexpr int cut = 13;  // bits that floats have and halves do not
+        halves_ = values.size() > 3 && zeros(std::ranges::min(values, {}, zeros)) == cut;
+        for (int bits = 8; buffer && !halves_ && bits <= 24 && whole_ == 0.0; ++bits) {
+            const double largest = std::exp2(bits) - 1.0;
+            const auto is_whole = [&](float x) {  // but for the rounding to a float
+                const double number = x * largest;
+                return std::abs(number - std::round(number)) <= 0.5 * largest * spacing(x, 23);
+            };
+            const bool chance = values.size() * static_cast<std::size_t>(24 - bits) < 16 && bits < 24;
+            if (!chance && std::ranges::all_of(values, is_whole)) whole_ = 1.0 / largest;
+        }
+    }
+    [[nodiscard]] double at(float value) const { return std::max(whole_, spacing(value, halves_ ? 10 : 23)); }
+
+  private:
+    // Of binary numbers with so many bits behind the first.
+    static double spacing(float value, int bits) { return std::exp2(std::ilogb(value) - bits); }
+
+    bool halves_ = false;
+    double whole_ = 0.0;
+};
 
 }  // namespace
 
@@ -160,8 +236,34 @@ std::string contradiction_of(const GBuffer& view, const StoredInputs& as_stored)
     if (!text.empty() || surface.pixels.empty()) return text;
     if (!buffer) text = values_of_no_linear_depth(view, surface);
     if (text.empty() && !view.normal.empty()) text = lengths_that_differ(view, surface, as_stored);
+    if (text.empty() && !buffer && !view.normal.empty()) text = distances_to_the_eye(view, surface);
     if (text.empty() && !view.normal.empty()) text = directions_that_differ(view, surface);
     return text;
+}
+
+std::string too_coarse_steps(const GBuffer& view, double radius) {
+    const Surface surface(view);
+    if (surface.pixels.empty()) return "";
+    const bool buffer = view.stored && view.stored->encoding.depth_buffer;
+    const std::vector<float>& stored = view.stored ? view.stored->depth : view.depth;
+    const Spacing spacing(stored, surface, buffer);
+    const glm::dmat4 projection(view.camera.proj_vk);
+    const auto is_coarse = [&](std::size_t i) {
+        const double depth = view.depth[i];
+        const double rise = !buffer                      ? 1.0
+                            : view.camera.orthographic() ? 1.0 / projection[2][2]
+                                                         : depth * depth / projection[3][2];
+        return spacing.at(stored[i]) * std::abs(rise) > 0.1 * radius;
+    };
+    const double coarse = surface.share(is_coarse);
+    if (coarse <= most) return "";
+    const Planes planes = planes_of(view.camera.proj_vk);
+    return fmt::format(
+        "at {} of the surface one step of the stored depth is more than a tenth of the radius, {:g}: near "
+        "{:g} and "
+        "far {:g} leave too few steps; expected a farther near plane, reversed Z in floats, or depth of more "
+        "bits",
+        percent(coarse), radius, planes.near, planes.far);
 }
 
 std::string radius_out_of_proportion(const GBuffer& view, double radius) {

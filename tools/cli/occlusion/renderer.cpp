@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/occlusion/render.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -188,6 +190,8 @@ class Renderer {
         const std::string misfit =
             before_ ? "" : scene::radius_out_of_proportion(wide, double{settings.radius});
         if (!misfit.empty()) throw std::invalid_argument(input_.name + ": " + misfit);
+        const std::string coarse = before_ ? "" : scene::too_coarse_steps(wide, double{settings.radius});
+        if (!coarse.empty()) fmt::print(stderr, "gloam: {}: {}\n", input_.name, coarse);
         const std::string cut = cut_before(number, wide, settings);
         if (cut.empty()) link(wide, before_->view);
         const scene::GBuffer view = scene::cropped(wide);
