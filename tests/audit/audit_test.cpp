@@ -77,6 +77,7 @@ TEST(Audit, TriesMiddlesQuartersZerosAndDiagonals) {
           "// a in [-8, 8], b in [0, 1]\nfloat f(float a, float b) { return 1.0 / (abs(a - 4.0) + abs(b - "
           "0.75)); }",
           "float f(vec3 n) { return 1.0 / (abs(n.x - n.y) + abs(n.z)); }",
+          "// p in [0, 1]\nvec3 f(vec3 p) { return normalize(p * 4.0 - vec3(1.0, 2.0, 3.0)); }",
           "// n in [0, 65535]\nfloat f(uint n) { return 1.0 / (float(n) - 40000.0); }"}) {
         const Audit audit = Audited(text).audit("f", {}, 1024);
         EXPECT_TRUE(audit.is_broken()) << text << "\n" << to_text(audit);

@@ -11,7 +11,7 @@ namespace {
 using Words = std::vector<Word>;
 using shader::Scalar;
 
-// A number of the input, and where it may be special: the middle of its range first.
+// A number of the input, and where it may be special: the middle and the quarters of its range first.
 struct Axis {
     const Slot* slot;
     std::size_t word;  // in the input
@@ -42,9 +42,10 @@ Axis axis_of(const Slot& slot, std::size_t k, Scalar scalar, const std::vector<d
         low = std::min(low, end);
         high = std::max(high, end);
     }
-    std::vector<double> all{low + (high - low) * 0.5};
+    std::vector<double> all;
+    for (const double share : {0.5, 0.25, 0.75}) all.push_back(low + (high - low) * share);
     all.insert(all.end(), zeros.begin(), zeros.end());
-    all.insert(all.end(), {low + (high - low) * 0.25, low + (high - low) * 0.75, 0.0, 0.5, 0.25, 0.75, 1.0});
+    all.insert(all.end(), {0.0, 0.5, 0.25, 0.75, 1.0});
     Axis axis{.slot = &slot, .word = slot.first + k, .places = {}};
     for (const double place : all) {
         const bool whole = !shader::is_float(scalar);
@@ -111,6 +112,18 @@ std::vector<Words> places_of(const Question& question, std::span<const float> nu
                     if (i < axis.places.size() && (s == slots.size() || axis.slot == &slots[s]))
                         words[axis.word] = axis.places[i];
             });
+    // Middles and quarters of three.
+    for (std::size_t a = 0; a + 2 < axes.size(); ++a)
+        for (const std::size_t i : {0U, 1U, 2U})
+            for (const std::size_t j : {0U, 1U, 2U})
+                for (const std::size_t k : {0U, 1U, 2U})
+                    if (std::min({axes[a].places.size(), axes[a + 1].places.size(),
+                                  axes[a + 2].places.size()}) > 2)
+                        place([&](Words& words) {
+                            words[axes[a].word] = axes[a].places[i];
+                            words[axes[a + 1].word] = axes[a + 1].places[j];
+                            words[axes[a + 2].word] = axes[a + 2].places[k];
+                        });
     for (const Axis& a : axes)
         for (const Word at : a.places) place([&](Words& words) { words[a.word] = at; });
     for (const Axis& a : axes)
