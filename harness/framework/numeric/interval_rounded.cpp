@@ -179,7 +179,7 @@ Interval times_power_of_two(const Interval& x, int exponent) {
 }
 
 Interval ldexp(const Interval& x, int exponent) {
-    const FloatFormat& format = Paths::format();
+    const FloatFormat& format = float32;  // the type's limits, also where half precision is permitted
     const Bounds& b = x.bounds();
     const bool may_be_finite = !b.empty() && !(std::isinf(b.low) && b.low == b.high);
     const double largest = std::min(std::max(std::abs(b.low), std::abs(b.high)), format.largest());
