@@ -116,9 +116,11 @@ struct Images {
     explicit Images(const gloam_settings& settings)
         : depth(GL_R32F, GL_RED, GL_FLOAT, settings.size),
           normal(GL_RGBA32F, GL_RGBA, GL_FLOAT, settings.size),
-          levels(GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
-          levels_before(GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
-          texels(GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, settings.size, 1, settings.preset.half ? 2 : 1),
+          levels(settings.preset.deep ? GL_R32F : GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
+          levels_before(settings.preset.deep ? GL_R32F : GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
+          texels(settings.preset.deep ? GL_RG32UI : GL_R32UI,
+                 settings.preset.deep ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, settings.size, 1,
+                 settings.preset.half ? 2 : 1),
           history(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
           history_before(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
           shown(GL_R8, GL_RED, GL_UNSIGNED_BYTE, settings.size) {}

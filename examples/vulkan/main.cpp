@@ -167,9 +167,11 @@ struct Images {
     Images(const Device& d, const gloam_settings& settings)
         : depth(d, vk::Format::eR32Sfloat, settings.size),
           normal(d, vk::Format::eR32G32B32A32Sfloat, settings.size),
-          levels(d, vk::Format::eR16Sfloat, settings.size, 5),
-          levels_before(d, vk::Format::eR16Sfloat, settings.size, 5),
-          texels(d, vk::Format::eR32Uint, settings.size, 1, settings.preset.half ? 2 : 1),
+          levels(d, settings.preset.deep ? vk::Format::eR32Sfloat : vk::Format::eR16Sfloat, settings.size, 5),
+          levels_before(d, settings.preset.deep ? vk::Format::eR32Sfloat : vk::Format::eR16Sfloat,
+                        settings.size, 5),
+          texels(d, settings.preset.deep ? vk::Format::eR32G32Uint : vk::Format::eR32Uint, settings.size, 1,
+                 settings.preset.half ? 2 : 1),
           history(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
           history_before(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
           shown(d, vk::Format::eR8Unorm, settings.size) {}

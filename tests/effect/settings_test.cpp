@@ -197,6 +197,7 @@ const std::map<std::string, Case> cases{
     {"passes", {"frame", of_frame}},
     {"history_range", {"0.5", short_frame}},
     {"history_sharpness", {"1", with_range}},
+    {"deep", {"on", short_frame}},
     {"bent_normals", {"on", short_frame}},
     {"bounce_albedo", {"0.5", short_frame}},
     {"method", {"disc"}},

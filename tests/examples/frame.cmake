@@ -5,9 +5,9 @@ include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 set(ENV{LIBGL_ALWAYS_SOFTWARE} 1)
-run("pack" "${GLOAM}" pack --effect --preset ${PRESET} --normals ${NORMALS} --version ${VERSION} --out "${WORK}/effect")
+run("pack" "${GLOAM}" pack --effect --preset ${PRESET} --normals ${NORMALS} --version ${VERSION} --set deep=${DEEP} --out "${WORK}/effect")
 build(${EXAMPLE} "-DEFFECT=${WORK}/effect" -DPRESET=${PRESET})
-sequence("${WORK}/gbuffers" --preset ${PRESET} --radius 0.3 --depth ${DEPTH} --normals ${NORMALS})
+sequence("${WORK}/gbuffers" --preset ${PRESET} --radius 0.3 --depth ${DEPTH} --normals ${NORMALS} --set deep=${DEEP})
 run("example" "${WORK}/build/${EXAMPLE}_frame" "${WORK}/gbuffers" "${WORK}/shown" 0.3 ${DEPTH})
 run("compare" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/compare.py" "${WORK}/rendered" "${WORK}/shown" ${APART})
 
@@ -16,5 +16,5 @@ run("mirror" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/mirror.py" "${WORK}/gbuff
 run("left example" "${WORK}/build/${EXAMPLE}_frame" "${WORK}/gbuffers" "${WORK}/left" 0.3 ${DEPTH})
 run("left" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/compare.py" "${WORK}/shown" "${WORK}/left" 0)
 run("left render" "${GLOAM}" render --gbuffer "${WORK}/gbuffers" --preset ${PRESET} --radius 0.3 --depth ${DEPTH}
-  --normals ${NORMALS} --out "${WORK}/left_rendered")
+  --normals ${NORMALS} --set deep=${DEEP} --out "${WORK}/left_rendered")
 run("left" "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/compare.py" "${WORK}/rendered" "${WORK}/left_rendered" 0)

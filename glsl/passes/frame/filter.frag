@@ -12,7 +12,7 @@ layout(location = 1) out highp vec4 history_texel;  // in sequences
 layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
 
 GloamFrameTexel texel_at(ivec2 place) {
-    return gloam_frame_texel(texture(texel_image, (gl_FragCoord.xy + vec2(place)) * parameters.inverse_texels).x);
+    return texel_from(texture(texel_image, (gl_FragCoord.xy + vec2(place)) * parameters.inverse_texels).xy);
 }
 
 #include "passes/frame/filter.glsl"

@@ -17,7 +17,7 @@ vec4 filtered(ivec2 middle) {
     GloamFrameTexel own = texel_at(middle);
     vec2 mine = sums_of(own);
     vec2 sum = mine + vec2(0.0, 1e-4);
-    vec2 scale = inverse_tolerance / own.depth;
+    vec2 scale = inverse_tolerance / (usual_share(own.depth, parameters.usual, orthographic) * own.depth);
 #ifdef GLOAM_BENT_NORMALS
     bends = (own.weight + 1e-4) * vec4(bend_at(middle), 1.0);  // of 3 x 3 texels: more cost more than they gain
 #endif

@@ -10,6 +10,7 @@
  *                              half, rounded up
  * history[2]   RGB10_A2        view                   filter or join   the same of the next frame (linear)
  * shown        R8              view                   filter or join   the engine: 1 where blocked, 0 where open
+ * Deep, for orthographic cameras and those that zoom to less than 30 degrees: R32F for R16F, RG32UI for R32UI.
  * With bent normals:
  * bends        RGBA8           as texels              sweep            filter or join (nearest)
  * bent[2]      RGB10_A2        view                   filter or join   the engine; the same of the next frame (linear)
@@ -27,7 +28,8 @@
  * Vulkan: structures are push constants, images are in layout GENERAL, and before each pass there is a memory barrier
  * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. The device needs the feature
  * shaderStorageImageExtendedFormats. Specialization constants: 1 orthographic; 2, 3, 4 normals in world space,
- * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another.
+ * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another; 9 deep, behind which the formats in the
+ * texts of prepare and sweep stand.
  * OpenGL: structures are the uniform block 0 (Parameters), in a buffer of 128 bytes, and behind each compute pass there
  * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
  * As fragment shaders (330, 300es) a pass draws a triangle over all that it writes, prepare one for each `level`. Their
@@ -39,8 +41,8 @@
 #include <string.h>
 
 /* half: the sweep takes every second pixel in both directions. range, sharpness: of the history. orthographic: cameras
- * that the passes are made for, as constant 1 says. */
-typedef struct { int half; float range, sharpness; int orthographic; } gloam_preset;
+ * that the passes are made for, as constant 1 says. deep: likewise, as constant 9 says; some images have other formats. */
+typedef struct { int half; float range, sharpness; int orthographic, deep; } gloam_preset;
 typedef struct { /* another one begins a sequence */
     gloam_preset preset;
     int size[2];      /* of the view, pixels */
@@ -62,14 +64,14 @@ typedef enum {
 } gloam_error;
 
 /* What the passes are given. depth: numerator and divisor. */
-typedef struct { float before[4][4], depth[4], inverse_size[2], far_value; } gloam_prepare;
+typedef struct { float before[4][4], depth[4], inverse_size[2], usual[2], far_value; } gloam_prepare;
 typedef struct {
-    float view_from_world[3][4]; /* the last is 2 for left-handed cameras */
+    float view_from_world[3][4]; /* the last of each: usual; 2 for left-handed cameras */
     float inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], noise[2];
     float depth[4], far_value; /* for normals from depth */
 } gloam_sweep;
 typedef struct { /* filter or join. albedo: for multi-bounce, of what blocks, 0 to 1, by the engine */
-    float before[4][4], most, range, narrowing, sharpness, dither, albedo, inverse_texels[2], inverse_size[2];
+    float before[4][4], most, range, narrowing, sharpness, dither, albedo, inverse_texels[2], inverse_size[2], usual[2];
 } gloam_last;
 
 typedef struct { /* begins with zeros */
@@ -83,17 +85,17 @@ typedef struct { /* begins with zeros */
 } gloam_frame;
 
 /* How pixels look into the view, lengths in radii: (column, row, 1, 1 / depth) to view space over depth; orthographic
- * (column, row, 1, depth) to view space. The lift is added to depth where the near plane is not in front of the eye. */
+ * (column, row, 1, depth) to view space. Depth buffers of orthographic cameras are lifted to 1 at their near plane. */
 typedef struct { double step[2], first[2], lift; int flat; } gloam_lens;
 static inline gloam_lens gloam_lens_of(const gloam_settings* settings, const float* p) {
     gloam_lens lens = {{0, 0}, {0, 0}, 0, p[11] == 0};
-    const double near_plane = lens.flat ? (p[14] - (p[10] > 0 ? 1.0 : 0.0)) / p[10] : 1;
     for (int i = 0; i < 2; ++i) {
         const double scale = p[5 * i] * (lens.flat ? (double)settings->radius : 1);
         lens.step[i] = 2 / (settings->size[i] * scale);
         lens.first[i] = ((lens.flat ? -p[12 + i] : p[8 + i]) - 1.0) / scale + 0.5 * lens.step[i];
     }
-    if (settings->depth_buffer && near_plane <= 0) lens.lift = 1 - near_plane / settings->radius;
+    if (settings->depth_buffer && lens.flat)
+        lens.lift = 1 - (p[14] - (p[10] > 0 ? 1.0 : 0.0)) / p[10] / (double)settings->radius;
     return lens;
 }
 
@@ -117,6 +119,15 @@ static inline void gloam_fill_before(const gloam_frame* frame, float before[4][4
     }
 }
 
+/* Of deep passes: the depth, or part of depth, of a camera of 60 degrees that sees as much, and the least part for each
+ * unit of depth: by what is rounded where it is stored, to 24 bits. */
+static inline void gloam_fill_usual(const gloam_settings* settings, const float* p, gloam_lens lens, float usual[2]) {
+    const double least = 1.0 / 8192, radius = settings->radius, buffer = settings->depth_buffer ? least : 0;
+    const double across = fmax(fabs(lens.step[0] * settings->size[0]), fabs(lens.step[1] * settings->size[1])) / 1.1547;
+    usual[0] = (float)(lens.flat ? fmax(across, fabs(buffer / (p[10] * radius))) : fmax(fmin(across, 1), 2 * least));
+    usual[1] = (float)(lens.flat ? 2 * least : p[14] < 0 ? -buffer * radius / p[14] : 0);
+}
+
 static inline float gloam_part(double value) { return (float)(value - floor(value)); }
 
 /* The parameters, from what stands above them. p: the projection with its jitter. */
@@ -133,8 +144,10 @@ static inline void gloam_fill(gloam_frame* frame, const float* p) {
     memcpy(frame->prepare.before, frame->frames > 0 ? frame->last.before : moved, sizeof moved);
     for (int i = 0; i < 4; ++i) frame->prepare.depth[i] = frame->sweep.depth[i] = depth[i];
     memcpy(frame->sweep.view_from_world, frame->now.view, sizeof frame->sweep.view_from_world);
+    gloam_fill_usual(settings, p, lens, frame->last.usual);
     frame->prepare.far_value = frame->sweep.far_value = far_value;
     for (int i = 0; i < 2; ++i) {
+        frame->sweep.view_from_world[i][3] = frame->prepare.usual[i] = frame->last.usual[i];
         const int size = settings->size[i], texels = settings->preset.half ? (size + 1) / 2 : size;
         const double span = size > 1 ? size - 1 : 1;
         frame->prepare.inverse_size[i] = frame->last.inverse_size[i] = 1.0f / (float)size;

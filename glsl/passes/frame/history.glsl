@@ -29,12 +29,20 @@ struct LastParameters {
 #endif
     vec2 inverse_texels;  // 1 over the size of the texels,
     vec2 inverse_size;    // and of the view
+    vec2 usual;           // usual_share()
 };
 FRAME_PARAMETERS(LastParameters)
 
 const float frames_unit = 1.0 / 1023.0;      // of the number of frames in its channel
 const float most_moved = 7.0 * frames_unit;  // frames before this one in the mean where a tap met what moved
 const float depth_tolerance = 0.015;         // relative, to be the same surface
+
+// A texel as the sweep stores it.
+GloamFrameTexel texel_from(uvec2 stored) {
+    GloamFrameTexel texel = gloam_frame_texel(stored.x);
+    if (deep) texel.depth = uintBitsToFloat(stored.y);
+    return texel;
+}
 
 // What a texel adds to sums: its weighted occlusion, and its weight.
 vec2 sums_of(GloamFrameTexel texel) {
@@ -64,7 +72,8 @@ float accumulated(ivec2 pixel, float depth, vec4 sums, float moved) {
         vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
         vec3 texel = textureLod(before_image, was.xy, 0.0).xyz;
         float apart = abs(abs(textureLod(depth_before_image, was.xy, 0.0).x) - was.z);
-        bool known = all(lessThan(abs(was.xy - 0.5), vec2(0.5))) && apart < depth_tolerance * was.z;
+        float tolerance = depth_tolerance * usual_share(was.z, parameters.usual, orthographic);
+        bool known = all(lessThan(abs(was.xy - 0.5), vec2(0.5))) && apart < tolerance * was.z;
         float frames = known ? min(texel.z, moved > 0.0 ? min(parameters.most, most_moved) : parameters.most) : 0.0;
         float weight = 1.0 / (frames * (1.0 / frames_unit) + 1.0);
         float part = parameters.sharpness - parameters.sharpness * moved;

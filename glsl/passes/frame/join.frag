@@ -12,7 +12,7 @@ layout(location = 1) out highp vec4 history_texel;  // in sequences
 
 GloamFrameTexel texel_at(ivec2 place) {
     vec2 block = vec2(ivec2(gl_FragCoord.xy) >> 1) + 0.5;
-    return gloam_frame_texel(texture(texel_image, (block + vec2(place)) * parameters.inverse_texels).x);
+    return texel_from(texture(texel_image, (block + vec2(place)) * parameters.inverse_texels).xy);
 }
 
 #include "passes/frame/join.glsl"

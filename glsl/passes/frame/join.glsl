@@ -13,7 +13,7 @@ const vec2 inverse_tolerance = 1.0 / vec2(0.0075, 0.075);
 // Sums of a pixel: of the occlusion and weight of the nearest texels, and of all, which count in pairs around it.
 // odd: 0 for the first pixel of its block, else 1, in x and in y. depth: its own.
 vec4 joined(ivec2 odd, float depth) {
-    vec2 scale = inverse_tolerance / depth;
+    vec2 scale = inverse_tolerance / (usual_share(depth, parameters.usual, orthographic) * depth);
     vec2 inner = vec2(0.0);
     vec2 outer = vec2(0.0, 1e-4);
 #ifdef GLOAM_BENT_NORMALS

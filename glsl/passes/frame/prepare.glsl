@@ -17,6 +17,7 @@ struct PrepareParameters {
     vec2 numerator;  // of depth in radii (gloam/sampling/depth_levels.glsl)
     vec2 divisor;
     vec2 inverse_size;
+    vec2 usual;      // usual_share()
     float far;
 };
 FRAME_PARAMETERS(PrepareParameters)
@@ -29,7 +30,9 @@ float depth_of(float stored) {
 float sign_of(ivec2 pixel, float depth) {
     if (!history) return 1.0;
     vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
-    return gloam_frame_moved(was.z, abs(levels_before(was.xy)), 0.5 * GLOAM_FARTHEST_LEVEL_DEPTH, 0.01) ? -1.0 : 1.0;
+    float tolerance = 0.01 * usual_share(was.z, parameters.usual, orthographic);
+    bool moved = gloam_frame_moved(was.z, abs(levels_before(was.xy)), 0.5 * GLOAM_FARTHEST_LEVEL_DEPTH, tolerance);
+    return moved ? -1.0 : 1.0;
 }
 
 #endif

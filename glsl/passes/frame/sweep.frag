@@ -3,7 +3,7 @@
 // sweep.comp as a fragment shader.
 uniform highp sampler2D depth_image;
 uniform highp sampler2D normal_image;
-layout(location = 0) out highp uint texel;
+layout(location = 0) out highp uvec2 texel;  // where the view is not deep (parameters.glsl), its image has no y
 
 #include "passes/frame/sweep.glsl"
 

@@ -21,11 +21,11 @@ layout(constant_id = 7) const int stride = 1;  // pixels of the view from one th
 layout(constant_id = 8) const bool history = false;  // frames follow one another
 
 const float bias = 0.001;         // least height over the tangent plane, in radii
-const float rise = 1.0 / 1024.0;  // the same for each unit of depth: two roundings of a depth to 16 bits
+const float rise = 1.0 / 1024.0;  // the same for each unit of usual depth: two roundings of a depth to 16 bits
 
 // Lengths are in radii of influence. Signs of y, and of x where the projection mirrors, turn view space to the image.
 struct SweepParameters {
-    mat3x4 view_from_world;  // a rotation in xyz; the last w as view_direction() has it
+    mat3x4 view_from_world;  // a rotation in xyz; in w usual_share()'s two numbers, and what view_direction() has
     vec2 inverse_span;       // 1 / (pixels of the view - 1)
     vec2 first;              // middle of the first pixel, in the image from 0 to 1
     vec2 span;               // from there to the middle of the last pixel
@@ -113,6 +113,8 @@ vec3 slice_of(Point point, int slice) {
     vec3 places = gloam_slice_places(fract(point.noise.y), float(steps), reach);
     vec2 edge = min(point.at, 1.0 - point.at) / parameters.inverse_span;
     float reach_level = gloam_depth_level(min(reach, max(min(edge.x, edge.y), 1.0)));
+    vec2 usual = vec2(parameters.view_from_world[0].w, parameters.view_from_world[1].w);
+    float least_height = max(bias, rise * usual_share(point.depth, usual, orthographic) * point.depth);
     GloamSweepPair pair = gloam_sweep_pair();
     float least = 0.0;
     for (int k = 0; k < steps; ++k) {
@@ -130,7 +132,7 @@ vec3 slice_of(Point point, int slice) {
                                    height.z + height.x * at.xz + height.y * at.yw, slope, point.depth, depth,
                                    orthographic);
         // Features are as thick as they are wide.
-        pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, max(bias, rise * point.depth), 1.0);
+        pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, least_height, 1.0);
     }
     vec2 occluded = pair.occluded + pair.feature;
 #ifdef GLOAM_BENT_NORMALS
@@ -140,8 +142,8 @@ vec3 slice_of(Point point, int slice) {
     return vec3(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal), least);
 }
 
-// The texel of a pixel (gloam/filter/frame_texel.glsl).
-uint texel_of(ivec2 pixel) {
+// The texel of a pixel (gloam/filter/frame_texel.glsl), and its depth for texel_from().
+uvec2 texel_of(ivec2 pixel) {
     float least = texelFetch(depth_image, stride * pixel, 0).x;
     float depth = abs(least);
     vec2 reach = orthographic ? parameters.reach : parameters.reach / depth;
@@ -160,7 +162,7 @@ uint texel_of(ivec2 pixel) {
     blocked = dot(blocked, blocked) < 16.0 * sum.y * sum.y ? blocked * (0.5 / sum.y) : vec3(0.0);
 #endif
     uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(sum.y * (1.0 / float(slices)), 1.6));
-    return history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code;
+    return uvec2(history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code, floatBitsToUint(depth));
 }
 
 #endif

@@ -23,8 +23,10 @@ void read_texels(ivec2 first) {
 #endif
     for (int y = 0; y < 2 * half_width + 1; y += 2) {
         for (int x = 0; x < 2 * half_width + 2; x += 2) {
-            uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_texels).wzxy;  // by rows
-            for (int i = 0; i < 4; ++i) texels[y + i / 2][x + i % 2] = gloam_frame_texel(four[i]);
+            vec2 at = corner + vec2(x, y) * parameters.inverse_texels;
+            uvec4 four = textureGather(texel_image, at).wzxy;  // by rows
+            uvec4 depths = deep ? textureGather(texel_image, at, 1).wzxy : four;
+            for (int i = 0; i < 4; ++i) texels[y + i / 2][x + i % 2] = texel_from(uvec2(four[i], depths[i]));
         }
     }
 }

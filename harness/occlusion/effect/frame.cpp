@@ -29,6 +29,7 @@ struct Taken {
     scene::Encoding encoding{};
     bool normals = true;  // there are some
     bool tiles = false;   // the sweep has a list of its tiles
+    bool deep = false;    // depth has 32 bits: frame/parameters.glsl
 };
 
 // What tiles.comp is given.
@@ -58,10 +59,18 @@ gloam_camera camera_of(const View& view) {
 gloam_settings settings_of(const Settings& settings, const Taken& taken) {
     const gpu::Extent extent = taken.view.extent;
     return {.preset = {is_half(settings), settings.history_range, settings.history_sharpness,
-                       taken.view.camera.orthographic()},
+                       taken.view.camera.orthographic(), taken.deep},
             .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
             .radius = taken.radius,
             .depth_buffer = taken.encoding.depth_buffer};
+}
+
+// Whether depth of 16 bits is too coarse from the beginning.
+bool starts_deep(const Settings& settings, const scene::CameraFrame& camera) {
+    constexpr float narrow = 0.268F;  // tangent of half of 30 degrees, across the longer side of the image
+    const glm::mat4& projection = camera.proj_vk;
+    const float across = 1.0F / std::min(std::abs(projection[0][0]), std::abs(projection[1][1]));
+    return settings.deep || camera.orthographic() || across < narrow;
 }
 
 // The first frame of a sequence.
@@ -80,22 +89,30 @@ gpu::SpecializationConstant history_constant(const Settings& settings) {
     return {.id = 8, .bits = flag(settings.history)};
 }
 
-PlannedPass first_pass(const Settings& settings, const View& view, const gloam_prepare& parameters) {
-    const PassSource source{
-        .file = "frame/prepare.comp",
-        .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)}};
+gpu::SpecializationConstant deep_constant(const Taken& taken) {
+    return {.id = 9, .bits = flag(taken.deep)};
+}
+
+PlannedPass first_pass(const Settings& settings, const Taken& taken, const gloam_prepare& parameters) {
+    PassSource source{.file = "frame/prepare.comp",
+                      .constants = {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
+                                    history_constant(settings),
+                                    deep_constant(taken)}};
+    if (taken.deep) source.defines.emplace_back("GLOAM_LEVELS r32f");
     return single_pass("prepare", source,
                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4",
                         settings.history ? "levels_before" : nothing_image},
-                       parameters, groups_of(view.extent, 2, 2));
+                       parameters, groups_of(taken.view.extent, 2, 2));
 }
 
-PlannedPass last_pass(const Settings& settings, const View& view, gloam_last parameters) {
+PlannedPass last_pass(const Settings& settings, const Taken& taken, gloam_last parameters) {
+    const gpu::Extent view = taken.view.extent;
     parameters.albedo = settings.bounce_albedo;
-    PassSource source{
-        .file = is_half(settings) ? "frame/join.comp" : "frame/filter.comp",
-        .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)},
-        .unrolls = true};
+    PassSource source{.file = is_half(settings) ? "frame/join.comp" : "frame/filter.comp",
+                      .constants = {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
+                                    history_constant(settings),
+                                    deep_constant(taken)},
+                      .unrolls = true};
     define_output(settings.output, source.defines);
     if (settings.bounce_albedo > 0.0F) source.defines.emplace_back("GLOAM_MULTI_BOUNCE");
     std::vector<std::string> resources{"texels", "shown"};
@@ -103,9 +120,9 @@ PlannedPass last_pass(const Settings& settings, const View& view, gloam_last par
     for (const char* name : {"history_before/linear", "levels_before", "history"})
         resources.emplace_back(settings.history ? name : nothing_image);
     if (is_half(settings))
-        return single_pass("join", source, std::move(resources), parameters, groups_of(view.extent, 2, 2));
+        return single_pass("join", source, std::move(resources), parameters, groups_of(view, 2, 2));
     source.constants.push_back({.id = 0, .bits = static_cast<std::uint32_t>(settings.filter_half_width)});
-    return single_pass("filter", source, std::move(resources), parameters, groups_of(view.extent, 2, 1));
+    return single_pass("filter", source, std::move(resources), parameters, groups_of(view, 2, 1));
 }
 
 PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam_sweep& parameters) {
@@ -117,8 +134,10 @@ PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam
                                     {.id = 5, .bits = slices_of(settings)},
                                     {.id = 6, .bits = settings.own.steps},
                                     {.id = 7, .bits = is_half(settings) ? 2U : 1U},
-                                    history_constant(settings)},
+                                    history_constant(settings),
+                                    deep_constant(taken)},
                       .unrolls = slices_of(settings) < 4};
+    if (taken.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
     if (!taken.normals) source.defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
     PlannedPass sweep = single_pass("sweep", source, {"levels", taken.normals ? "normal" : "depth", "texels"},
                                     parameters, groups_of(swept_of(settings, taken.view.extent), 1, 1));
@@ -138,9 +157,10 @@ PlannedPass tile_pass(const Settings& settings, const Taken& taken, const gloam_
         .count = count,
         .frame = static_cast<std::uint32_t>(frame.frames),
         .stands = flag(frame.still != 0)};
-    const PassSource source{
-        .file = "frame/tiles.comp",
-        .constants = {{.id = 7, .bits = is_half(settings) ? 2U : 1U}, history_constant(settings)}};
+    const PassSource source{.file = "frame/tiles.comp",
+                            .constants = {{.id = 7, .bits = is_half(settings) ? 2U : 1U},
+                                          history_constant(settings),
+                                          deep_constant(taken)}};
     return single_pass("tiles", source, {"levels", settings.history ? "levels_before" : nothing_image},
                        parameters, {(count.width + 7) / 8, count.height, 1});
 }
@@ -164,9 +184,9 @@ void bind_bends(const Settings& settings, PlannedPass& sweep, PlannedPass& last)
 }
 
 std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    std::vector<PlannedPass> passes{first_pass(settings, taken.view, frame.prepare),
+    std::vector<PlannedPass> passes{first_pass(settings, taken, frame.prepare),
                                     sweep_pass(settings, taken, frame.sweep),
-                                    last_pass(settings, taken.view, frame.last)};
+                                    last_pass(settings, taken, frame.last)};
     if (settings.bent_normals) bind_bends(settings, passes[1], passes[2]);
     if (!taken.tiles) return passes;
     passes[1].groups_from = tile_list;
@@ -178,17 +198,19 @@ std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken,
 Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& numbers) {
     using enum PlannedImage::Origin;
     const gpu::Extent extent = taken.view.extent;
+    const gpu::Format depths = taken.deep ? r32f : r16f;
     Plan plan;
-    plan.images = {{"depth", r32f, engine, extent},                       // as it is stored
-                   {"levels", r16f, frame, extent, depth_levels},         // eye-linear depth in radii
-                   {"texels", r32ui, frame, swept_of(settings, extent)},  // gloam/filter/frame_texel.glsl
+    plan.images = {{"depth", r32f, engine, extent},                  // as it is stored
+                   {"levels", depths, frame, extent, depth_levels},  // eye-linear depth in radii
+                   {"texels", taken.deep ? rg32ui : r32ui, frame,
+                    swept_of(settings, extent)},  // gloam/filter/frame_texel.glsl
                    {"shown", format_of(settings.output), frame, extent}};
     if (taken.normals) plan.images.push_back({"normal", rgba32f, engine, extent});
     if (settings.bent_normals)
         plan.images.insert(plan.images.end(), {{"bends", rgba8, frame, swept_of(settings, extent)},
                                                {"bent", rgb10_a2, frame, extent}});
     if (settings.history) {
-        plan.images.push_back({"levels_before", r16f, history, extent, depth_levels});
+        plan.images.push_back({"levels_before", depths, history, extent, depth_levels});
         plan.images.push_back({"history_before", rgb10_a2, history, extent});
         plan.images.push_back({"history", rgb10_a2, frame, extent});
         plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
@@ -202,11 +224,12 @@ Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& n
     return plan;
 }
 
-Taken taken_of(const scene::GBuffer& view, float radius) {
-    return {{view.camera, view.extent, view.border},
-            radius,
-            view.stored ? view.stored->encoding : scene::Encoding{},
-            !view.normal.empty()};
+Taken taken_of(const scene::GBuffer& view, const Settings& settings) {
+    return {.view = {view.camera, view.extent, view.border},
+            .radius = settings.radius,
+            .encoding = view.stored ? view.stored->encoding : scene::Encoding{},
+            .normals = !view.normal.empty(),
+            .deep = starts_deep(settings, view.camera)};
 }
 
 // texels: the bits of rgb10_a2.
@@ -229,7 +252,9 @@ class ThreePasses : public FramePasses {
     void take(const scene::GBuffer& view, const Settings& settings, bool follows) override {
         if (!follows) gloam_cut(&frame_);
         settings_ = settings;
-        taken_ = taken_of(view, settings.radius);
+        const bool deep = follows && taken_.deep;  // a camera that zooms keeps its images
+        taken_ = taken_of(view, settings);
+        if (follows) taken_.deep = deep;
         const Plan plan = plan_for(settings, taken_, frame_);
         resources_.provide(plan);
         provide_tiles();
@@ -289,7 +314,11 @@ class ThreePasses : public FramePasses {
 }  // namespace
 
 Plan frame_plan(const Settings& settings, const PlanOptions& options) {
-    const Taken taken{view_of(options), 1.0F, options.encoding, options.normals};
+    const View shown = view_of(options);
+    const Taken taken{.view = shown,
+                      .encoding = options.encoding,
+                      .normals = options.normals,
+                      .deep = starts_deep(settings, shown.camera)};
     Plan plan = plan_for(settings, taken, first_of(settings, taken));
     for (PlannedImage& image : plan.images)
         if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
@@ -297,7 +326,7 @@ Plan frame_plan(const Settings& settings, const PlanOptions& options) {
 }
 
 Plan frame_plan(const Settings& settings, const scene::GBuffer& view) {
-    const Taken taken = taken_of(view, settings.radius);
+    const Taken taken = taken_of(view, settings);
     return plan_for(settings, taken, first_of(settings, taken));
 }
 

@@ -188,7 +188,7 @@ function recorded(view, count, before) {
         return render.call(this, frame);
     };
     effect.prepare = prepare.replace(/depth = (sign_of\([^;]*);/,
-        "depth = uintBitsToFloat(floatBitsToUint($1) & ~0x1FFFu);");
+        "depth = $1; if (!deep) depth = uintBitsToFloat(floatBitsToUint(depth) & ~0x1FFFu);");
     if (effect.prepare === prepare) throw new Error("prepare has no such line");
     for (let i = 0; i < count; ++i) {
         before(view, i);

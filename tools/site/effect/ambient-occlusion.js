@@ -11,10 +11,12 @@ class AmbientOcclusion {
     //   range    of the projection's depth: "negative-one-to-one", or "zero-to-one"
     //   normals  "none": they are made from depth; "view" or "world" space, and behind it "-octahedral", "-unorm" or
     //            both, as `gloam pack --normals` has them
+    //   deep     whether a perspective camera zooms to less than 30 degrees: depth then takes twice the memory, as it
+    //            does for orthographic cameras and for those that begin so
     // Throws an Error for other inputs, and where the context is not WebGL2 or cannot draw floats.
-    constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none"} = {}) {
+    constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none", deep = false} = {}) {
         AmbientOcclusion.check(depth, range, normals);
-        Object.assign(this, {effect, inputs: {depth, range}, size: null, preset: null, images: null});
+        Object.assign(this, {effect, inputs: {depth, range, deep}, size: null, preset: null, images: null});
         this.stored = normals === "none" ? null : {world_normals: normals.startsWith("world"),
             octahedral_normals: normals.includes("octahedral"), unorm_normals: normals.includes("unorm")};
         this.passes = new Passes(gl);
@@ -77,7 +79,8 @@ class AmbientOcclusion {
         for (const [name, image] of [["depth", depth], ["normal", this.stored ? normal : depth]])
             if (!image) throw new Error(`${name}: expected a texture`);
         if (this.before?.orthographic !== now.orthographic) this.restart();
-        this.images ??= this.newImages();
+        if (this.images?.deep !== now.deep) this.deleteImages();
+        this.images ??= this.newImages(now.deep);
         passes.begin();
         this.drawPasses(preset, {...now, ...sweepValues(now), ...this.historyValues(now), stored_image: depth,
             normal_image: normal ?? depth});
@@ -88,12 +91,12 @@ class AmbientOcclusion {
     }
 
     // What is kept, in the images of even frames and of odd ones, and what is not.
-    newImages() {
+    newImages(deep) {
         const {passes, size, preset} = this;
         const swept = preset.half ? size.map((n) => Math.ceil(n / 2)) : size;
         const shown = passes.image("R8", size);
-        return {shown, texels: passes.target(swept, [passes.image("R32UI", swept)]),
-            levels: [0, 1].map(() => passes.levels(size, "R16F", 5)),
+        return {deep, shown, texels: passes.target(swept, [passes.image(deep ? "RG32UI" : "R32UI", swept)]),
+            levels: [0, 1].map(() => passes.levels(size, deep ? "R32F" : "R16F", 5)),
             last: [0, 1].map(() => passes.target(size, [shown, passes.image("RGB10_A2", size, {linear: true})]))};
     }
 
@@ -116,7 +119,7 @@ class AmbientOcclusion {
             depth_before_image: levels[odd][0].image, before_image: last[odd].images[1],
             inverse_size: size.map((n) => 1 / n), inverse_texels: [1 / texels.width, 1 / texels.height]};
         const draw = (name, constants, target, level = 0) => passes.draw(passes.program(name, effect.whole_image,
-            effect[name], {orthographic: values.orthographic, history: true, ...constants}), {...all, level}, target);
+            effect[name], {orthographic: values.orthographic, deep: values.deep, history: true, ...constants}), {...all, level}, target);
         levels[even].forEach((target, level) => draw("prepare", {}, target, level));
         draw(this.stored ? "sweep" : "sweep_from_depth", {...this.stored, slices, steps, stride: half ? 2 : 1}, texels);
         draw(half ? "join" : "filter", half ? {} : {half_width}, last[even]);

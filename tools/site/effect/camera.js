@@ -17,7 +17,7 @@ const mirrored = (m, {rows, columns}) =>
 // space, left-handed where the projection is: a perspective whose w is z, an orthographic one with the middle of its
 // depths at z > 0. radius: world units. before: the camera of the frame before, or null; a jitter around it by up to a
 // pixel, for antialiasing, moves no history. Throws an Error for what is no matrix.
-function cameraOf(projection, view, size, radius, {depth, range}, before) {
+function cameraOf(projection, view, size, radius, {depth, range, deep}, before) {
     for (const [name, matrix] of [["projection", projection], ["view", view]]) {
         if (matrix?.length !== 16 || !Array.from(matrix).every(Number.isFinite))
             throw new Error(`${name}: expected 16 finite numbers, column by column`);
@@ -36,30 +36,42 @@ function cameraOf(projection, view, size, radius, {depth, range}, before) {
     const jitters = before?.orthographic === orthographic &&
         axis.every((x, i) => Math.abs(x - before.axis[i]) * size[i] <= 2);
     const held = jitters ? before.axis : axis;
-    return {orthographic, left, size, radius, step, axis: held, first: firstOf(held), first_ray: firstOf(axis),
+    const spans = step.map((x, i) => Math.abs(x * size[i]));
+    const narrow = before?.deep ?? Math.max(...spans) < 0.536;  // 30 degrees; a camera that zooms keeps its images
+    return {orthographic, deep: deep || orthographic || narrow, left, size, radius, step, axis: held, first: firstOf(held), first_ray: firstOf(axis),
         view: Array.from(view),
+        usual: usualOf(projection, radius, spans, depth === "buffer" ? scaled : 0),
         ...(depth === "linear" ? {numerator: [0, 1 / radius], divisor: [1, 0], far: Infinity, lift: 0}
             : depthOf(projection, radius, [scaled, offset]))};
 }
 
+// Of deep passes, as glsl/passes/frame/gloam_frame.h (gloam_fill_usual) has them. spans: of the ray at depth 1;
+// orthographic: of the image, in radii. scale: from stored depth to clip space; 0: depth is linear.
+function usualOf(projection, radius, spans, scale) {
+    const least = 1 / 8192;  // two roundings to 24 bits, in the sweep's rise
+    const across = Math.max(...spans) / 1.1547;
+    const [p22, p32, stored] = [projection[10], projection[14], scale * least];
+    return projection[11] === 0 ? [Math.max(across, Math.abs(stored / (p22 * radius))), 2 * least]
+        : [Math.max(Math.min(across, 1), 2 * least), p32 < 0 ? -stored * radius / p32 : 0];
+}
+
 // What makes depth in radii of a depth buffer's (gloam_level_depth). scale, offset: from stored depth to clip space.
-// lift: radii that are added to depth: an orthographic camera whose near plane is at the eye or behind it has depths
-// from 1. No pass needs where its eye is.
+// lift: radii that are added to depth: an orthographic camera has depths from 1, at its near plane. No pass needs where
+// its eye is.
 function depthOf(projection, radius, [scale, offset]) {
     const [p22, p32, orthographic] = [projection[10], projection[14], projection[11] === 0];
     const reversed = p22 > (orthographic || offset !== 0 ? 0 : -0.5);
     const far = reversed ? 0 : 1;
     if (!orthographic) return {far, lift: 0, numerator: [p32 / radius, 0], divisor: [p22 + offset, scale]};
-    const near = (p32 - offset - (reversed ? scale : 0)) / (p22 * radius);
-    const lift = near > 0 ? 0 : 1 - near;
+    const lift = 1 - (p32 - offset - (reversed ? scale : 0)) / (p22 * radius);
     return {far, lift, numerator: [(p32 - offset) / (p22 * radius) + lift, -scale / (p22 * radius)], divisor: [1, 0]};
 }
 
 // What the sweep reads, but for the frame's noise.
-function sweepValues({view, size, step, left}) {
+function sweepValues({view, size, step, left, usual}) {
     const last = size.map((n) => Math.max(n - 1, 1));
-    return {view_from_world: [0, 1, 2].flatMap((column) => [...view.slice(4 * column, 4 * column + 3),
-        left && column === 2 ? 2 : 0]),
+    const behind = [...usual, left ? 2 : 0];
+    return {view_from_world: behind.flatMap((w, column) => [...view.slice(4 * column, 4 * column + 3), w]),
         inverse_span: last.map((n) => 1 / n), first: size.map((n) => 0.5 / n), span: last.map((n, i) => n / size[i]),
         ray_span: step.map((x, i) => x * last[i]), reach: step.map((x) => 1 / x)};
 }

@@ -41,6 +41,11 @@ export interface Inputs {
      * coordinates, "-unorm" where 0 to 1 stands for -1 to 1, or both.
      */
     normals?: string;
+    /**
+     * The camera may zoom to a view of less than 30 degrees: depth then takes twice the memory. Orthographic cameras,
+     * and those that begin so narrow, have that without it. Default false.
+     */
+    deep?: boolean;
 }
 
 export interface Frame {

@@ -19,6 +19,8 @@ export interface PassOptions {
      * depthTexture of the composer's target, which the pass right before it has drawn, and makes normals from it.
      */
     source?: "scene" | "composer";
+    /** The camera may zoom to a view of less than 30 degrees (Inputs.deep); default false. */
+    deep?: boolean;
     /** With "ambient": light that surfaces of one colour send each other brightens corners; default false. */
     bounces?: boolean;
 }
@@ -35,6 +37,7 @@ export class AmbientOcclusionPass extends Pass {
     intensity: number;
     output: "shaded" | "visibility" | "ambient";
     source: "scene" | "composer";
+    deep: boolean;
     bounces: boolean;
     /** Forgets the history: call it where the camera jumps. */
     restart(): void;

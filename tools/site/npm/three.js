@@ -104,7 +104,7 @@ export class AmbientOcclusionPass extends Pass {
         for (const [name, object, kind] of [["scene", scene, "isObject3D"], ["camera", camera, "isCamera"]])
             if (!object?.[kind]) throw new Error(`${name}: expected one of three.js, got ${object}`);
         const known = {preset: effect.preset, radius: 1, intensity: 1, output: "shaded", source: "scene",
-            bounces: false};
+            bounces: false, deep: false};
         for (const name of Object.keys(options))
             if (!(name in known)) throw new Error(`option "${name}": expected ${Object.keys(known).join(", ")}`);
         const {output, source} = Object.assign(known, options);
@@ -184,7 +184,7 @@ export class AmbientOcclusionPass extends Pass {
     prepare(renderer) {
         const reversed = renderer.state.buffers.depth.getReversed();
         const inputs = {depth: "buffer", range: reversed ? "zero-to-one" : "negative-one-to-one",
-            normals: this.source === "scene" ? "view-unorm" : "none"};
+            normals: this.source === "scene" ? "view-unorm" : "none", deep: this.deep};
         const made = JSON.stringify(inputs);
         if (this.made !== made) {
             if (renderer.capabilities.logarithmicDepthBuffer)
