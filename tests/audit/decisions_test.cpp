@@ -55,4 +55,17 @@ TEST(AuditDecisions, FollowsADecisionOnAnInexactNumberBothWays) {
         EXPECT_EQ(parting(exact, {{"x", {0.0, 1.0}}}).share, 0.0) << exact;
 }
 
+// The ways of mod(6.0, 6.0) are 0 and 6, and both are red.
+TEST(AuditDecisions, TakesNothingBetweenTwoWholeNumbers) {
+    for (const char* text :
+         {"float f(float h) { return clamp(abs(mod(h * 6.0, 6.0) - 3.0) - 1.0, 0.0, 1.0); }",
+          "float f(float h) { float t = fract(h * 6.0); t = t * t * (3.0 - 2.0 * t); return t * (1.0 - t) + "
+          "1.0; }"}) {
+        const Audit audit = Audited(text).audit("f", {{"h", {0.0, 1.0}}});
+        const AuditFinding* const differ = find(audit, Concern::drivers);
+        EXPECT_LT(differ == nullptr ? 0.0 : differ->lost, 5.0) << to_text(audit);
+        EXPECT_EQ(find(audit, Concern::parting), nullptr) << to_text(audit);
+    }
+}
+
 }  // namespace gloam::check::audit_decisions_test

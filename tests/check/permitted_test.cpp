@@ -18,7 +18,7 @@ template <class Signature>
 class Rules {
   public:
     Rules(const std::string& file, const std::string& function)
-        : kernel_(test::make_lab({}, shader::variant("strict"))
+        : kernel_(test::make_lab(FIXTURES, shader::variant("strict"))
                       .kernel(file, function, check::SignatureOf<Signature>::describe())),
           modules_{std::make_shared<const check::KernelModule>(kernel_.module())},
           decoded_(modules_, images_),
@@ -86,6 +86,23 @@ TEST(FlushedSubnormals, CreaseShadingOfTouchingPointsIsFinite) {
     Rules<float(glm::vec3, glm::vec3, float)> contribution("gloam/occlusion/disc_taps.glsl",
                                                            "gloam_contribution_fox_compton");
     expect_within(contribution(glm::vec3(least), glm::vec3(0.0F, -0.8F, -0.6F), 0.01F)[0], -1e-6, 1e-6);
+}
+
+// A fraction beside a whole number is near 0 or near 1, and nothing between.
+TEST(NearWholeNumbers, OnlyWhatSomeNumberLeadsToIsPermitted) {
+    const struct {
+        const char* function;
+        float x;
+        double low, high;
+    } rows[]{{"red", 0.0F, 1.0, 1.0},
+             {"red", 1.0F, 1.0, 1.0},
+             {"eased", 0.7F, -1e-6, 1.000001},
+             {"leaning", 0.7F, 0.0, 1.000001},
+             {"value_noise", 0.7F, 0.749999, 0.750001}};
+    for (const auto& [function, x, low, high] : rows) {
+        SCOPED_TRACE(function);
+        expect_within(Rules<float(float)>("rules.glsl", function)(x)[0], low, high);
+    }
 }
 
 // The error that the rules permit at drawn inputs. A bound that no device could miss would show nothing: the

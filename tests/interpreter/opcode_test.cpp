@@ -339,4 +339,57 @@ TEST_F(OpcodeTest, BothAreAmongWhatIsPermitted) {
     }
 }
 
+// Near a whole number what is permitted is one way for each number that an argument may reach.
+struct NearWhole {
+    const char* expression;  // x = 0.7, whose product with 10 is rounded to 7 or below; y = 0.35, likewise
+    std::vector<double> permitted;
+    std::vector<double> forbidden;
+};
+
+const std::vector<NearWhole> near_whole{
+    {"floor(x * 10.0)", {6.0, 7.0}, {6.5, 5.0, 8.0}},
+    {"ceil(-x * 10.0)", {-7.0, -6.0}, {-6.5}},
+    {"trunc(-x * 10.0)", {-7.0, -6.0}, {-6.5}},
+    {"round(y * 10.0)", {3.0, 4.0}, {3.5}},
+    {"roundEven(y * 10.0)", {3.0, 4.0}, {3.5}},
+    {"sign(x * 10.0 - 7.0)", {-1.0, 0.0}, {-0.5, 1.0}},
+    {"fract(x * 10.0)", {0.0, 1.0 - 0x1p-21}, {0.25, 1e-6, 1.0 - 0x1p-20, -1e-8}},
+    {"fract(x * 1e-40 - 1e-42)", {0.0}, {0.25, 0.5}},
+    {"fract(-x * 1e-30)", {1.0, 1.0 - 0x1p-24}, {0.0, 0.5}},
+    {"mod(x, x)", {0.0, 0.7F}, {0.25, 0.35}},
+    {"mod(x * 10.0, 1.0)", {0.0, 1.0 - 0x1p-21}, {0.25, 0.5}},
+    {"x * 10.0 - floor(x * 10.0)", {0.0, 1.0 - 0x1p-21, 1.0, -0x1p-21}, {0.25, 0.5}},
+    {"modf_part(x * 10.0)", {6.0, 7.0}, {6.5}},
+    {"float(int(x * 10.0))", {6.0, 7.0}, {6.5}},
+    // The same result twice is the same number.
+    {"twice(floor(x * 10.0))", {42.0}, {41.0, 43.0, 42.5}},
+    {"steep(fract(x * 10.0))", {0.0, 1.0}, {0.5, 1.1, 2.0, 3.0}},
+    // With more than a few numbers in reach all between are permitted.
+    {"floor(exp(y * 50.0))", {39824784.0, 39824785.0}, {39825784.0}},
+};
+
+TEST(NearWholeNumbers, EachThatAnArgumentMayReachIsAWayOfItsOwn) {
+    const std::string functions =
+        "float modf_part(float x) { float whole; modf(x, whole); return whole; }\n"
+        "float twice(float n) { return (n - 6.0) * (7.0 - n) + 42.0; }\n"
+        "float steep(float t) { return t * t * (3.0 - 2.0 * t); }\n";
+    const std::array<Word, 2> row{std::bit_cast<Word>(0.7F), std::bit_cast<Word>(0.35F)};
+    for (const auto& [expression, permitted, forbidden] : near_whole) {
+        const std::string body =
+            std::string("float x = number(0); float y = number(1); put(0, ") + expression + ");\n";
+        const Program program(test::strictly_compiled(test::row_shader(2, 1, body, functions)));
+        Machine<numeric::Interval> intervals(program);
+        std::vector<numeric::Bounds> ways;
+        const auto outcome = numeric::Paths::explore(numeric::float32, 16, [&] {
+            ways.push_back(test::interpreted(intervals, row, 1).front().number().bounds());
+        });
+        EXPECT_EQ(outcome, numeric::Paths::Outcome::complete) << expression;
+        const auto has = [&](double x) {
+            return std::ranges::any_of(ways, [x](const numeric::Bounds& way) { return way.contains(x); });
+        };
+        for (const double x : permitted) EXPECT_TRUE(has(x)) << expression << ": " << x;
+        for (const double x : forbidden) EXPECT_FALSE(has(x)) << expression << ": " << x;
+    }
+}
+
 }  // namespace gloam::opcode_test

@@ -72,6 +72,23 @@ TEST(Paths, ErrorsPassThroughAndLeaveNothingBehind) {
     EXPECT_THROW((void)Paths::choose(2), std::logic_error);
 }
 
+TEST(Paths, WholeNumbersAreOneWayWhereTheWaysWouldBeTooMany) {
+    const auto runs_with = [](int floors, int comparisons) {
+        int runs = 0;
+        EXPECT_EQ(Paths::explore(float32, 64,
+                                 [&] {
+                                     ++runs;
+                                     for (int i = 0; i < floors; ++i) (void)floor(Interval::within(0.5, 1.5));
+                                     for (int i = 0; i < comparisons; ++i) (void)Paths::choose(2);
+                                 }),
+                  Paths::Outcome::complete);
+        return runs;
+    };
+    EXPECT_EQ(runs_with(2, 1), 8);
+    EXPECT_EQ(runs_with(6, 0), 16) << "the others are intervals";
+    EXPECT_EQ(runs_with(1, 6), 16 + 64) << "begun again without the ways of the first";
+}
+
 TEST(Paths, ConversionsToIntegersTakeEachInReach) {
     std::vector<int> integers;
     Paths::explore(float32, 10, [&] { integers.push_back(to_integer<int>(Interval::within(-1.5, 2.25))); });

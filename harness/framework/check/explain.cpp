@@ -74,10 +74,12 @@ void add_outcomes(std::vector<ExplainedStep> steps, std::vector<ExplainedStep>& 
         return;
     }
     for (std::size_t i = 0; i < std::min(steps.size(), all.size()); ++i) {
+        if (steps[i].operation != all[i].operation) continue;
         const numeric::Bounds& more = steps[i].permitted;
-        const bool known = more.contains(all[i].permitted) || all[i].permitted.contains(more) ||
-                           std::ranges::find(all[i].others, more) != all[i].others.end();
-        if (steps[i].operation == all[i].operation && !known) all[i].others.push_back(more);
+        if (more.contains(all[i].permitted)) all[i].permitted = more;
+        const bool known =
+            all[i].permitted.contains(more) || std::ranges::find(all[i].others, more) != all[i].others.end();
+        if (!known) all[i].others.push_back(more);
     }
 }
 

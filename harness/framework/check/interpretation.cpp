@@ -109,8 +109,15 @@ Permitted Interpretation::explore(const InputRow& input, std::span<const Word> u
     const Place at = place_of(input.index);
     InterpretedKernel<N>& kernel = this->kernel<N>(at.part);
     Permitted permitted;
-    const std::uint64_t before = kernel.machine().steps();
+    const std::uint64_t start = kernel.machine().steps();
+    std::uint64_t before = start;
+    bool splits = true;
     const auto run = [&] {
+        // Begun again without the ways of whole numbers, it may take as long.
+        if (splits && !numeric::Paths::choose_whole(1.0)) {
+            splits = false;
+            before = kernel.machine().steps();
+        }
         try {
             kernel.machine().set_limit(most_path_steps -
                                        std::min(most_path_steps, kernel.machine().steps() - before));
@@ -133,7 +140,7 @@ Permitted Interpretation::explore(const InputRow& input, std::span<const Word> u
     const auto specials = of_driver_ ? decoded_.parts()[at.part].specials : numeric::Paths::Specials::kept;
     const auto outcome = numeric::Paths::explore(numeric::float32, most_paths, run,
                                                  numeric::Paths::Gaps::open, rounding, specials);
-    steps_ += kernel.machine().steps() - before;
+    steps_ += kernel.machine().steps() - start;
     if (outcome == numeric::Paths::Outcome::undetermined || outcome == numeric::Paths::Outcome::too_many)
         permitted = {Sample::Outcome(outputs_.size(), numeric::Bounds::anything())};
     return permitted;

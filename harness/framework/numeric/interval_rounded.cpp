@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "numeric/internal/error_rule.hpp"
 #include "numeric/interval.hpp"
@@ -16,10 +17,20 @@ namespace {
 
 using internal::monotonic;
 
+// One of the whole numbers in the bounds, each a way of its own; all of them where these are too many.
+Bounds one_whole(const Bounds& all) {
+    const double count = all.high - all.low + 1.0;
+    const auto chosen = count > 1.0 ? Paths::choose_whole(count) : std::nullopt;
+    if (!chosen) return all;
+    const double one = all.low + static_cast<double>(*chosen);
+    return {one, one, all.nan};
+}
+
+// Of an f whose results are whole numbers.
 template <class F>
 Interval exactly(const Interval& x, F&& f) {
     if (x.bounds().empty()) return x;
-    return Interval::within(monotonic(x.bounds(), f));
+    return Interval::within(one_whole(monotonic(x.bounds(), f)));
 }
 
 // min and max return either operand when one is NaN.
@@ -87,15 +98,18 @@ Interval round(const Interval& x) {
     const auto is_whole = [](double v) {
         return std::trunc(v) == v;
     };  // of large doubles, v + 0.5 is rounded
-    return Interval::within({is_whole(x.low()) ? x.low() : std::ceil(x.low() - 0.5),
-                             is_whole(x.high()) ? x.high() : std::floor(x.high() + 0.5), x.may_be_nan()});
+    return Interval::within(
+        one_whole({is_whole(x.low()) ? x.low() : std::ceil(x.low() - 0.5),
+                   is_whole(x.high()) ? x.high() : std::floor(x.high() + 0.5), x.may_be_nan()}));
 }
 
 Interval fract(const Interval& x) {
     const Bounds& b = x.bounds();
     if (b.empty() || std::isinf(b.low) || std::isinf(b.high)) return Interval::within({0.0, 1.0, true});
-    if (std::floor(b.low) != std::floor(b.high)) return Interval::within({0.0, 1.0, b.nan});
-    return x - floor(x);
+    const Bounds whole = one_whole({std::floor(b.low), std::floor(b.high), false});
+    if (!whole.is_point()) return Interval::within({0.0, 1.0, b.nan});
+    return Interval::within({std::max(b.low, whole.low), std::min(b.high, whole.low + 1.0), b.nan}) -
+           Interval::within(whole);
 }
 
 namespace {

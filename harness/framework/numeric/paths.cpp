@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numeric/paths.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +13,9 @@ namespace {
 
 // A run with more choices is an endless loop on its intervals.
 constexpr std::size_t most_choices = 4096;
+
+constexpr std::size_t most_split_ways = 16;
+constexpr double most_wholes = 4.0;  // of one operation
 
 // Sets a pointer during its lifetime.
 template <class T>
@@ -41,8 +45,22 @@ Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const
                               Gaps gaps, Rounding rounding, Specials specials) {
     Paths paths(format, gaps, rounding, specials);
     const Guard guard(current_, &paths);
-    for (std::size_t runs = 0; runs < most; ++runs) {
-        paths.position_ = 0;
+    paths.most_ways_ = static_cast<double>(std::min(most, most_split_ways));
+    const Outcome outcome = paths.run_all(most, run);
+    if (outcome == Outcome::complete || outcome == Outcome::enough || !paths.has_split_) return outcome;
+    paths.choices_.clear();
+    paths.most_ways_ = 0.0;
+    return paths.run_all(most, run);
+}
+
+Paths::Outcome Paths::run_all(std::size_t most, const std::function<void()>& run) {
+    // What ends without the ways of whole numbers shall not take much longer with them.
+    const std::size_t most_split = std::max(std::min(most, most_split_ways), most / 4);
+    for (std::size_t runs = 0; runs < (has_split_ && most_ways_ > 0.0 ? most_split : most); ++runs) {
+        position_ = 0;
+        ways_ = 1.0;
+        lots_ = nullptr;
+        only_wholes_ = false;
         try {
             run();
         } catch (const Undetermined&) {
@@ -50,7 +68,7 @@ Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const
         } catch (const Enough&) {
             return Outcome::enough;
         }
-        if (!paths.advance()) return Outcome::complete;
+        if (!advance()) return Outcome::complete;
     }
     return Outcome::too_many;
 }
@@ -59,11 +77,33 @@ std::size_t Paths::choose(std::size_t count) {
     if (current_ == nullptr) {
         throw std::logic_error("an interval leaves a comparison open: expected to run inside Paths::explore");
     }
+    return current_->only_wholes_ ? 0 : current_->take(count);
+}
+
+std::size_t Paths::take(std::size_t count) {
     if (count < 2) return 0;
-    auto& choices = current_->choices_;
-    if (current_->position_ == most_choices) throw Undetermined{};
-    if (current_->position_ == choices.size()) choices.push_back({.taken = 0, .count = count});
-    return choices[current_->position_++].taken;
+    if (lots_ != nullptr) return lots_->below(count);
+    if (position_ == most_choices) throw Undetermined{};
+    if (position_ == choices_.size()) choices_.push_back({.taken = 0, .count = count});
+    ways_ *= static_cast<double>(count);
+    return choices_[position_++].taken;
+}
+
+std::optional<std::size_t> Paths::choose_whole(double count) {
+    if (current_ == nullptr || !(count <= most_wholes)) return std::nullopt;
+    const bool is_drawn = current_->lots_ != nullptr;
+    if (!is_drawn && current_->ways_ * count > current_->most_ways_) return std::nullopt;
+    current_->has_split_ = current_->has_split_ || (count > 1.0 && !is_drawn);
+    return current_->take(static_cast<std::size_t>(count));
+}
+
+void Paths::choose_only_wholes() {
+    if (current_ != nullptr) current_->only_wholes_ = true;
+}
+
+void Paths::draw_wholes(Random& lots) {
+    choose_only_wholes();
+    if (current_ != nullptr) current_->lots_ = &lots;
 }
 
 const FloatFormat& Paths::format() {

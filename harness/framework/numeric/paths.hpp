@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "numeric/numbers.hpp"
+#include "numeric/random.hpp"
 
 namespace gloam::numeric {
 
@@ -47,6 +49,16 @@ class Paths {
     // explore().
     static std::size_t choose(std::size_t count);
 
+    // One of `count` whole numbers that an operation may give, each a way of its own. Empty where all are one
+    // way: they are many, or the ways that lead here are. If explore() does not come to an end with such
+    // ways, it begins again without them.
+    static std::optional<std::size_t> choose_whole(double count);
+
+    // Until the run ends takes the first of all choices but of whole numbers. The second draws also these, as
+    // one driver may choose them.
+    static void choose_only_wholes();
+    static void draw_wholes(Random& lots);
+
     // The format of the current exploration; float32 outside an exploration.
     static const FloatFormat& format();
 
@@ -81,6 +93,8 @@ class Paths {
 
     Paths(const FloatFormat& format, Gaps gaps, Rounding rounding, Specials specials)
         : format_(format), gaps_(gaps), rounding_(rounding), specials_(specials) {}
+    Outcome run_all(std::size_t most, const std::function<void()>& run);
+    std::size_t take(std::size_t count);
     bool advance();
 
     static thread_local Paths* current_;
@@ -90,6 +104,11 @@ class Paths {
     Specials specials_;
     std::vector<Choice> choices_;
     std::size_t position_ = 0;
+    double ways_ = 1.0;       // that the choices up to here leave
+    double most_ways_ = 0.0;  // up to which whole numbers are ways of their own
+    bool has_split_ = false;
+    bool only_wholes_ = false;
+    Random* lots_ = nullptr;
 };
 
 }  // namespace gloam::numeric

@@ -57,8 +57,15 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
 }
 
 Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
+    constexpr std::size_t most_ways = 16;
     Reading reading;
     const auto take = [&](std::size_t w, const interpreter::Value<interpreter::Explained>& value) {
+        if (w < reading.outputs.size()) {  // another way, on the same path
+            const numeric::Bounds more =
+                value.is_number() ? value.number().permitted.bounds() : reading.outputs[w].permitted;
+            reading.outputs[w].permitted = numeric::hull(reading.outputs[w].permitted, more);
+            return;
+        }
         if (auto why = kernel_.machine().why_undefined(value)) {
             reading.outputs.push_back({.permitted = numeric::Bounds::anything(), .undefined = why});
         } else if (shader::is_float(scalars_[w])) {
@@ -69,11 +76,14 @@ Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
             reading.outputs.push_back({exact, exact, numeric::Bounds::point(exact)});
         }
     };
-    (void)run(kernel_, input, gaps, take, [&](const interpreter::Error& error) {
-        reading = {.outputs = {},
-                   .fault = error.what(),
-                   .too_long = error.kind() == interpreter::Error::Kind::too_many_steps};
-    });
+    (void)run(
+        kernel_, input, gaps, take,
+        [&](const interpreter::Error& error) {
+            reading = {.outputs = {},
+                       .fault = error.what(),
+                       .too_long = error.kind() == interpreter::Error::Kind::too_many_steps};
+        },
+        most_ways);
     return reading;
 }
 

@@ -102,21 +102,24 @@ class AuditRuns {
                                                            const Reading& reading, int driver);
     // The result that counts as large, for a word of the outputs.
     [[nodiscard]] double usual_of(std::size_t output) const;
-    // Runs a kernel along one path of the rules, and takes its outputs by their numbers, or why it has none.
+    // Runs a kernel along paths of the rules, at most `most`, and takes its outputs by their numbers, or why
+    // it has none.
     template <class N, class Take, class Fail>
     numeric::Paths::Outcome run(InterpretedKernel<N>& kernel, std::span<const Word> input, Gaps gaps,
-                                const Take& take, const Fail& fail) {
+                                const Take& take, const Fail& fail, std::size_t most = 1) {
         const std::uint64_t before = kernel.machine().steps();
         const auto once = [&] {
+            if (most > 1) numeric::Paths::choose_only_wholes();
             try {
                 kernel.run(input);
                 for (std::size_t w = 0; w < scalars_.size(); ++w) take(w, kernel.output(w));
             } catch (const interpreter::Error& error) {
                 fail(error);
+                throw numeric::Paths::Enough{};
             }
-            throw numeric::Paths::Enough{};
+            if (most == 1) throw numeric::Paths::Enough{};
         };
-        const auto outcome = numeric::Paths::explore(numeric::float32, 1, once, gaps);
+        const auto outcome = numeric::Paths::explore(numeric::float32, most, once, gaps);
         instructions_ += kernel.machine().steps() - before;
         return outcome;
     }

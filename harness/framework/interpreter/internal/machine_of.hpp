@@ -268,6 +268,7 @@ void Machine<N>::execute(Tell&& tell) {
     std::uint8_t format = 0;
     const std::uint64_t end = steps_ + limit_;
     if constexpr (internal::has_intervals<N>) numeric::Paths::set_format(numeric::float32);
+    if (s.sampling) numeric::Paths::draw_wholes(*s.sampling);
     try {
         if (!s.lanes.empty()) return execute_group(tell, at, end, format);
         do {
