@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The frame, first pass: depth as the engine stores it becomes eye-linear depth of 16 bits (deep views: 32), in radii, with
-// levels (gloam/sampling/depth_levels.glsl). What is no depth becomes the largest, so that no later pass tests for it.
+// The frame, first pass: depth as the engine stores it becomes eye-linear depth of 16 bits (deep views: 32), in radii,
+// with levels (gloam/sampling/depth_levels.glsl). What is no depth becomes the largest, so that no later pass tests for
+// it.
 // One invocation for each 2 x 2 pixels.
 //
 // Define GLOAM_LEVELS as r32f for deep views (parameters.glsl); the default is r16f.
