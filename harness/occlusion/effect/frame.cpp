@@ -252,9 +252,10 @@ class ThreePasses : public FramePasses {
     void take(const scene::GBuffer& view, const Settings& settings, bool follows) override {
         if (!follows) gloam_cut(&frame_);
         settings_ = settings;
-        const bool deep = follows && taken_.deep;  // a camera that zooms keeps its images
+        const bool deep = taken_.deep;
         taken_ = taken_of(view, settings);
-        if (follows) taken_.deep = deep;
+        if (follows && !view.camera.orthographic())
+            taken_.deep = deep;  // a camera that zooms keeps its images
         const Plan plan = plan_for(settings, taken_, frame_);
         resources_.provide(plan);
         provide_tiles();
