@@ -20,7 +20,7 @@ class FarViews : public OnDevice<testing::TestWithParam<Preset>> {
     }
 };
 
-// Away from an orthographic eye by this much more. A step of what is stored is 1/1000 of the radius, or less.
+// An orthographic eye further away. The stored depth has steps of at most 1/1000 of the radius.
 struct Away {
     const char* depth;
     bool reversed;

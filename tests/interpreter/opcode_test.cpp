@@ -339,7 +339,7 @@ TEST_F(OpcodeTest, BothAreAmongWhatIsPermitted) {
     }
 }
 
-// Near a whole number what is permitted is one way for each number that an argument may reach.
+// An argument near a whole number has one way for each number that it may reach.
 struct NearWhole {
     const char* expression;  // x = 0.7, whose product with 10 is rounded to 7 or below; y = 0.35, likewise
     std::vector<double> permitted;

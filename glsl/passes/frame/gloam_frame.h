@@ -28,8 +28,8 @@
  * Vulkan: structures are push constants, images are in layout GENERAL, and before each pass there is a memory barrier
  * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. The device needs the feature
  * shaderStorageImageExtendedFormats. Specialization constants: 1 orthographic; 2, 3, 4 normals in world space,
- * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another; 9 deep, behind which the formats in the
- * texts of prepare and sweep stand.
+ * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another; 9 deep, for which
+ * prepare and sweep are packed with the other formats.
  * OpenGL: structures are the uniform block 0 (Parameters), in a buffer of 128 bytes, and behind each compute pass there
  * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
  * As fragment shaders (330, 300es) a pass draws a triangle over all that it writes, prepare one for each `level`. Their
@@ -41,7 +41,7 @@
 #include <string.h>
 
 /* half: the sweep takes every second pixel in both directions. range, sharpness: of the history. orthographic: cameras
- * that the passes are made for, as constant 1 says. deep: likewise, as constant 9 says; some images have other formats. */
+ * that the passes are made for, as constant 1 says. deep: likewise, as constant 9; some images have other formats. */
 typedef struct { int half; float range, sharpness; int orthographic, deep; } gloam_preset;
 typedef struct { /* another one begins a sequence */
     gloam_preset preset;

@@ -85,19 +85,20 @@ std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std:
     return {(extent.width + 16 * x - 1) / (16 * x), (extent.height + 8 * y - 1) / (8 * y), 1};
 }
 
-gpu::SpecializationConstant history_constant(const Settings& settings) {
-    return {.id = 8, .bits = flag(settings.history)};
+// Those that all passes have, behind a pass' own.
+std::vector<gpu::SpecializationConstant> constants_of(const Settings& settings, const Taken& taken,
+                                                      std::vector<gpu::SpecializationConstant> own) {
+    own.insert(own.end(), {{.id = 8, .bits = flag(settings.history)}, {.id = 9, .bits = flag(taken.deep)}});
+    return own;
 }
 
-gpu::SpecializationConstant deep_constant(const Taken& taken) {
-    return {.id = 9, .bits = flag(taken.deep)};
+gpu::SpecializationConstant camera_constant(const Taken& taken) {
+    return {.id = 1, .bits = flag(taken.view.camera.orthographic())};
 }
 
 PlannedPass first_pass(const Settings& settings, const Taken& taken, const gloam_prepare& parameters) {
     PassSource source{.file = "frame/prepare.comp",
-                      .constants = {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
-                                    history_constant(settings),
-                                    deep_constant(taken)}};
+                      .constants = constants_of(settings, taken, {camera_constant(taken)})};
     if (taken.deep) source.defines.emplace_back("GLOAM_LEVELS r32f");
     return single_pass("prepare", source,
                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4",
@@ -109,9 +110,7 @@ PlannedPass last_pass(const Settings& settings, const Taken& taken, gloam_last p
     const gpu::Extent view = taken.view.extent;
     parameters.albedo = settings.bounce_albedo;
     PassSource source{.file = is_half(settings) ? "frame/join.comp" : "frame/filter.comp",
-                      .constants = {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
-                                    history_constant(settings),
-                                    deep_constant(taken)},
+                      .constants = constants_of(settings, taken, {camera_constant(taken)}),
                       .unrolls = true};
     define_output(settings.output, source.defines);
     if (settings.bounce_albedo > 0.0F) source.defines.emplace_back("GLOAM_MULTI_BOUNCE");
@@ -127,15 +126,14 @@ PlannedPass last_pass(const Settings& settings, const Taken& taken, gloam_last p
 
 PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam_sweep& parameters) {
     PassSource source{.file = "frame/sweep.comp",
-                      .constants = {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
-                                    {.id = 2, .bits = flag(taken.encoding.world)},
-                                    {.id = 3, .bits = flag(taken.encoding.octahedral)},
-                                    {.id = 4, .bits = flag(taken.encoding.unorm)},
-                                    {.id = 5, .bits = slices_of(settings)},
-                                    {.id = 6, .bits = settings.own.steps},
-                                    {.id = 7, .bits = is_half(settings) ? 2U : 1U},
-                                    history_constant(settings),
-                                    deep_constant(taken)},
+                      .constants = constants_of(settings, taken,
+                                                {camera_constant(taken),
+                                                 {.id = 2, .bits = flag(taken.encoding.world)},
+                                                 {.id = 3, .bits = flag(taken.encoding.octahedral)},
+                                                 {.id = 4, .bits = flag(taken.encoding.unorm)},
+                                                 {.id = 5, .bits = slices_of(settings)},
+                                                 {.id = 6, .bits = settings.own.steps},
+                                                 {.id = 7, .bits = is_half(settings) ? 2U : 1U}}),
                       .unrolls = slices_of(settings) < 4};
     if (taken.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
     if (!taken.normals) source.defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
@@ -157,10 +155,9 @@ PlannedPass tile_pass(const Settings& settings, const Taken& taken, const gloam_
         .count = count,
         .frame = static_cast<std::uint32_t>(frame.frames),
         .stands = flag(frame.still != 0)};
-    const PassSource source{.file = "frame/tiles.comp",
-                            .constants = {{.id = 7, .bits = is_half(settings) ? 2U : 1U},
-                                          history_constant(settings),
-                                          deep_constant(taken)}};
+    const PassSource source{
+        .file = "frame/tiles.comp",
+        .constants = constants_of(settings, taken, {{.id = 7, .bits = is_half(settings) ? 2U : 1U}})};
     return single_pass("tiles", source, {"levels", settings.history ? "levels_before" : nothing_image},
                        parameters, {(count.width + 7) / 8, count.height, 1});
 }

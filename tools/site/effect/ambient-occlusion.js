@@ -119,7 +119,8 @@ class AmbientOcclusion {
             depth_before_image: levels[odd][0].image, before_image: last[odd].images[1],
             inverse_size: size.map((n) => 1 / n), inverse_texels: [1 / texels.width, 1 / texels.height]};
         const draw = (name, constants, target, level = 0) => passes.draw(passes.program(name, effect.whole_image,
-            effect[name], {orthographic: values.orthographic, deep: values.deep, history: true, ...constants}), {...all, level}, target);
+            effect[name], {orthographic: values.orthographic, deep: values.deep, history: true, ...constants}),
+            {...all, level}, target);
         levels[even].forEach((target, level) => draw("prepare", {}, target, level));
         draw(this.stored ? "sweep" : "sweep_from_depth", {...this.stored, slices, steps, stride: half ? 2 : 1}, texels);
         draw(half ? "join" : "filter", half ? {} : {half_width}, last[even]);

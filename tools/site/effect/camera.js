@@ -38,8 +38,8 @@ function cameraOf(projection, view, size, radius, {depth, range, deep}, before) 
     const held = jitters ? before.axis : axis;
     const spans = step.map((x, i) => Math.abs(x * size[i]));
     const narrow = before?.deep ?? Math.max(...spans) < 0.536;  // 30 degrees; a camera that zooms keeps its images
-    return {orthographic, deep: deep || orthographic || narrow, left, size, radius, step, axis: held, first: firstOf(held), first_ray: firstOf(axis),
-        view: Array.from(view),
+    return {orthographic, deep: deep || orthographic || narrow, left, size, radius, step, axis: held,
+        first: firstOf(held), first_ray: firstOf(axis), view: Array.from(view),
         usual: usualOf(projection, radius, spans, depth === "buffer" ? scaled : 0),
         ...(depth === "linear" ? {numerator: [0, 1 / radius], divisor: [1, 0], far: Infinity, lift: 0}
             : depthOf(projection, radius, [scaled, offset]))};

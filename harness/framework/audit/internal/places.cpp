@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -113,17 +114,15 @@ std::vector<Words> places_of(const Question& question, std::span<const float> nu
                         words[axis.word] = axis.places[i];
             });
     // Middles and quarters of three.
-    for (std::size_t a = 0; a + 2 < axes.size(); ++a)
-        for (const std::size_t i : {0U, 1U, 2U})
-            for (const std::size_t j : {0U, 1U, 2U})
-                for (const std::size_t k : {0U, 1U, 2U})
-                    if (std::min({axes[a].places.size(), axes[a + 1].places.size(),
-                                  axes[a + 2].places.size()}) > 2)
-                        place([&](Words& words) {
-                            words[axes[a].word] = axes[a].places[i];
-                            words[axes[a + 1].word] = axes[a + 1].places[j];
-                            words[axes[a + 2].word] = axes[a + 2].places[k];
-                        });
+    for (std::size_t a = 0; a + 2 < axes.size(); ++a) {
+        const std::array three{&axes[a], &axes[a + 1], &axes[a + 2]};
+        if (std::ranges::any_of(three, [](const Axis* axis) { return axis->places.size() < 3; })) continue;
+        for (std::size_t n = 0; n < 27; ++n)
+            place([&](Words& words) {
+                const std::array<std::size_t, 3> places{n / 9, n / 3 % 3, n % 3};
+                for (std::size_t i = 0; i < 3; ++i) words[three[i]->word] = three[i]->places[places[i]];
+            });
+    }
     for (const Axis& a : axes)
         for (const Word at : a.places) place([&](Words& words) { words[a.word] = at; });
     for (const Axis& a : axes)

@@ -66,9 +66,8 @@ std::string header_of(const std::string& preset, const effect::Settings& setting
     std::string name = preset;
     std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return fmt::format(
-        "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{{:d}, {:#}f, {:#}f, {:d}, {:d}}}; /* of "
-        "gloam {} "
-        "*/\n",
+        "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{{:d}, {:#}f, {:#}f, {:d}, {:d}}};"
+        " /* of gloam {} */\n",
         header, name, settings.resolution == effect::Resolution::half, settings.history_range,
         settings.history_sharpness, orthographic, settings.deep || orthographic, base::version());
 }
