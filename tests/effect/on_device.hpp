@@ -72,6 +72,14 @@ inline std::vector<Preset> own_presets() {
     std::erase_if(own, &Preset::published);
     return own;
 }
+// And one that sweeps each pixel.
+inline std::vector<Preset> frames_of_all_resolutions() {
+    std::vector<Preset> all = own_presets();
+    all.push_back(preset_named("reference"));
+    all.back().name = "full";
+    all.back().settings.resolution = Resolution::full;
+    return all;
+}
 inline std::string preset_name(const testing::TestParamInfo<Preset>& info) {
     return info.param.name;
 }

@@ -21,8 +21,10 @@ std::vector<gl::Word> words_of(std::span<const std::byte> bytes) {
 
 gl::Image::Format format_of(gpu::Format format) {
     using enum gl::Image::Format;
-    static const std::map<gpu::Format, gl::Image::Format> formats{
-        {gpu::Format::r16f, r16f}, {gpu::Format::r32f, r32f}, {gpu::Format::r32ui, r32ui}};
+    static const std::map<gpu::Format, gl::Image::Format> formats{{gpu::Format::r8, r8},
+                                                                  {gpu::Format::r16f, r16f},
+                                                                  {gpu::Format::r32f, r32f},
+                                                                  {gpu::Format::r32ui, r32ui}};
     const auto found = formats.find(format);
     return found == formats.end() ? rgba32f : found->second;
 }
@@ -187,7 +189,7 @@ TEST_P(OpenGlFrames, GiveThePictureOfVulkan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, OpenGlFrames, testing::ValuesIn(own_presets()), preset_name);
+INSTANTIATE_TEST_SUITE_P(All, OpenGlFrames, testing::ValuesIn(frames_of_all_resolutions()), preset_name);
 
 // The passes of the effect as one text each in GLSL ES 3.10: Mesa's compiler takes them.
 

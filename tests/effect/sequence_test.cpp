@@ -83,6 +83,7 @@ TEST_P(Sequences, AStillViewConverges) {
         truth_from(view, scene::trace_geometry(scene::make_scene("columns"), 0, view, traced).occlusion);
     const std::vector<float> shown = sequence(std::vector<scene::GBuffer>(64, view));
     EXPECT_LT(errors_of(shown, limit).rmse, 1.02 * errors_of(wanted, limit).rmse);
+    if (many.resolution == Resolution::tiles) return;  // at half size it has one slice, however many in full
     EXPECT_LT(errors_of(shown, wanted).rmse, 0.2 * errors_of(single(view), wanted).rmse);
 }
 
@@ -136,6 +137,6 @@ TEST_P(Sequences, PoisonDoesNotStay) {
     EXPECT_LT(errors_of(sequence(views), sequence(std::vector<scene::GBuffer>(10, clean))).rmse, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, Sequences, testing::ValuesIn(own_presets()), preset_name);
+INSTANTIATE_TEST_SUITE_P(Names, Sequences, testing::ValuesIn(frames_of_all_resolutions()), preset_name);
 
 }  // namespace gloam::effect::sequence_test

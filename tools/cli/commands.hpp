@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct PresetFrame;
 // What is about ambient occlusion, for the commands of the framework: the equations that names stand for, or
 // all without names; the passes of a preset with NAME=VALUE set. Both throw std::invalid_argument.
 using EquationsNamed = std::vector<check::Question>(const std::vector<std::string>& names);
-using FrameOf = PresetFrame(const std::string& preset, const std::vector<std::string>& set);
+// tiles: the share of tiles that are swept in full; otherwise the preset's own, that of unseen views.
+using FrameOf = PresetFrame(const std::string& preset, const std::vector<std::string>& set,
+                            std::optional<double> tiles);
 
 // "gloam 0.3.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": the versions on which
 // a result depends, besides the device and its driver.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The frame, last pass at full size: a mean over 3 x 3 or 5 x 5 pixels, weighted by the slices' weight and by depth.
+// The frame, last pass at full size: a mean over 3 x 3 pixels, weighted by the slices' weight and by depth.
 // One invocation for each two pixels side by side.
 //
 // Define GLOAM_OUTPUT as r16f or r8 for an output of fewer bits; the default is r32f.
@@ -11,6 +11,7 @@
 //   2          the history of the frame before; bilinear, clamped to the edge
 //   3          level 0 of the depth of the frame before; nearest, clamped to the edge
 //   4  rgb10_a2  written: the history
+// With GLOAM_MARKS it dispatches as many groups as its list says (tile_list.glsl).
 layout(local_size_x = 16, local_size_y = 8) in;
 
 #ifndef GLOAM_OUTPUT
@@ -27,13 +28,16 @@ layout(binding = 6, rgb10_a2) uniform writeonly highp image2D bent_image;  // wr
 layout(binding = 7) uniform highp sampler2D bent_before_image;  // of the frame before; bilinear, clamped
 #endif
 
-layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
-
 #include "passes/frame/texels.glsl"
 #include "passes/frame/filter.glsl"
 
 void main() {
     ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(2, 1);
+#ifdef GLOAM_MARKS
+    uvec3 listing = listed(uvec2(2, 1));
+    if (listing.z >= works[filtering].count) return;
+    first = tile_at(tiles[listing.z].refined) + ivec2(listing.xy);
+#endif
     read_texels(first);
     for (int x = 0; x < 2; ++x) {
         ivec2 place = ivec2(x, 0);

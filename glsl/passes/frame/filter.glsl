@@ -4,13 +4,11 @@
 
 // The filter of the frame at full size, for compute and fragment shaders. They declare before it:
 //   GloamFrameTexel texel_at(ivec2 place)   the texel at a place, counted from the first that an invocation is for
-//   const int half_width                    1: 3 x 3 pixels; 2: 5 x 5
 
 #include "passes/frame/history.glsl"
 
 // 1 over the relative bend of depth that counts as an edge, and over the difference that counts as another surface.
 const vec2 inverse_tolerance = 1.0 / vec2(0.0025, 0.15);
-const float falloff = 0.18;  // weights of 5 x 5 fall by 2^-(0.18 r^2)
 
 // Sums of the pixel at a place: of its own occlusion and weight, and of all. Texels count in pairs around it.
 vec4 filtered(ivec2 middle) {
@@ -19,20 +17,17 @@ vec4 filtered(ivec2 middle) {
     vec2 sum = mine + vec2(0.0, 1e-4);
     vec2 scale = inverse_tolerance / (usual_share(own.depth, parameters.usual, orthographic) * own.depth);
 #ifdef GLOAM_BENT_NORMALS
-    bends = (own.weight + 1e-4) * vec4(bend_at(middle), 1.0);  // of 3 x 3 texels: more cost more than they gain
+    bends = (own.weight + 1e-4) * vec4(bend_at(middle), 1.0);
 #endif
-    for (int y = 0; y <= half_width; ++y) {
-        for (int x = -half_width; x <= half_width; ++x) {
+    for (int y = 0; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
             if (y == 0 && x <= 0) continue;
             GloamFrameTexel fore = texel_at(middle + ivec2(x, y));
             GloamFrameTexel back = texel_at(middle - ivec2(x, y));
-            float alone = max(abs(x), y) == 2 ? 0.0 : 0.2;  // a far one counts in its pair
-            vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), own.depth, scale, alone);
-            float spatial = half_width == 1 ? 1.0 : exp2(-falloff * float(x * x + y * y));
-            sum += spatial * (near.x * sums_of(fore) + near.y * sums_of(back));
+            vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), own.depth, scale, 0.2);
+            sum += near.x * sums_of(fore) + near.y * sums_of(back);
 #ifdef GLOAM_BENT_NORMALS
-            if (max(abs(x), y) == 2) continue;
-            near *= spatial * vec2(fore.weight, back.weight);
+            near *= vec2(fore.weight, back.weight);
             bends.xyz += near.x * bend_at(middle + ivec2(x, y)) + near.y * bend_at(middle - ivec2(x, y));
             bends.w += near.x + near.y;
 #endif

@@ -1,48 +1,69 @@
 /* SPDX-License-Identifier: MIT
- * Ambient occlusion in three passes: what an engine makes for them, and what it gives them each frame. C99 and C++.
+ * Ambient occlusion in a few passes: what an engine makes for them, and what it gives them each frame. C99 and C++.
  *
  * image        format          size                   written by       read by
- * depth        the engine's    view                   the engine       prepare; sweep for normals from depth (nearest)
- * normal       the engine's    view                   the engine       sweep (nearest)
- * levels[2]    R16F            view, 5 levels         prepare          sweep and join; prepare, filter and join of the
- *                                                                      next frame (nearest texel, nearest level)
- * texels       R32UI           view, or, with half,   sweep            filter or join (nearest)
- *                              half, rounded up
- * history[2]   RGB10_A2        view                   filter or join   the same of the next frame (linear)
- * shown        R8              view                   filter or join   the engine: 1 where blocked, 0 where open
+ * depth        the engine's    view                   the engine       prepare; in place of normal (nearest)
+ * normal       the engine's    view                   the engine       sweep, refine (nearest)
+ * levels[2]    R16F            view, 5 levels         prepare          sweep, refine, join; prepare, filter and join of
+ *                                                                      the next frame (nearest texel, nearest level)
+ * texels       R32UI           view; half of it, up,  sweep; refine    filter (full), join, mark (nearest)
+ *                              for half and tiles
+ * history[2]   RGB10_A2        view                   filter, join     the same of the next frame (linear)
+ * shown        R8              view                   filter, join     the engine: 1 where blocked, 0 where open
  * Deep, for orthographic cameras and those that zoom to less than 30 degrees: R32F for R16F, RG32UI for R32UI.
+ * With tiles, where each pixel is swept in those of 8 x 8 pixels in which half size does not suffice:
+ * marks        R8              view / 8, rounded up   mark             fragment refine, halve, join, filter (nearest)
+ * full texels  as texels       view                   refine, join     filter (nearest)
  * With bent normals:
- * bends        RGBA8           as texels              sweep            filter or join (nearest)
- * bent[2]      RGB10_A2        view                   filter or join   the engine; the same of the next frame (linear)
+ * bends        RGBA8           as texels              sweep; refine    join or filter (nearest)
+ * full bends   RGBA8           view                   refine, join     filter (nearest), with tiles
+ * bent[2]      RGB10_A2        view                   filter, join     the engine; the same of the next frame (linear)
  *
  * pass         bindings of set 0, in their order                              a group makes
- * prepare      depth, levels (0, 1, 2, 3, 4), levels before                   32 x 16 pixels of the view
+ * prepare      depth, levels (0, 1, 2, 3, 4), levels before; lists            32 x 16 pixels of the view
  * sweep        levels, normal (depth for normals from depth), texels          16 x 8 texels
- * filter       texels, shown, history before, levels before, history          32 x 8 pixels of the view
+ * mark         texels, marks, lists                                           8 x 8 marks
+ * refine       levels, normal or depth, full texels; texels; lists            as work[1] says
  * join (half)  texels, levels, shown, history before, levels before, history  32 x 16 pixels of the view
- * With bent normals, behind these: bends in sweep; bends, bent, bent before in filter and join. normalize(normal +
- * 2 bent - 1), all in view space, is the mean of the open directions by the cosine.
+ *   (tiles)    these; full texels; lists                                      as work[3] says
+ * filter (full)  texels, shown, history before, levels before, history        32 x 8 pixels of the view
+ *   (tiles)    the same, but full texels for texels; lists                    as work[2] says
+ * They run in this order: prepare, sweep and filter (full) or join (half); with tiles prepare, sweep, mark, refine,
+ * join and filter, and lists alone then. With bent normals, at the first semicolon or else at the end: bends in sweep;
+ * full bends in refine; bends (with tiles full bends in filter), bent, bent before in filter and join; and behind
+ * texels in refine bends, behind full texels in join full bends. normalize(normal + 2 bent - 1), all in view space, is
+ * the mean of the open directions by the cosine.
  *
  * "before" is that of the last frame: the two of levels, history and bent change places. Images begin with zeros;
  * samplers clamp to the edge. A cut needs no image cleared.
+ * Lists: a storage buffer of 68 bytes and 8 for each mark, which prepare empties and mark fills. It begins with work[0]
+ * to work[3], of 16 bytes each: the groups (x, y, 1) of an indirect dispatch, and a count.
  * Vulkan: structures are push constants, images are in layout GENERAL, and before each pass there is a memory barrier
- * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. The device needs the feature
- * shaderStorageImageExtendedFormats. Specialization constants: 1 orthographic; 2, 3, 4 normals in world space,
- * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another; 9 deep, for which
- * prepare and sweep are packed with the other formats.
+ * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. With tiles both stages are
+ * COMPUTE_SHADER | DRAW_INDIRECT, the second access is INDIRECT_COMMAND_READ, too, and the buffer has the usages
+ * STORAGE and INDIRECT. The device needs the feature shaderStorageImageExtendedFormats. Specialization constants:
+ * 1 orthographic; 2, 3, 4 normals in world space, octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one
+ * another; 9 deep, for which what writes levels or texels is packed with the other formats.
  * OpenGL: structures are the uniform block 0 (Parameters), in a buffer of 128 bytes, and behind each compute pass there
- * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
+ * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT), with tiles also
+ * GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT.
  * As fragment shaders (330, 300es) a pass draws a triangle over all that it writes, prepare one for each `level`. Their
  * samplers: depth is stored_image; normal, normal_image; levels, depth_image; levels before, depth_before_image;
- * texels, texel_image; history before, before_image. They have no bent normals. */
+ * texels, texel_image; marks, mark_image; history before, before_image. There are no lists and no bent normals. With
+ * tiles, refine draws to full texels alone; behind it halve, which has no structure, draws from full texels
+ * (texel_image) and marks to texels; join draws to shown, history and full texels (outputs 0, 1, 2); filter reads full
+ * texels as texel_image. These four keep what the images hold in tiles that are not theirs, and so must the engine. It
+ * is soonest where tiles.vert draws them, whose comment says how. */
 #ifndef GLOAM_FRAME_H
 #define GLOAM_FRAME_H
 #include <math.h>
 #include <string.h>
 
-/* half: the sweep takes every second pixel in both directions. range, sharpness: of the history. orthographic: cameras
- * that the passes are made for, as constant 1 says. deep: likewise, as constant 9; some images have other formats. */
-typedef struct { int half; float range, sharpness; int orthographic, deep; } gloam_preset;
+/* What the sweep takes: each pixel, every second one in both directions, or these and each pixel of some tiles. */
+typedef enum { gloam_full, gloam_half, gloam_tiles } gloam_resolution;
+/* mark: of tiles. range, sharpness: of the history. orthographic: cameras that the passes are made for, as constant 1
+ * says. deep: likewise, as constant 9; some images have other formats. */
+typedef struct { gloam_resolution resolution; float mark, range, sharpness; int orthographic, deep; } gloam_preset;
 typedef struct { /* another one begins a sequence */
     gloam_preset preset;
     int size[2];      /* of the view, pixels */
@@ -70,7 +91,8 @@ typedef struct {
     float inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], noise[2];
     float depth[4], far_value; /* for normals from depth */
 } gloam_sweep;
-typedef struct { /* filter or join. albedo: for multi-bounce, of what blocks, 0 to 1, by the engine */
+typedef struct { float inverse_texels[2], least; } gloam_mark;
+typedef struct { /* filter or join. albedo: of what blocks, with multi-bounce; set in filter before gloam_next() */
     float before[4][4], most, range, narrowing, sharpness, dither, albedo, inverse_texels[2], inverse_size[2], usual[2];
 } gloam_last;
 
@@ -80,8 +102,9 @@ typedef struct { /* begins with zeros */
     float previous_from_current[16]; /* view space of this frame to that of the frame before */
     int frames, still;               /* frames before this one in the sequence; the camera is that of the last one */
     gloam_prepare prepare;
-    gloam_sweep sweep;
-    gloam_last last;
+    gloam_sweep sweep; /* of refine, too */
+    gloam_mark mark;
+    gloam_last filter, join;
 } gloam_frame;
 
 /* How pixels look into the view, lengths in radii: (column, row, 1, 1 / depth) to view space over depth; orthographic
@@ -140,18 +163,19 @@ static inline void gloam_fill(gloam_frame* frame, const float* p) {
                             deep ? 0 : (float)(buffer ? -1 / scale : 1 / radius), deep ? p[10] : 1, deep ? 1.0f : 0};
     const float far_value = !buffer ? INFINITY : (lens.flat ? p[10] : p[14]) > 0 ? 0.0f : 1.0f; /* 0: reversed */
     float moved[4][4] = {{0}, {0}, {0, 0, -1, 0}, {0}}; /* a depth below 0: all has moved, whatever the images hold */
-    gloam_fill_before(frame, frame->last.before);
-    memcpy(frame->prepare.before, frame->frames > 0 ? frame->last.before : moved, sizeof moved);
+    gloam_last* last = &frame->filter;
+    gloam_fill_before(frame, last->before);
+    memcpy(frame->prepare.before, frame->frames > 0 ? last->before : moved, sizeof moved);
     for (int i = 0; i < 4; ++i) frame->prepare.depth[i] = frame->sweep.depth[i] = depth[i];
     memcpy(frame->sweep.view_from_world, frame->now.view, sizeof frame->sweep.view_from_world);
-    gloam_fill_usual(settings, p, lens, frame->last.usual);
+    gloam_fill_usual(settings, p, lens, last->usual);
     frame->prepare.far_value = frame->sweep.far_value = far_value;
     for (int i = 0; i < 2; ++i) {
-        frame->sweep.view_from_world[i][3] = frame->prepare.usual[i] = frame->last.usual[i];
-        const int size = settings->size[i], texels = settings->preset.half ? (size + 1) / 2 : size;
+        frame->sweep.view_from_world[i][3] = frame->prepare.usual[i] = last->usual[i];
+        const int size = settings->size[i];
         const double span = size > 1 ? size - 1 : 1;
-        frame->prepare.inverse_size[i] = frame->last.inverse_size[i] = 1.0f / (float)size;
-        frame->last.inverse_texels[i] = 1.0f / (float)texels;
+        frame->prepare.inverse_size[i] = last->inverse_size[i] = last->inverse_texels[i] = 1.0f / (float)size;
+        frame->mark.inverse_texels[i] = 1.0f / (float)((size + 1) / 2);
         frame->sweep.inverse_span[i] = (float)(1 / span);
         frame->sweep.first[i] = 0.5f / (float)size;
         frame->sweep.span[i] = (float)(span / size);
@@ -160,11 +184,14 @@ static inline void gloam_fill(gloam_frame* frame, const float* p) {
         frame->sweep.reach[i] = (float)(1 / lens.step[i]);
         frame->sweep.noise[i] = gloam_part(frame->frames * (i == 0 ? 0.6180340 : 0.7548777));
     }
-    frame->last.most = frame->frames == 0 ? 0 : (frame->still ? 63.0f : 7.0f) / 1023.0f;
-    frame->last.range = frame->still ? 1 : settings->preset.range;
-    frame->last.narrowing = frame->last.range - 0.01f;
-    frame->last.sharpness = frame->still ? 0 : settings->preset.sharpness;
-    frame->last.dither = gloam_part(frame->frames * 0.4142136);
+    last->most = frame->frames == 0 ? 0 : (frame->still ? 63.0f : 7.0f) / 1023.0f;
+    last->range = frame->still ? 1 : settings->preset.range;
+    last->narrowing = last->range - 0.01f;
+    last->sharpness = frame->still ? 0 : settings->preset.sharpness;
+    last->dither = gloam_part(frame->frames * 0.4142136);
+    frame->join = *last;
+    memcpy(frame->join.inverse_texels, frame->mark.inverse_texels, sizeof frame->mark.inverse_texels);
+    frame->mark.least = settings->preset.mark;
 }
 
 /* The next frame begins a sequence. */

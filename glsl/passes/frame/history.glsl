@@ -86,8 +86,8 @@ float accumulated(ivec2 pixel, float depth, vec4 sums, float moved) {
         vec3 bent_before = 2.0 * textureLod(bent_before_image, was.xy, 0.0).xyz - 1.0;
         bent = mix(bent_before, bent, weight);  // how far the camera has turned does not matter
 #endif
-#ifdef GLOAM_TILES
-        if (groups.y == 0u) {  // settled: there are no taps
+#ifdef GLOAM_SKIPS
+        if (works[sweeping].groups.z == 0u) {  // settled: there are no taps
             kept = vec4(texel, 0.0);
             means.x = texel.x;
 #ifdef GLOAM_BENT_NORMALS

@@ -12,10 +12,15 @@
 //   3          the history of the frame before; bilinear, clamped to the edge
 //   4          level 0 of the depth of the frame before; nearest, clamped to the edge
 //   5  rgb10_a2  written: the history
+// With GLOAM_MARKS it dispatches as many groups as its list says (tile_list.glsl), and writes what filter.comp reads
+// around its tiles: at binding GLOAM_OTHER_TEXELS the texels of the view's size, behind it their bends.
 layout(local_size_x = 16, local_size_y = 8) in;
 
 #ifndef GLOAM_OUTPUT
 #define GLOAM_OUTPUT r32f
+#endif
+#ifndef GLOAM_TEXELS
+#define GLOAM_TEXELS r32ui
 #endif
 layout(binding = 0) uniform highp usampler2D texel_image;
 layout(binding = 1) uniform highp sampler2D depth_image;
@@ -29,19 +34,36 @@ layout(binding = 7, rgb10_a2) uniform writeonly highp image2D bent_image;  // wr
 layout(binding = 8) uniform highp sampler2D bent_before_image;  // of the frame before; bilinear, clamped
 #endif
 
-const int half_width = 1;  // 4 x 4 texels serve a block of pixels
+#ifdef GLOAM_MARKS
+layout(binding = GLOAM_OTHER_TEXELS, GLOAM_TEXELS) uniform writeonly highp uimage2D full_texel_image;
+#ifdef GLOAM_BENT_NORMALS
+layout(binding = GLOAM_OTHER_TEXELS + 1, rgba8) uniform writeonly highp image2D full_bend_image;
+#endif
+#endif
 
 #include "passes/frame/texels.glsl"
 #include "passes/frame/join.glsl"
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+#ifdef GLOAM_MARKS
+    uvec3 listing = listed(uvec2(2));
+    if (listing.z >= works[joining].count) return;
+    block = (tile_at(tiles[listing.z].joined) + ivec2(listing.xy)) / 2;
+#endif
     read_texels(block);
     vec4 own = abs(textureGather(depth_image, vec2(2 * block + 1) * parameters.inverse_size)).wzxy;  // by rows
     for (int i = 0; i < 4; ++i) {
         ivec2 odd = ivec2(i % 2, i / 2);
         ivec2 pixel = 2 * block + odd;
-        imageStore(result_image, pixel, vec4(accumulated(pixel, own[i], joined(odd, own[i]), moved_around())));
+        vec4 sums = joined(odd, own[i]);
+#ifdef GLOAM_MARKS
+        if (is_at_rim(pixel)) imageStore(full_texel_image, pixel, full_texel(own[i], sums).xyxy);
+#ifdef GLOAM_BENT_NORMALS
+        if (is_at_rim(pixel)) imageStore(full_bend_image, pixel, vec4(bends.xyz / bends.w, 1.0));
+#endif
+#endif
+        imageStore(result_image, pixel, vec4(accumulated(pixel, own[i], sums, moved_around())));
 #ifdef GLOAM_BENT_NORMALS
         imageStore(bent_image, pixel, vec4(0.5 * bent + 0.5, 1.0));
 #endif

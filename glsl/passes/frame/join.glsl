@@ -52,4 +52,16 @@ float moved_around() {
     return min(0.25 * float(moved), 1.0);
 }
 
+// A pixel beside a tile that is swept in full, as filter reads it there: so both sides of the border have a part of one
+// another. A mean of many texels has the most weight that one can have.
+uvec2 full_texel(float depth, vec4 sums) {
+    return uvec2(gloam_frame_code(depth, sums.z / sums.w, 1.6), floatBitsToUint(depth));
+}
+
+// Whether a pixel of a tile has neighbours in another.
+bool is_at_rim(ivec2 pixel) {
+    ivec2 place = pixel + 1 & 7;
+    return min(place.x, place.y) <= 1;
+}
+
 #endif

@@ -33,7 +33,7 @@ vec4 levels_before(vec2 at) {
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
 #ifdef GLOAM_TILES
-    if (block == ivec2(0)) groups = uvec3(0u, 0u, 1u);
+    if (block == ivec2(0)) empty_lists();
 #endif
     ivec2 pixel = 2 * block;
     vec4 stored = textureGather(stored_image, vec2(pixel + 1) * parameters.inverse_size);

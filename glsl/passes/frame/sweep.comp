@@ -8,7 +8,9 @@
 //   0  r16f   depth of prepare.comp with its levels; nearest texel and level, clamped to the edge
 //   1         normals as the engine stores them, any format; from depth: its depth, in x
 //   2  texels  written: gloam/filter/frame_texel.glsl, and with two components the depth, for deep views
-// With a list of tiles (tile_list.glsl) it dispatches as many groups as the list says.
+// With GLOAM_SKIPS it dispatches as many groups as its list says (tile_list.glsl). With GLOAM_MARKS, too: it then
+// sweeps what mark.comp has marked, for join.comp beside these tiles also the texels of every second pixel: at binding
+// GLOAM_OTHER_TEXELS, and behind it their bends.
 #ifndef GLOAM_TEXELS
 #define GLOAM_TEXELS r32ui
 #endif
@@ -21,17 +23,38 @@ layout(binding = 2, GLOAM_TEXELS) uniform writeonly highp uimage2D texel_image;
 layout(binding = 3, rgba8) uniform writeonly highp image2D bend_image;  // written: of each texel
 #endif
 
+#ifdef GLOAM_MARKS
+layout(binding = GLOAM_OTHER_TEXELS, GLOAM_TEXELS) uniform writeonly highp uimage2D half_texel_image;
+#ifdef GLOAM_BENT_NORMALS
+layout(binding = GLOAM_OTHER_TEXELS + 1, rgba8) uniform writeonly highp image2D half_bend_image;
+#endif
+#endif
+
 #include "passes/frame/sweep.glsl"
 #include "passes/frame/tile_list.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
 #ifdef GLOAM_TILES
-    pixel = tile_at(gl_WorkGroupID.x) + ivec2(gl_LocalInvocationID.xy);
+    uvec3 own = listed(uvec2(stride));
+#ifdef GLOAM_MARKS
+    if (own.z >= works[refining].count) return;
+    pixel = tile_at(tiles[own.z].refined) + ivec2(own.xy);
+#else
+    if (own.z >= works[sweeping].count) return;
+    pixel = (tile_at(tiles[own.z].swept) + ivec2(own.xy)) / stride;
 #endif
-    imageStore(texel_image, pixel, texel_of(pixel).xyxy);
+#endif
+    uvec4 texel = texel_of(pixel).xyxy;
+    imageStore(texel_image, pixel, texel);
+#ifdef GLOAM_MARKS
+    if (((pixel.x | pixel.y) & 1) == 0) imageStore(half_texel_image, pixel / 2, texel);
+#endif
 #ifdef GLOAM_BENT_NORMALS
-    blocked.z -= parameters.view_from_world[2].w * blocked.z;  // in the view space of the engine
-    imageStore(bend_image, pixel, vec4((128.0 - 127.0 * blocked) / 255.0, 1.0));
+    vec4 bend = bend_texel();
+    imageStore(bend_image, pixel, bend);
+#ifdef GLOAM_MARKS
+    if (((pixel.x | pixel.y) & 1) == 0) imageStore(half_bend_image, pixel / 2, bend);
+#endif
 #endif
 }

@@ -165,4 +165,12 @@ uvec2 texel_of(ivec2 pixel) {
     return uvec2(history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code, floatBitsToUint(depth));
 }
 
+#ifdef GLOAM_BENT_NORMALS
+// Of that pixel, after texel_of(): by what its normal is bent, in the view space of the engine.
+vec4 bend_texel() {
+    blocked.z -= parameters.view_from_world[2].w * blocked.z;
+    return vec4((128.0 - 127.0 * blocked) / 255.0, 1.0);
+}
+#endif
+
 #endif

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The frame on drivers that run both sides of every branch, behind prepare.comp: lists the tiles that the sweep makes
-// (tile_list.glsl), and finds out whether the view is settled. One invocation a tile.
+// (tile_list.glsl), and finds out whether the view is settled. One invocation a tile of 8 x 8 pixels.
 //
 // Dispatch ceil(tiles / (8, 1)) groups. Descriptor set 0:
 //   0  depth of prepare.comp; nearest texel, clamped to the edge
 //   1  level 0 of the depth of the frame before, in sequences; likewise
-//   2  the list
+//   2  the lists
 layout(local_size_x = 8) in;
 
 layout(binding = 0) uniform highp sampler2D depth_image;
 layout(binding = 1) uniform highp sampler2D depth_before_image;
 #ifndef GLOAM_TILES
 #define GLOAM_TILES 2
+#define GLOAM_SKIPS
 #endif
 
 #include "gloam/sampling/depth_levels.glsl"
@@ -30,20 +31,21 @@ struct TileParameters {
 };
 FRAME_PARAMETERS(TileParameters)
 
+const uint tiles_of_group = uint(2 * stride * stride);  // of the sweep
+
 // A view that has not changed for so many frames is settled: its means have all the frames that they take.
 const uint settling_frames = 64u;
 
 // Depth of the i-th 2 x 2 pixels of a tile.
 vec4 depths_of(sampler2D image, ivec2 tile, int i) {
-    const int wide = 8 * stride;
-    ivec2 block = ivec2(tile.x * wide + i % wide, tile.y * 4 * stride + i / wide);
+    ivec2 block = 4 * tile + ivec2(i % 4, i / 4);
     return textureGather(image, vec2(2 * block + 1) * parameters.inverse_size);
 }
 
 void main() {
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
     if (tile.x >= parameters.count.x) return;
-    const int blocks = 32 * stride * stride;
+    const int blocks = 16;
     bool sees = false;
     for (int i = 0; i < blocks && !sees; ++i)
         sees = any(lessThan(depths_of(depth_image, tile, i), vec4(GLOAM_FARTHEST_LEVEL_DEPTH)));
@@ -53,8 +55,8 @@ void main() {
     uint last = parameters.frame;
     if (changed) atomicExchange(last_changed, last);
     else last = atomicOr(last_changed, 0u);
-    if (parameters.frame - last < settling_frames) groups.y = 1u;
+    if (parameters.frame - last < settling_frames) works[sweeping].groups.z = works[refining].groups.z = 1u;
     uint own = uint(tile.y * parameters.count.x + tile.x);
-    if (sees || tiles[own].blank == 0u) tiles[atomicAdd(groups.x, 1u)].place = uint(tile.x | tile.y << 16);
+    if (sees || tiles[own].blank == 0u) tiles[counted(sweeping, tiles_of_group)].swept = uint(tile.x | tile.y << 16);
     tiles[own].blank = sees ? 0u : 1u;
 }

@@ -18,6 +18,7 @@ struct AmbientOcclusion::Impl {
     std::unique_ptr<FramePasses> study;
     std::unique_ptr<FramePasses> frame;
     std::optional<Settings> settings;  // of the last view; none: there is no view
+    std::vector<TileWork> tiles;       // of it, before the frame marks any
     PassWatcher watcher;               // empty: no watcher
 
     [[nodiscard]] FramePasses& passes(const Settings& chosen) const {
@@ -29,6 +30,7 @@ struct AmbientOcclusion::Impl {
         require_sizes(view, extent);
         passes(chosen).take(view, chosen, follows);
         settings = chosen;
+        tiles = tile_work_of(view, chosen);
     }
 };
 
@@ -63,7 +65,11 @@ Frame AmbientOcclusion::next(int repeat) {
     const Impl& impl = *impl_;
     if (!impl.settings) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
-    return impl.passes(*impl.settings).next(repeat, impl.watcher);
+    Frame frame = impl.passes(*impl.settings).next(repeat, impl.watcher);
+    const std::vector<TileWork> marked = std::exchange(frame.tiles, impl.tiles);
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        if (frame.tiles[i] == TileWork::half) frame.tiles[i] = marked[i];
+    return frame;
 }
 
 }  // namespace gloam::effect

@@ -11,6 +11,7 @@
 #include "base/hidden.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
+#include "effect/tile_work.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 
@@ -34,6 +35,7 @@ struct Frame {
     std::vector<float> kept;         // samples that the pixel's history holds; 0: it has no history
     std::vector<glm::vec3> bent;     // with Settings::bent_normals: the normal plus this, normalised, is the
                                      // mean of the open directions, in view space; 0 at the background
+    std::vector<TileWork> tiles;     // of the view with its guard band, by rows
     std::vector<PassTime> times;     // in the order in which the passes ran
     double samples = 0.0;  // asked of a pixel with a surface, mean: k_1, or k_2 where it has converged
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used

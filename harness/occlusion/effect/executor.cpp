@@ -233,7 +233,8 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
                   .resources = {},
                   .parameters = pass.parameters,
                   .groups = pass.groups,
-                  .groups_from = pass.groups_from.empty() ? nullptr : &resources.buffer(pass.groups_from)};
+                  .groups_from = pass.groups_from.empty() ? nullptr : &resources.buffer(pass.groups_from),
+                  .groups_at = pass.groups_at};
         for (std::size_t i = 0; i < pass.resources.size(); ++i)
             step.resources.push_back(resources.at(pass.resources[i], of_pass.formats[i]));
         steps.push_back(std::move(step));

@@ -19,8 +19,11 @@ namespace {
 using enum gpu::Format;
 
 constexpr std::uint32_t depth_levels = 5;
-constexpr gpu::Extent tile{16, 8};          // texels that a group of the sweep makes
 constexpr const char* tile_list = "tiles";  // glsl/passes/frame/tile_list.glsl
+
+// The lists in that buffer, by their numbers.
+enum List : std::uint32_t { sweeping, refining, filtering, joining };
+constexpr std::uint32_t bytes_of_work = 16;
 
 // What a frame takes of the engine.
 struct Taken {
@@ -28,7 +31,7 @@ struct Taken {
     float radius = 1.0F;
     scene::Encoding encoding{};
     bool normals = true;  // there are some
-    bool tiles = false;   // the sweep has a list of its tiles
+    bool skips = false;   // the sweep has a list of tiles
     bool deep = false;    // depth has 32 bits: frame/parameters.glsl
 };
 
@@ -40,13 +43,26 @@ struct TileParameters {
     std::uint32_t stands;
 };
 
-bool is_half(const Settings& settings) {
-    return settings.resolution == Resolution::half;
+bool has_tiles(const Settings& settings) {
+    return settings.resolution == Resolution::tiles;
 }
 
-// Of half of each side, rounded up.
+// Of the first sweep: pixels of the view from one texel to the next.
+std::uint32_t stride_of(const Settings& settings) {
+    return settings.resolution == Resolution::full ? 1 : 2;
+}
+
+// Its texels.
 gpu::Extent swept_of(const Settings& settings, gpu::Extent view) {
-    return is_half(settings) ? gpu::Extent{(view.width + 1) / 2, (view.height + 1) / 2} : view;
+    const std::uint32_t stride = stride_of(settings);
+    return {(view.width + stride - 1) / stride, (view.height + stride - 1) / stride};
+}
+
+// Of the lists, as their passes declare them.
+std::size_t list_bytes(const Settings& settings, gpu::Extent view, bool skips) {
+    const gpu::Extent count = tiles_of(view);
+    const std::size_t words = skips ? 4 : 2;
+    return has_tiles(settings) || skips ? 4 * (4 * 4 + 1 + words * count.width * count.height) : 0;
 }
 
 gloam_camera camera_of(const View& view) {
@@ -58,11 +74,12 @@ gloam_camera camera_of(const View& view) {
 
 gloam_settings settings_of(const Settings& settings, const Taken& taken) {
     const gpu::Extent extent = taken.view.extent;
-    return {.preset = {is_half(settings), settings.history_range, settings.history_sharpness,
-                       taken.view.camera.orthographic(), taken.deep},
-            .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
-            .radius = taken.radius,
-            .depth_buffer = taken.encoding.depth_buffer};
+    return {
+        .preset = {static_cast<gloam_resolution>(settings.resolution), settings.mark, settings.history_range,
+                   settings.history_sharpness, taken.view.camera.orthographic(), taken.deep},
+        .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
+        .radius = taken.radius,
+        .depth_buffer = taken.encoding.depth_buffer};
 }
 
 // Whether depth of 16 bits is too coarse from the beginning.
@@ -88,17 +105,14 @@ std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std:
 // Those that all passes have, behind a pass' own.
 std::vector<gpu::SpecializationConstant> constants_of(const Settings& settings, const Taken& taken,
                                                       std::vector<gpu::SpecializationConstant> own) {
-    own.insert(own.end(), {{.id = 8, .bits = flag(settings.history)}, {.id = 9, .bits = flag(taken.deep)}});
+    own.insert(own.end(), {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
+                           {.id = 8, .bits = flag(settings.history)},
+                           {.id = 9, .bits = flag(taken.deep)}});
     return own;
 }
 
-gpu::SpecializationConstant camera_constant(const Taken& taken) {
-    return {.id = 1, .bits = flag(taken.view.camera.orthographic())};
-}
-
 PlannedPass first_pass(const Settings& settings, const Taken& taken, const gloam_prepare& parameters) {
-    PassSource source{.file = "frame/prepare.comp",
-                      .constants = constants_of(settings, taken, {camera_constant(taken)})};
+    PassSource source{.file = "frame/prepare.comp", .constants = constants_of(settings, taken, {})};
     if (taken.deep) source.defines.emplace_back("GLOAM_LEVELS r32f");
     return single_pass("prepare", source,
                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4",
@@ -106,50 +120,76 @@ PlannedPass first_pass(const Settings& settings, const Taken& taken, const gloam
                        parameters, groups_of(taken.view.extent, 2, 2));
 }
 
-PlannedPass last_pass(const Settings& settings, const Taken& taken, gloam_last parameters) {
-    const gpu::Extent view = taken.view.extent;
+// The pass makes the tiles of a list, so many a group: at most all of the view.
+void dispatch_by(List list, std::uint32_t tiles_of_group, gpu::Extent view, PlannedPass& pass) {
+    const gpu::Extent count = tiles_of(view);
+    const std::uint32_t most = (count.width * count.height + tiles_of_group - 1) / tiles_of_group;
+    pass.groups = {most, 1, 1};
+    pass.groups_from = tile_list;
+    pass.groups_at = list * bytes_of_work;
+}
+
+// Binds the lists behind the other resources of the pass.
+void bind_lists(const Taken& taken, PlannedPass& pass) {
+    pass.source.defines.push_back(fmt::format("GLOAM_TILES {}", pass.resources.size()));
+    if (taken.skips) pass.source.defines.emplace_back("GLOAM_SKIPS");
+    pass.resources.emplace_back(tile_list);
+}
+
+// Join, or filter.
+PlannedPass last_pass(const Settings& settings, const Taken& taken, const gloam_frame& frame, bool joins) {
+    gloam_last parameters = joins ? frame.join : frame.filter;
     parameters.albedo = settings.bounce_albedo;
-    PassSource source{.file = is_half(settings) ? "frame/join.comp" : "frame/filter.comp",
-                      .constants = constants_of(settings, taken, {camera_constant(taken)}),
+    PassSource source{.file = joins ? "frame/join.comp" : "frame/filter.comp",
+                      .constants = constants_of(settings, taken, {}),
                       .unrolls = true};
     define_output(settings.output, source.defines);
     if (settings.bounce_albedo > 0.0F) source.defines.emplace_back("GLOAM_MULTI_BOUNCE");
-    std::vector<std::string> resources{"texels", "shown"};
-    if (is_half(settings)) resources.insert(resources.begin() + 1, "levels");
-    for (const char* name : {"history_before/linear", "levels_before", "history"})
-        resources.emplace_back(settings.history ? name : nothing_image);
-    if (is_half(settings))
-        return single_pass("join", source, std::move(resources), parameters, groups_of(view, 2, 2));
-    source.constants.push_back({.id = 0, .bits = static_cast<std::uint32_t>(settings.filter_half_width)});
-    return single_pass("filter", source, std::move(resources), parameters, groups_of(view, 2, 1));
+    if (has_tiles(settings)) source.defines.emplace_back("GLOAM_MARKS");
+    if (joins && taken.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
+    std::vector<std::string> resources{has_tiles(settings) && !joins ? "full_texels" : "texels"};
+    if (joins) resources.emplace_back("levels");
+    resources.emplace_back("shown");
+    for (const char* image : {"history_before/linear", "levels_before", "history"})
+        resources.emplace_back(settings.history ? image : nothing_image);
+    PlannedPass pass = single_pass(joins ? "join" : "filter", source, std::move(resources), parameters,
+                                   groups_of(taken.view.extent, 2, joins ? 2 : 1));
+    if (has_tiles(settings)) dispatch_by(joins ? joining : filtering, joins ? 8 : 4, taken.view.extent, pass);
+    return pass;
 }
 
-PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam_sweep& parameters) {
-    PassSource source{.file = "frame/sweep.comp",
-                      .constants = constants_of(settings, taken,
-                                                {camera_constant(taken),
-                                                 {.id = 2, .bits = flag(taken.encoding.world)},
-                                                 {.id = 3, .bits = flag(taken.encoding.octahedral)},
-                                                 {.id = 4, .bits = flag(taken.encoding.unorm)},
-                                                 {.id = 5, .bits = slices_of(settings)},
-                                                 {.id = 6, .bits = settings.own.steps},
-                                                 {.id = 7, .bits = is_half(settings) ? 2U : 1U}}),
-                      .unrolls = slices_of(settings) < 4};
+// A sweep with so many slices and steps. refines: that of the marked tiles.
+PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam_sweep& parameters,
+                       bool refines) {
+    const bool before = has_tiles(settings) && !refines;
+    const std::uint32_t slices = before ? 1 : slices_of(settings);
+    const std::uint32_t stride = refines ? 1 : stride_of(settings);
+    PassSource source{
+        .file = "frame/sweep.comp",
+        .constants = constants_of(settings, taken,
+                                  {{.id = 2, .bits = flag(taken.encoding.world)},
+                                   {.id = 3, .bits = flag(taken.encoding.octahedral)},
+                                   {.id = 4, .bits = flag(taken.encoding.unorm)},
+                                   {.id = 5, .bits = slices},
+                                   {.id = 6, .bits = before ? steps_before_tiles : settings.own.steps},
+                                   {.id = 7, .bits = stride}}),
+        .unrolls = slices < 4};
     if (taken.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
     if (!taken.normals) source.defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
-    PlannedPass sweep = single_pass("sweep", source, {"levels", taken.normals ? "normal" : "depth", "texels"},
-                                    parameters, groups_of(swept_of(settings, taken.view.extent), 1, 1));
-    if (taken.normals) sweep.parameters.resize(offsetof(gloam_sweep, depth));
-    return sweep;
+    if (refines) source.defines.emplace_back("GLOAM_MARKS");
+    std::vector<std::string> resources{"levels", taken.normals ? "normal" : "depth",
+                                       refines ? "full_texels" : "texels"};
+    PlannedPass pass = single_pass(refines ? "refine" : "sweep", source, std::move(resources), parameters,
+                                   groups_of(swept_of(settings, taken.view.extent), 1, 1));
+    if (taken.normals) pass.parameters.resize(offsetof(gloam_sweep, depth));
+    if (refines || taken.skips)
+        dispatch_by(refines ? refining : sweeping, 2 * stride * stride, taken.view.extent, pass);
+    return pass;
 }
 
-gpu::Extent tiles_of(const Settings& settings, gpu::Extent view) {
-    const gpu::Extent swept = swept_of(settings, view);
-    return {(swept.width + tile.width - 1) / tile.width, (swept.height + tile.height - 1) / tile.height};
-}
-
+// Lists the tiles of the sweep on CPUs' drivers.
 PlannedPass tile_pass(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    const gpu::Extent count = tiles_of(settings, taken.view.extent);
+    const gpu::Extent count = tiles_of(taken.view.extent);
     const TileParameters parameters{
         .inverse_size = {frame.prepare.inverse_size[0], frame.prepare.inverse_size[1]},
         .count = count,
@@ -157,39 +197,74 @@ PlannedPass tile_pass(const Settings& settings, const Taken& taken, const gloam_
         .stands = flag(frame.still != 0)};
     const PassSource source{
         .file = "frame/tiles.comp",
-        .constants = constants_of(settings, taken, {{.id = 7, .bits = is_half(settings) ? 2U : 1U}})};
+        .constants = constants_of(settings, taken, {{.id = 7, .bits = stride_of(settings)}})};
     return single_pass("tiles", source, {"levels", settings.history ? "levels_before" : nothing_image},
                        parameters, {(count.width + 7) / 8, count.height, 1});
 }
 
-// Binds the list of tiles behind the other resources of each pass.
-void bind_tiles(std::vector<PlannedPass>& passes) {
-    for (PlannedPass& pass : passes) {
-        pass.source.defines.push_back(fmt::format("GLOAM_TILES {}", pass.resources.size()));
-        pass.resources.emplace_back(tile_list);
-    }
+PlannedPass mark_pass(const Taken& taken, const gloam_frame& frame) {
+    const gpu::Extent count = tiles_of(taken.view.extent);
+    return single_pass("mark", {.file = "frame/mark.comp"}, {"texels", "marks"}, frame.mark,
+                       {(count.width + 7) / 8, (count.height + 7) / 8, 1});
 }
 
 // Binds the images of bent normals behind the other resources.
-void bind_bends(const Settings& settings, PlannedPass& sweep, PlannedPass& last) {
-    for (PlannedPass* pass : {&sweep, &last}) {
-        pass->source.defines.emplace_back("GLOAM_BENT_NORMALS");
-        pass->resources.emplace_back("bends");
-    }
-    last.resources.emplace_back("bent");
-    last.resources.emplace_back(settings.history ? "bent_before/linear" : nothing_image);
+void bind_bends(const Settings& settings, PlannedPass& pass) {
+    const bool full = pass.name == "refine" || (pass.name == "filter" && has_tiles(settings));
+    pass.source.defines.emplace_back("GLOAM_BENT_NORMALS");
+    pass.resources.emplace_back(full ? "full_bends" : "bends");
+    if (pass.name == "sweep" || pass.name == "refine") return;
+    pass.resources.emplace_back("bent");
+    pass.resources.emplace_back(settings.history ? "bent_before/linear" : nothing_image);
+}
+
+// Binds the texels, and their bends, that refine and join write for one another behind these.
+void bind_others(const Settings& settings, const std::string& texels, const std::string& bends,
+                 PlannedPass& pass) {
+    pass.source.defines.push_back(fmt::format("GLOAM_OTHER_TEXELS {}", pass.resources.size()));
+    pass.resources.push_back(texels);
+    if (settings.bent_normals) pass.resources.push_back(bends);
 }
 
 std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    std::vector<PlannedPass> passes{first_pass(settings, taken, frame.prepare),
-                                    sweep_pass(settings, taken, frame.sweep),
-                                    last_pass(settings, taken, frame.last)};
-    if (settings.bent_normals) bind_bends(settings, passes[1], passes[2]);
-    if (!taken.tiles) return passes;
-    passes[1].groups_from = tile_list;
-    passes.insert(passes.begin() + 1, tile_pass(settings, taken, frame));
-    bind_tiles(passes);
+    std::vector<PlannedPass> passes{first_pass(settings, taken, frame.prepare)};
+    if (taken.skips) passes.push_back(tile_pass(settings, taken, frame));
+    passes.push_back(sweep_pass(settings, taken, frame.sweep, false));
+    if (has_tiles(settings)) {
+        passes.push_back(mark_pass(taken, frame));
+        passes.push_back(sweep_pass(settings, taken, frame.sweep, true));
+    }
+    if (settings.resolution != Resolution::full) passes.push_back(last_pass(settings, taken, frame, true));
+    if (settings.resolution != Resolution::half) passes.push_back(last_pass(settings, taken, frame, false));
+    for (PlannedPass& pass : passes) {
+        const bool bends = pass.name != "prepare" && pass.name != "tiles" && pass.name != "mark";
+        if (settings.bent_normals && bends) bind_bends(settings, pass);
+        if (pass.name == "refine") bind_others(settings, "texels", "bends", pass);
+        if (has_tiles(settings) && pass.name == "join")
+            bind_others(settings, "full_texels", "full_bends", pass);
+        if (taken.skips || (has_tiles(settings) && pass.name != "sweep")) bind_lists(taken, pass);
+    }
     return passes;
+}
+
+// The images that the passes write, but for those that the next frame reads.
+std::vector<PlannedImage> written_of(const Settings& settings, const Taken& taken) {
+    const gpu::Extent view = taken.view.extent;
+    const gpu::Format texels = taken.deep ? rg32ui : r32ui;  // gloam/filter/frame_texel.glsl
+    const auto written = [](const char* name, gpu::Format format, gpu::Extent extent) {
+        return PlannedImage{name, format, PlannedImage::Origin::frame, extent};
+    };
+    std::vector<PlannedImage> images{written("texels", texels, swept_of(settings, view)),
+                                     written("shown", format_of(settings.output), view)};
+    if (has_tiles(settings)) {
+        images.push_back(written("full_texels", texels, view));
+        images.push_back(written("marks", r8, tiles_of(view)));
+    }
+    if (!settings.bent_normals) return images;
+    images.push_back(written("bends", rgba8, swept_of(settings, view)));
+    if (has_tiles(settings)) images.push_back(written("full_bends", rgba8, view));
+    images.push_back(written("bent", rgb10_a2, view));
+    return images;
 }
 
 Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& numbers) {
@@ -197,15 +272,10 @@ Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& n
     const gpu::Extent extent = taken.view.extent;
     const gpu::Format depths = taken.deep ? r32f : r16f;
     Plan plan;
-    plan.images = {{"depth", r32f, engine, extent},                  // as it is stored
-                   {"levels", depths, frame, extent, depth_levels},  // eye-linear depth in radii
-                   {"texels", taken.deep ? rg32ui : r32ui, frame,
-                    swept_of(settings, extent)},  // gloam/filter/frame_texel.glsl
-                   {"shown", format_of(settings.output), frame, extent}};
+    plan.images = {{"depth", r32f, engine, extent},                   // as it is stored
+                   {"levels", depths, frame, extent, depth_levels}};  // eye-linear depth in radii
     if (taken.normals) plan.images.push_back({"normal", rgba32f, engine, extent});
-    if (settings.bent_normals)
-        plan.images.insert(plan.images.end(), {{"bends", rgba8, frame, swept_of(settings, extent)},
-                                               {"bent", rgb10_a2, frame, extent}});
+    std::ranges::move(written_of(settings, taken), std::back_inserter(plan.images));
     if (settings.history) {
         plan.images.push_back({"levels_before", depths, history, extent, depth_levels});
         plan.images.push_back({"history_before", rgb10_a2, history, extent});
@@ -216,6 +286,8 @@ Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& n
             plan.exchanged.push_back({"bent_before", "bent"});
         }
     }
+    if (const std::size_t bytes = list_bytes(settings, extent, taken.skips))
+        plan.buffers.push_back({tile_list, std::vector<std::byte>(bytes)});
     plan.passes = passes_of(settings, taken, numbers);
     plan.result = "shown";
     return plan;
@@ -253,9 +325,13 @@ class ThreePasses : public FramePasses {
         taken_ = taken_of(view, settings);
         if (follows && !view.camera.orthographic())
             taken_.deep = deep;  // a camera that zooms keeps its images
-        const Plan plan = plan_for(settings, taken_, frame_);
+        taken_.skips = settings.skips && device_->info().type == "cpu";
+        Plan plan = plan_for(settings, taken_, frame_);
+        // Lists that know which texels are blank are kept.
+        const gpu::Extent texels = swept_of(settings, view.extent);
+        if (texels == listed_ && taken_.deep == deep) plan.buffers.clear();
+        listed_ = texels;
         resources_.provide(plan);
-        provide_tiles();
         upload(view, true, resources_);
         if (!follows) resources_.restart(plan);  // what is read without weight still tells in the last bit
     }
@@ -267,6 +343,9 @@ class ThreePasses : public FramePasses {
         Frame frame;
         frame.times = run(*device_, steps, repeat, watcher);
         frame.filtered = frame.occlusion = resources_.image("shown").download();
+        if (has_tiles(settings_))
+            for (const float mark : resources_.image("marks").download())
+                frame.tiles.push_back(mark > 0.5F ? TileWork::full : TileWork::half);
         if (settings_.bent_normals) frame.bent = bends_of(resources_.image("bent").download());
         crop(shape_of(taken_.view), frame);
         frame.memory_bytes = memory_of(steps);
@@ -276,20 +355,6 @@ class ThreePasses : public FramePasses {
     }
 
   private:
-    // The list of tiles, where branches are no skips and a dispatch can be as long as the list. With other
-    // texels it begins with zeros: none is known to be blank.
-    void provide_tiles() {
-        const gpu::DeviceInfo& info = device_->info();
-        const gpu::Extent view = taken_.view.extent;
-        const gpu::Extent count = tiles_of(settings_, view);
-        taken_.tiles = info.type == "cpu" && count.width * count.height <= info.max_group_count[0];
-        if (!taken_.tiles) return;
-        gpu::Buffer& list = resources_.buffer(tile_list, 8 * (2 + count.width * count.height));
-        const gpu::Extent texels = swept_of(settings_, view);
-        if (texels != listed_) std::ranges::fill(list.bytes(), std::byte{0});
-        listed_ = texels;
-    }
-
     // To the numbers of the next frame.
     void advance() {
         const std::optional<glm::mat4>& moved = taken_.view.camera.previous_from_current;
@@ -304,7 +369,7 @@ class ThreePasses : public FramePasses {
     Resources resources_;
     Settings settings_;
     Taken taken_;
-    gpu::Extent listed_;   // texels of which the list of tiles knows
+    gpu::Extent listed_;   // texels of which the lists know
     View last_;            // of the frame before
     gloam_frame frame_{};  // of the last frame, until advance()
 };

@@ -47,6 +47,7 @@ struct Preset {
     bool published = true;  // by its source, which its name or description gives; else gloam's own
     double error = 0.0;     // RMSE of sequences on unseen views, against ray-traced truth
     double time = 0.0;      // of a frame on llvmpipe, in that of the preset `fast`
+    double tiles = 1.0;     // with Resolution::tiles: the share of unseen views' tiles that is swept in full
 };
 
 // gloam's own, each with less error and more time than the one before, then the published ones.

@@ -65,7 +65,8 @@ struct PlannedPass {
     std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers, or IMAGE/LEVEL
     std::vector<std::byte> parameters;   // push constants
     std::array<std::uint32_t, 3> groups{};  // for the view of the plan
-    std::string groups_from;                // buffer that begins with them, in their place; empty: none
+    std::string groups_from;                // buffer that has them, in their place; empty: none
+    std::uint32_t groups_at = 0;            // bytes before them
 };
 
 // Name of the image that is bound where the settings need none.

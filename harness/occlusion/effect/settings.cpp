@@ -16,9 +16,6 @@ void validate_frame(const Settings& settings) {
     if (settings.method != "sweep")
         throw std::invalid_argument(
             fmt::format("method {}: expected sweep, the frame's, or passes=study", settings.method));
-    if (settings.filter_half_width < 1 || settings.filter_half_width > 2)
-        throw std::invalid_argument(
-            fmt::format("filter_half_width {}: expected 1 or 2 in the frame", settings.filter_half_width));
 }
 
 }  // namespace

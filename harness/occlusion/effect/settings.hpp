@@ -54,8 +54,12 @@ enum class Rotation {
 // The size of the images that the passes run over.
 enum class Resolution {
     full,  // the view's
-    half   // half of each side, rounded up; join.comp brings the result to the view's size by depth
+    half,  // half of each side, rounded up; join.comp brings the result to the view's size by depth
+    tiles  // half, and the view's in those tiles that mark.comp finds
 };
+
+// Taps to each side of the one slice at half size where tiles are swept in full.
+constexpr std::uint32_t steps_before_tiles = 5;
 
 // The most samples of a frame. llvmpipe ends a shader's loops after 65,535 iterations in all, without a
 // message, and a sample of a high index takes up to 26 iterations (the digits of its Halton point). With more

@@ -24,7 +24,7 @@ std::uint64_t bytes_of(const gpu::Image& image) {
 
 void record(gpu::Commands& commands, const Step& pass) {
     if (pass.groups_from != nullptr)
-        commands.dispatch(*pass.pipeline, pass.resources, *pass.groups_from, pass.parameters);
+        commands.dispatch(*pass.pipeline, pass.resources, *pass.groups_from, pass.groups_at, pass.parameters);
     else
         commands.dispatch(*pass.pipeline, pass.resources, pass.groups, pass.parameters);
 }

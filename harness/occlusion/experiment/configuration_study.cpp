@@ -170,6 +170,7 @@ class Judge {
             sum_.by_class->frames.push_back(
                 {number + 1, taken_, scores_of(frame, truth, views_->classed(number))});
         if (number < views_->last_scored()) return;
+        sum_.tiles = effect::shares_of(frame.tiles);
         sum_.similarity = effect::structural_similarity(frame.filtered, truth.geometry, frame.extent);
         if (!views_->frames().remap) return;
         const effect::Remap best = effect::best_remap(frame.occlusion, truth.geometry);

@@ -122,8 +122,9 @@ struct FrameQuality {
     double similarity = 0.0;              // SSIM of the displayed image and (G), in the last scored frame
     std::optional<double> percentile_99;  // of the magnitude of the displayed image's errors
     std::optional<double> flicker;
-    std::optional<double> remapped;  // of the estimate in the last scored frame after its best remap
-    double samples = 0.0;            // taken for each pixel with geometry, mean
+    std::optional<double> remapped;           // of the estimate in the last scored frame after its best remap
+    std::optional<effect::TileShares> tiles;  // of the last scored frame
+    double samples = 0.0;                     // taken for each pixel with geometry, mean
     std::uint64_t memory_bytes = 0;
     std::optional<Converged> converged;
     std::optional<ClassScores> by_class;

@@ -119,6 +119,7 @@ GLOAM_MEMBERS(ClassScores, frames, flicker)
 GLOAM_MEMBERS(effect::Errors, rmse, bias, percentile_99)
 GLOAM_MEMBERS(Converged, geometry, remapped, similarity, depth, own)
 GLOAM_MEMBERS(PointQuality, truth, occlusion, standard_error, shown)
+GLOAM_MEMBERS(effect::TileShares, background, below_pixel, half, full)
 GLOAM_MEMBERS(effect::RemapBin, count, visibility, truth, square)
 GLOAM_MEMBERS(effect::PassTime, pass, ms)
 GLOAM_MEMBERS(FrameReading, passes)
@@ -134,6 +135,7 @@ void members(Io& io, FrameQuality& all) {
     io.member("similarity", all.similarity);
     io.member("flicker", all.flicker);
     io.member("rmse_remapped", all.remapped);
+    io.member("tiles", all.tiles);
     io.member("samples", all.samples);
     io.member("memory_bytes", all.memory_bytes);
     io.member("converged", all.converged);

@@ -32,6 +32,7 @@ struct CostCommand {
     std::vector<std::string> functions;
     std::string preset;
     std::vector<std::string> set;  // NAME=VALUE, of the preset
+    std::optional<double> tiles;   // share that is swept in full
     std::vector<std::string> includes;
     std::vector<std::string> defines;
     cost::CostOptions options;
@@ -42,11 +43,18 @@ struct CostCommand {
 struct CostRow {
     std::string name;
     cost::Cost cost;
-    // Of a pass of a frame.
-    double pixels = 1.0;  // of the view, that an invocation makes
-    double bytes = 0.0;   // of a pixel of the view
+    FramePass pass;  // of a frame
 
-    [[nodiscard]] double valu_per_pixel() const { return static_cast<double>(cost.valu) / pixels; }
+    // Of a pixel of the view, as all below.
+    [[nodiscard]] double valu() const { return pass.share * static_cast<double>(cost.valu) / pass.pixels; }
+    [[nodiscard]] double bytes() const { return pass.share * pass.bytes; }
+
+    // Of a view of 1920 x 1080 pixels: the model of docs/cost.md.
+    [[nodiscard]] double microseconds() const {
+        const double loads = pass.share * static_cast<double>(cost.loads) / pass.pixels;
+        return 4.92 + std::max({0.00062 * pass.share * pass.groups, 0.0345 * valu() + 2.25 * loads,
+                                0.302 * bytes()});
+    }
 };
 
 // The text with definitions behind its #version line, and its own numbers of lines.
@@ -107,10 +115,7 @@ std::vector<CostRow> cost_of_frame(const CostCommand& command, const PresetFrame
     for (const FramePass& pass : frame.passes) {
         cost::CostOptions of_pass = command.options;
         of_pass.constants = pass.constants;
-        rows.push_back({.name = pass.name,
-                        .cost = cost_of(pass.module, of_pass),
-                        .pixels = pass.pixels,
-                        .bytes = pass.bytes});
+        rows.push_back({.name = pass.name, .cost = cost_of(pass.module, of_pass), .pass = pass});
     }
     return rows;
 }
@@ -124,22 +129,27 @@ std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>
     width = text.size();
     for (const cost::CostField& field : cost::cost_fields())
         text += fmt::format(" {:>{}}", field.name, field.name.size());
-    text += frame ? "  pixels  valu/px  bytes/px\n" : "\n";
+    text += frame ? "  pixels  share  valu/px  bytes/px     us\n" : "\n";
     double valu = 0.0;
     double bytes = 0.0;
+    double microseconds = 0.0;
     for (const CostRow& row : rows) {
         text += fmt::format("{:{}}", base::one_line(row.name), width);
         for (const cost::CostField& field : cost::cost_fields())
             text += fmt::format(" {:>{}}", row.cost.*field.value, field.name.size());
         if (frame)
-            text += fmt::format(" {:>7.3g} {:>8.1f} {:>9.1f}", row.pixels, row.valu_per_pixel(), row.bytes);
+            text += fmt::format(" {:>7.3g} {:>6.3g} {:>8.1f} {:>9.1f} {:>6.1f}", row.pass.pixels,
+                                row.pass.share, row.valu(), row.bytes(), row.microseconds());
         text += '\n';
-        valu += row.valu_per_pixel();
-        bytes += row.bytes;
+        valu += row.valu();
+        bytes += row.bytes();
+        microseconds += row.microseconds();
     }
     if (frame)
-        text += fmt::format("a frame of {}: {:.0f} vector instructions, {:.1f} bytes a pixel; {:.1f} MB\n",
-                            command.preset, valu, bytes, 1e-6 * memory);
+        text += fmt::format(
+            "a frame of {}: {:.0f} vector instructions, {:.1f} bytes a pixel; {:.0f} us by the model; {:.1f} "
+            "MB\n",
+            command.preset, valu, bytes, microseconds, 1e-6 * memory);
     return text;
 }
 
@@ -155,9 +165,11 @@ nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vect
         for (const cost::CostField& field : cost::cost_fields())
             one[std::string(field.name)] = row.cost.*field.value;
         if (frame) {
-            one["pixels"] = row.pixels;
-            one["valu_per_pixel"] = row.valu_per_pixel();
-            one["bytes_per_pixel"] = row.bytes;
+            one["pixels"] = row.pass.pixels;
+            one["share"] = row.pass.share;
+            one["valu_per_pixel"] = row.valu();
+            one["bytes_per_pixel"] = row.bytes();
+            one["microseconds"] = row.microseconds();
         }
         shaders.push_back(std::move(one));
     }
@@ -170,9 +182,9 @@ bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
     std::vector<std::pair<std::string, double>> valus;
     for (const CostRow& row : rows)
         if (command.preset.empty() || valus.empty())
-            valus.emplace_back(command.preset.empty() ? row.name : command.preset, row.valu_per_pixel());
+            valus.emplace_back(command.preset.empty() ? row.name : command.preset, row.valu());
         else
-            valus.back().second += row.valu_per_pixel();
+            valus.back().second += row.valu();
     bool more = false;
     for (const auto& [name, valu] : valus) {
         if (valu <= *command.below) continue;
@@ -189,6 +201,8 @@ int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of)
         throw std::invalid_argument("expected a file, or --preset NAME");
     if (!command.set.empty() && command.preset.empty())
         throw std::invalid_argument("--set: expected --preset NAME");
+    if (command.tiles && command.preset.empty())
+        throw std::invalid_argument("--tiles: expected --preset NAME");
     if (!command.file.empty()) {
         command.functions.insert(command.functions.begin(), command.file);
         command.functions = file_and_functions(command.functions, equations);
@@ -196,7 +210,7 @@ int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of)
         command.functions.erase(command.functions.begin());
     }
     PresetFrame frame;
-    if (command.file.empty()) frame = frame_of(command.preset, command.set);
+    if (command.file.empty()) frame = frame_of(command.preset, command.set, command.tiles);
     const std::vector<CostRow> rows =
         command.file.empty() ? cost_of_frame(command, frame) : cost_of_file(command, command.file);
     if (command.json)
@@ -219,6 +233,10 @@ void add_cost(CLI::App& app, EquationsNamed* equations, FrameOf* frame, int& sta
                      "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)");
     cost->add_option("--set", command->set, "with --preset: SETTING=VALUE; may be repeated")
         ->allow_extra_args(false);
+    cost->add_option(
+            "--tiles", command->tiles,
+            "with --preset: the share of tiles that are swept in full, 0 to 1; otherwise that of its views")
+        ->check(CLI::Range(0.0, 1.0));
     add_include_option(*cost, command->includes);
     add_define_option(*cost, command->defines);
     cost->add_option("--family", command->options.family,

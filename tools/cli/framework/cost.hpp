@@ -14,7 +14,9 @@ struct FramePass {
     shader::Spirv module;
     std::vector<backend::Constant> constants;
     double pixels = 1.0;  // of the view, that an invocation makes
-    double bytes = 0.0;   // that it reads and writes, a pixel of the view
+    double share = 1.0;   // of the view, that the pass runs on
+    double groups = 0.0;  // if it ran on all
+    double bytes = 0.0;   // that it then reads and writes, a pixel of the view
 };
 
 struct PresetFrame {

@@ -55,9 +55,17 @@ double memory_of(const effect::Plan& plan) {
     return bytes;
 }
 
+// full: of the tiles that are swept in full.
+double share_of(const effect::PlannedPass& pass, const effect::Settings& settings, double full) {
+    if (settings.resolution != effect::Resolution::tiles) return 1.0;
+    if (pass.name == "join") return 1.0 - full;
+    return pass.name == "refine" || pass.name == "filter" ? full : 1.0;
+}
+
 }  // namespace
 
-PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& set) {
+PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& set,
+                     std::optional<double> tiles) {
     effect::Settings settings = preset_settings(preset);
     for (const std::string& assignment : set) apply(settings, assignment);
     effect::PlanOptions options{.first = true};
@@ -66,12 +74,15 @@ PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& 
     const scene::PassLibrary library(glsl_directory(), cache_directory());
     const effect::Plan plan = effect::plan_of(settings, options, library);
     PresetFrame frame{.passes = {}, .memory = memory_of(plan)};
+    const double full = tiles.value_or(preset.ends_with(".json") ? 1.0 : effect::preset_named(preset).tiles);
     for (const effect::PlannedPass& pass : plan.passes) {
         const shader::Spirv module = effect::module_of(pass.source, library);
         frame.passes.push_back({.name = pass.name,
                                 .module = module,
                                 .constants = pass.source.constants,
                                 .pixels = pixels_of_invocation(pass, module, view),
+                                .share = share_of(pass, settings, full),
+                                .groups = 1.0 * pass.groups[0] * pass.groups[1] * pass.groups[2],
                                 .bytes = bytes_of(plan, pass, library) / view});
     }
     return frame;

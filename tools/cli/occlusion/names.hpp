@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct Named {
 
 // The passes of a frame of a preset, with NAME=VALUE set; it takes depth and normals as most engines store
 // them.
-[[nodiscard]] PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& set);
+[[nodiscard]] PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& set,
+                                   std::optional<double> tiles);
 
 }  // namespace gloam::cli

@@ -184,6 +184,7 @@ struct FrameReport {
     gpu::Extent extent;
     effect::Settings settings;
     std::vector<effect::PassTime> times;
+    effect::TileShares tiles;
     double samples = 0.0;           // asked of a pixel with a surface, mean
     double mean_convergence = 0.0;  // over the pixels with geometry
     HistoryReport history;

@@ -88,6 +88,11 @@ ordered_json frame_json(const FrameReport& frame) {
                       {"radius", frame.settings.radius},
                       {"bias", frame.settings.bias},
                       {"times_ms", times_json(frame.times)},
+                      {"tiles",
+                       {{"background", frame.tiles.background},
+                        {"below_pixel", frame.tiles.below_pixel},
+                        {"half", frame.tiles.half},
+                        {"full", frame.tiles.full}}},
                       {"samples", frame.samples},
                       {"convergence", frame.mean_convergence}};
     if (frame.scene_frame) json["scene_frame"] = *frame.scene_frame;
@@ -106,6 +111,10 @@ std::string work_lines(const FrameReport& frame) {
     std::string text;
     for (const effect::PassTime& time : frame.times)
         text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", time.pass, time.ms);
+    text += fmt::format(
+        "\ntiles: {:.1f} % background, {:.1f} % below a pixel, {:.1f} % at half size, {:.1f} % in full",
+        100.0 * frame.tiles.background, 100.0 * frame.tiles.below_pixel, 100.0 * frame.tiles.half,
+        100.0 * frame.tiles.full);
     if (frame.samples == 0.0) return text + "\n";
     return text + fmt::format("\n{:.1f} samples of a pixel, mean convergence {:.3f}\n", frame.samples,
                               frame.mean_convergence);

@@ -263,6 +263,7 @@ class Renderer {
                           .extent = frame.extent,
                           .settings = settings,
                           .times = frame.times,
+                          .tiles = shares_of(frame.tiles),
                           .samples = frame.samples,
                           .mean_convergence = mean_convergence(frame, view),
                           .history = history_of(frame, view),

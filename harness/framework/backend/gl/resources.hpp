@@ -54,7 +54,7 @@ class Buffer {
 // An image of floats that compute shaders load from and store to.
 class Image {
   public:
-    enum class Format { r16f, r32f, r32ui, rgba16f, rgba32f };
+    enum class Format { r8, r16f, r32f, r32ui, rgba16f, rgba32f };
 
     // The first level is all zero. Throws backend::Error, also on a device without compute
     // shaders.

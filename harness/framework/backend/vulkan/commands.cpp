@@ -228,10 +228,10 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
 }
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
-                        const Buffer& groups, std::span<const std::byte> push_constants) {
+                        const Buffer& groups, std::uint32_t at, std::span<const std::byte> push_constants) {
     handles_->bind(pipeline, resources, push_constants);
     const auto& commands = handles_->recording();
-    commands.dispatchIndirect(*groups.handles().buffer, 0);
+    commands.dispatchIndirect(*groups.handles().buffer, at);
     device_barrier(commands);
 }
 

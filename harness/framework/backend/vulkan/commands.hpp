@@ -61,10 +61,10 @@ class Commands {
     void dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                   std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants = {});
 
-    // The same with the numbers of work groups from the first three words of a buffer, as the commands before
-    // it leave them. They are not checked.
+    // The same with the numbers of work groups from three words of a buffer, from byte `at` on, as the
+    // commands before it leave them. They are not checked.
     void dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources, const Buffer& groups,
-                  std::span<const std::byte> push_constants = {});
+                  std::uint32_t at, std::span<const std::byte> push_constants = {});
 
     // Records the device's clock after all work so far. Returns the index of the reading in times_ms().
     std::size_t timestamp();

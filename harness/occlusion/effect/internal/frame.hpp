@@ -18,7 +18,8 @@ class FramePasses {
     // the passes do not take.
     virtual void take(const scene::GBuffer& view, const Settings& settings, bool follows) = 0;
 
-    // A frame of the last view, as AmbientOcclusion::next() has it.
+    // A frame of the last view, as AmbientOcclusion::next() has it, but for its tiles: those that are marked
+    // are full, all others half; none where no tile is marked apart.
     [[nodiscard]] virtual Frame next(int repeat, const PassWatcher& watcher) = 0;
 };
 

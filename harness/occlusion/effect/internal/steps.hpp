@@ -29,7 +29,8 @@ struct Step {
     std::vector<gpu::Resource> resources;
     std::span<const std::byte> parameters;
     std::array<std::uint32_t, 3> groups{};
-    const gpu::Buffer* groups_from = nullptr;  // begins with them
+    const gpu::Buffer* groups_from = nullptr;  // has them
+    std::uint32_t groups_at = 0;               // behind so many bytes
 };
 
 template <class Parameters>

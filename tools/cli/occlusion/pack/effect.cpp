@@ -66,10 +66,12 @@ std::string header_of(const std::string& preset, const effect::Settings& setting
     std::string name = preset;
     std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return fmt::format(
-        "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{{:d}, {:#}f, {:#}f, {:d}, {:d}}};"
+        "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{gloam_{}, {:#}f, {:#}f, {:#}f, {:d}, "
+        "{:d}}};"
         " /* of gloam {} */\n",
-        header, name, settings.resolution == effect::Resolution::half, settings.history_range,
-        settings.history_sharpness, orthographic, settings.deep || orthographic, base::version());
+        header, name, effect::text_of(effect::setting_named("resolution").get(settings)), settings.mark,
+        settings.history_range, settings.history_sharpness, orthographic, settings.deep || orthographic,
+        base::version());
 }
 
 }  // namespace
@@ -90,15 +92,27 @@ void pack_effect(const EffectPackOptions& options) {
     if (settings.bent_normals && !compute)
         throw std::invalid_argument(
             "--effect --bent-normals: compute shaders have them; expected --version 450 or 430");
+    if (settings.bent_normals && language == shader::Language::gl430 &&
+        settings.resolution == effect::Resolution::tiles)
+        throw std::invalid_argument(
+            "--effect --bent-normals --version 430: OpenGL 4.3 has too few images for tiles; expected --set "
+            "resolution=full or half, or --version 450");
     const scene::PassLibrary library(glsl_directory());
     report::OutputFolder folder(options.out);
     for (effect::PlannedPass& pass : plan_of(settings, plan_options(options), library).passes) {
         const std::string file = pass.name + (compute ? ".comp" : ".frag");
-        pass.source.file = "frame/" + file;
+        if (!compute) pass.source.file.replace(pass.source.file.size() - 5, 5, ".frag");
         if (language != shader::Language::vulkan450)
             pass.source.defines.emplace_back("GLOAM_PARAMETER_BLOCK");
+        if (!compute)  // there are no lists
+            std::erase_if(pass.source.defines,
+                          [](const auto& one) { return one.starts_with("GLOAM_TILES"); });
         folder.write(file, with_version(text_of(pass, library, language), api_of(language)));
     }
+    if (!compute && settings.resolution == effect::Resolution::tiles)
+        for (const char* file : {"halve.frag", "tiles.vert"})
+            folder.write(file, with_version(library.text(std::string("frame/") + file, {}, {}, {}, language),
+                                            api_of(language)));
     folder.write("gloam_frame.h", header_of(options.preset, settings, options.orthographic));
     folder.keep();
 }

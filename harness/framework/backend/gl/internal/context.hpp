@@ -111,7 +111,7 @@ struct Context {
 
 // OpenGL's name of an image's format.
 inline GLenum format_of(Image::Format format) {
-    constexpr GLenum names[] = {GL_R16F, GL_R32F, GL_R32UI, GL_RGBA16F, GL_RGBA32F};
+    constexpr GLenum names[] = {GL_R8, GL_R16F, GL_R32F, GL_R32UI, GL_RGBA16F, GL_RGBA32F};
     return names[static_cast<std::size_t>(format)];
 }
 

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The frame with tiles: each pixel is swept only where half size varies, and one does not see where.
+#include "effect/internal/frame.hpp"
+#include "on_device.hpp"
+#include "support/poison.hpp"
+#include "surface_views.hpp"
+
+namespace gloam::effect::tiles_test {
+
+constexpr gpu::Extent odd{83, 45};
+
+// Of the preset `quality`, with another mark.
+Settings tiles(float mark, float radius) {
+    Settings settings = with_radius(preset_named("quality").settings, radius);
+    settings.mark = mark;
+    settings.output = OutputFormat::r32f;
+    settings.bent_normals = true;
+    return settings;
+}
+
+class Tiles : public OnDevice<testing::Test> {
+  protected:
+    // Frames of a moving camera.
+    [[nodiscard]] std::vector<scene::GBuffer> moving(const std::string& scene, gpu::Extent extent,
+                                                     int frames) const {
+        std::vector<scene::GBuffer> views;
+        for (int i = 0; i < frames; ++i) views.push_back(drawn(scene, extent, {.frame = i}));
+        return views;
+    }
+
+    void expect_same(const std::vector<scene::GBuffer>& views, const Settings& one, const Settings& other,
+                     const char* what) const {
+        const std::vector<Frame> left = run(views, one);
+        const std::vector<Frame> right = run(views, other);
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            EXPECT_TRUE(same_bits(left[i].filtered, right[i].filtered, left[i].extent.width)) << what << i;
+            EXPECT_EQ(left[i].bent, right[i].bent) << what << i;
+        }
+        EXPECT_GT(std::ranges::max(left.back().filtered), 0.1F);
+    }
+};
+
+// Where all tiles are marked it is the frame that sweeps each pixel, and where none is the one at half size,
+// to the bit: for each kind of camera, poisoned depth, and in sequences.
+TEST_F(Tiles, AreFullSizeOrHalf) {
+    std::vector<scene::GBuffer> views = moving("moving", odd, 3);
+    std::vector<std::pair<const char*, std::vector<scene::GBuffer>>> cases{{"moving", views}};
+    for (const Engine& engine : engines) cases.push_back({engine.depth, {drawn(seen_by(engine), odd)}});
+    test::poison(views.back());
+    cases.push_back({"poisoned", {views.back()}});
+    const Settings all = tiles(0.0F, 0.6F);
+    Settings full = all;
+    full.resolution = Resolution::full;
+    const Settings none = tiles(1.0F, 0.6F);
+    Settings half = none;
+    half.resolution = Resolution::half;
+    half.own.steps = steps_before_tiles;
+    half.samples = 2 * steps_before_tiles;
+    for (const auto& [name, shown] : cases) {
+        expect_same(shown, all, full, name);
+        expect_same(shown, none, half, name);
+    }
+}
+
+// More groups than a dimension of a dispatch has.
+TEST_F(Tiles, AreListedInLargeViews) {
+    for (const gpu::Extent extent : {gpu::Extent{3840, 2160}, {7680, 4320}}) {
+        scene::GBuffer view = wall({1, 1}, 1.0F);
+        view.extent = extent;
+        view.normal.clear();
+        view.depth.resize(std::size_t{extent.width} * extent.height);
+        for (std::size_t i = 0; i < view.depth.size(); ++i)
+            view.depth[i] = 1.0F + 0.001F * static_cast<float>(i % extent.width / 5 % 3);
+        Settings all = with_radius(preset_named("quality").settings, 0.01F);
+        all.history = false;
+        all.mark = 0.0F;
+        all.own.steps = 1;
+        all.samples = 2;
+        Settings full = all;
+        full.resolution = Resolution::full;
+        AmbientOcclusion effect(device_, passes_, extent);
+        effect.begin(view, all);
+        const std::vector<float> listed = effect.next().filtered;
+        effect.begin(view, full);
+        EXPECT_EQ(listed, effect.next().filtered) << extent.width;
+        EXPECT_GT(std::ranges::max(listed), 0.05F);
+    }
+}
+
+// Full-size texels are valid in marked tiles and around them. Nothing else is read of them.
+TEST_F(Tiles, AreAllThatIsRead) {
+    const scene::GBuffer& view = drawn("columns", odd);
+    Settings settings = tiles(0.08F, 0.6F);
+    settings.history = false;
+    std::vector<std::vector<float>> shown;
+    for (const float poison : {0.0F, NAN, 1e30F, -1.0F}) {
+        Resources resources(device_);
+        Executor executor(device_, passes_);
+        const Plan plan = frame_plan(settings, view);
+        resources.provide(plan);
+        upload(view, true, resources);
+        const std::size_t pixels = view.depth.size();
+        resources.image("full_texels").upload(std::vector<float>(pixels, poison));
+        resources.image("full_bends").upload(std::vector<float>(4 * pixels, poison));
+        for (const PlannedPass& pass : plan.passes) executor.run(pass, resources, {});
+        shown.push_back(resources.image("shown").download());
+        const std::vector<float> bent = resources.image("bent").download();
+        shown.back().insert(shown.back().end(), bent.begin(), bent.end());
+    }
+    for (const std::vector<float>& poisoned : shown) EXPECT_TRUE(same_bits(poisoned, shown[0], odd.width));
+}
+
+// Of neighbours on one surface: squares of how much more one of them differs from the truth than the other.
+// First those across the borders of a marked and another tile, then those a pixel or two beside.
+template <class Difference>
+void add_seams(const scene::GBuffer& view, const std::vector<TileWork>& marks, const Difference& difference,
+               std::array<std::vector<double>, 2>& sums) {
+    const auto [width, height] = view.extent;
+    const std::uint32_t columns = tiles_of(view.extent).width;
+    for (const bool down : {false, true})
+        for (std::uint32_t y = 3; y + 3 < height; ++y)
+            for (std::uint32_t x = 3; x + 3 < width; ++x) {
+                const std::uint32_t along = down ? y : x;
+                if (along % 8 != 0) continue;
+                const std::size_t step = down ? width : 1;
+                const std::size_t first = y * std::size_t{width} + x;
+                const std::size_t tile = std::size_t{y / 8} * columns + x / 8;
+                if (marks[tile] == marks[tile - (down ? columns : 1)]) continue;
+                for (int away = -2; away <= 2; ++away) {
+                    const std::size_t pixel = first + static_cast<std::size_t>(away) * step;
+                    if (std::abs(view.depth[pixel] / view.depth[pixel - step] - 1.0F) < 0.01F)
+                        sums[away == 0 ? 0 : 1].push_back(difference(pixel, pixel - step));
+                }
+            }
+}
+
+double root_mean(const std::vector<double>& squares) {
+    return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) /
+                     static_cast<double>(squares.size()));
+}
+
+// Of occlusion and of bent normals, in single frames and in sequences: root mean squares across borders
+// are 1.10 and 1.11, 1.12 and 0.88 of those beside.
+TEST_F(Tiles, HaveNoSeams) {
+    constexpr gpu::Extent extent{320, 180};
+    constexpr double most = 1.15;
+    for (const int frames : {1, 6}) {
+        std::array<std::vector<double>, 2> occlusion;
+        std::array<std::vector<double>, 2> bent;
+        for (const char* scene : {"columns", "room", "workshop", "stairs", "pipes"}) {
+            const std::vector<scene::GBuffer> views = moving(scene, extent, frames);
+            const Settings settings = tiles(0.08F, 0.5F);
+            const Frame shown = run(views, settings).back();
+            Settings many = settings;
+            many.resolution = Resolution::full;
+            many.history = false;
+            many.samples = 2 * 16 * settings.own.steps;
+            const Frame truth = run(views.back(), many);
+            add_seams(
+                views.back(), shown.tiles,
+                [&](std::size_t p, std::size_t q) {
+                    return std::pow(
+                        shown.filtered[p] - truth.filtered[p] - shown.filtered[q] + truth.filtered[q], 2.0);
+                },
+                occlusion);
+            add_seams(
+                views.back(), shown.tiles,
+                [&](std::size_t p, std::size_t q) {
+                    const glm::dvec3 d(shown.bent[p] - truth.bent[p] - shown.bent[q] + truth.bent[q]);
+                    return glm::dot(d, d);
+                },
+                bent);
+        }
+        EXPECT_LE(root_mean(occlusion[0]), most * root_mean(occlusion[1])) << frames;
+        EXPECT_LE(root_mean(bent[0]), most * root_mean(bent[1])) << frames;
+    }
+}
+
+// A tile that changes sides while the camera moves slowly changes no more than one that stays.
+TEST_F(Tiles, ChangeSidesWithoutAStep) {
+    constexpr gpu::Extent extent{320, 180};
+    for (const char* scene : {"workshop", "stairs", "pipes", "canyon", "town", "room"}) {
+        const std::vector<scene::GBuffer> views = moving(scene, extent, 12);
+        const std::vector<Frame> frames = run(views, tiles(0.08F, 0.5F));
+        double staying = 0.0;
+        double changing = 0.0;
+        for (std::size_t i = 6; i < frames.size(); ++i)
+            for (std::size_t pixel = 0; pixel < views[i].depth.size(); ++pixel) {
+                const std::size_t tile =
+                    pixel / extent.width / 8 * tiles_of(extent).width + pixel % extent.width / 8;
+                const bool changed = frames[i].tiles[tile] != frames[i - 1].tiles[tile];
+                double& worst = changed ? changing : staying;
+                worst = std::max(worst, std::abs(double{frames[i].filtered[pixel]} -
+                                                 double{frames[i - 1].filtered[pixel]}));
+            }
+        EXPECT_LE(changing, 1.2 * staying) << scene;
+    }
+}
+
+// The mean of the views on which nothing was tuned: Preset::tiles.
+TEST_F(Tiles, AreTheShareThatCostsAreCountedFor) {
+    if (!std::filesystem::is_directory(scene::installed_meshes())) GTEST_SKIP() << "no package glmark2-data";
+    std::map<std::string, std::vector<double>> shares;
+    for (const scene::ViewInfo& info : scene::all_views()) {
+        if (info.half != "unseen" || info.kind == "motion") continue;
+        const scene::Scene scene = scene::make_scene(info.name, scene::installed_meshes());
+        if (scene.camera.projection == scene::Projection::orthographic) continue;
+        const scene::GBuffer view = drawn(scene, {640, 360});
+        for (const char* preset : {"quality", "reference"}) {
+            Settings settings =
+                with_radius(preset_named(preset).settings, static_cast<float>(scene.ao_radius));
+            settings.history = false;
+            shares[preset].push_back(shares_of(run(view, settings).tiles).full);
+        }
+    }
+    for (const auto& [preset, all] : shares) {
+        EXPECT_EQ(all.size(), 12U);
+        EXPECT_NEAR(std::accumulate(all.begin(), all.end(), 0.0) / 12.0, preset_named(preset).tiles, 0.001)
+            << preset;
+    }
+}
+
+}  // namespace gloam::effect::tiles_test
