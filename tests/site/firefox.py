@@ -49,13 +49,10 @@ class Firefox(Page):
                                            "LIBGL_ALWAYS_SOFTWARE": "1"})
             self._connect()
         except BaseException:
-            self.close()
+            self.__exit__()
             raise
 
     def __exit__(self, *_):
-        self.close()
-
-    def close(self):
         if self.socket:
             self.socket.close()
         for process in reversed(self.processes):

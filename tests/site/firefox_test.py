@@ -16,9 +16,11 @@ class FirefoxTest(PageCase):
         with browser.Browser() as chromium:
             chromium.open(self.page)
             chromium.wait("gloam.live?.state.picture?.occlusion.frames > 1")
-            want = self.shade(chromium)
+            want = {preset: self.shade(chromium, preset) for preset in ("balanced", "quality")}
         self.open()
-        self.compare(self.shade(self.browser), want, bounds=2)
+        for preset, image in want.items():
+            with self.subTest(preset):
+                self.compare(self.shade(self.browser, preset), image, bounds=2)
 
     def test_the_page_works(self):
         self.open()
@@ -32,5 +34,4 @@ class FirefoxTest(PageCase):
 
 
 if __name__ == "__main__":
-    have_both = firefox.program() and browser.program()
-    main(missing=None if have_both else "no firefox-esr, no Xvfb or no Chromium")
+    main(missing=None if firefox.program() and browser.program() else "no firefox-esr, no Xvfb or no Chromium")

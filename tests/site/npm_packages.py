@@ -3,22 +3,20 @@
 import shutil
 import subprocess
 
+from site_case import skip
+
 UNREACHABLE = ("EAI_AGAIN", "ECONNREFUSED", "ECONNRESET", "ENETUNREACH", "ENOTFOUND", "ETIMEDOUT", "EHOSTUNREACH",
                "E429", "E500", "E502", "E503", "E504")  # the last are answers of a registry that is not well
 
 
-class NoPackages(Exception):
-    """There is no npm, or its registry is out of reach: tests that need packages cannot run."""
-
-
 def install(folder, *packages):
-    """Installs packages, and those that package.json in the folder names."""
+    """Installs packages, and those that package.json in the folder names, or skips the tests that need them."""
     if shutil.which("npm") is None:
-        raise NoPackages("no npm")
+        skip("no npm")
     command = ["npm", "install", "--no-audit", "--no-fund", "--no-package-lock", "--fetch-retries=0",
                "--fetch-timeout=20000", "--prefix", folder, *packages]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode != 0 and any(word in done.stderr for word in UNREACHABLE):
-        raise NoPackages("npm reaches no registry")
+        skip("npm reaches no registry")
     if done.returncode != 0:
         raise RuntimeError(done.stderr)

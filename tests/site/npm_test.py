@@ -14,13 +14,13 @@ import tempfile
 from pathlib import Path
 
 from browser import program
-from npm_packages import NoPackages, install
+from npm_packages import install
 from site_case import GLOAM, BrowserCase, main, read_pfm, skip
 
 EXAMPLE = Path(sys.argv[2])
-HERE = Path(__file__).resolve().parent
 FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
 
+FULL = "reference --set resolution=full"  # of page.js, and as the program takes it
 
 # Name, preset, whether there are normals, and the view.
 # The last number: the share of pixels that may be apart once the camera stands; in a jitter a point that stands lies
@@ -29,7 +29,9 @@ SEQUENCES = [("perspective", "balanced", True, "made()", 0.015),
              ("reversed depth, jitter", "quality", True,
               "Object.assign(made({reversedDepthBuffer: true}), {jitters: true})", 0.03),
              ("orthographic", "fast", True, "orthographic(made())", 0.015),
-             ("depth of the composer", "reference", False, "withComposerDepth(made())", 0.015)]
+             ("orthographic, in tiles", "quality", True, "orthographic(made())", 0.015),
+             ("depth of the composer", "reference", False, "withComposerDepth(made())", 0.015),
+             ("full size", FULL, True, "made()", 0.015)]
 
 
 def write_gbuffer(folder, number, frame, before, normals):
@@ -86,13 +88,14 @@ class NpmTest(BrowserCase):
                     }}));
                     closed(view);
                     return all;""")
-                folder = self.folder / preset
+                folder = self.folder / name
                 for i, frame in enumerate(frames):
                     write_gbuffer(folder, i, frame, frames[i - 1], normals)
                 subprocess.run([GLOAM, "render", "--gbuffer", folder, "--depth", "buffer", "--normals", "view-unorm",
-                                "--preset", preset, "--radius", "1", "--out", folder / "out", "--quiet"], check=True)
+                                "--preset", *preset.split(), "--radius", "1", "--out", folder / "out", "--quiet"],
+                               check=True)
                 for i, frame in enumerate(frames):
-                    want = read_pfm(folder / f"out/f{i:04}_ao.pfm")[0]
+                    want = read_pfm(folder / f"out/f{i:04}_ao.pfm")
                     got = array.array("f", base64.b64decode(frame["occlusion"]))
                     apart = [x - y for x, y in zip(got, want, strict=True)]
                     self.assertLessEqual(sum(255 * abs(one) > 1.1 for one in apart),
@@ -193,6 +196,25 @@ class NpmTest(BrowserCase):
             return counts;""")
         self.assertEqual([1, 2, 1, 2, 1, 1], got)
 
+    def test_another_preset_gives_what_a_new_pass_gives(self):
+        got = self.ask(f"""
+            const view = made();
+            const all = ["{FULL}", "fast", "quality", "{FULL}", "reference", "balanced"].map((preset) => {{
+                const other = made();
+                const [got, want] = [view, other].map((one) => {{
+                    one.occlusion.preset = preset;
+                    return occlusion(frames(one, 3));
+                }});
+                const {{images, passes: {{gl}}}} = other.occlusion.occlusion;
+                other.occlusion.dispose();
+                const left = [images.marks, images.fullTexels].some((one) => gl.isTexture(one?.image ?? null));
+                closed(other);
+                return {{mean: apart(got, want).mean, left, error: view.renderer.getContext().getError()}};
+            }});
+            closed(view);
+            return all;""")
+        self.assertEqual([{"mean": 0, "left": False, "error": 0}] * 6, got)
+
     def test_what_cannot_be_is_refused(self):
         messages = self.ask("""
             const gl = document.createElement("canvas").getContext("webgl2");
@@ -282,13 +304,9 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as owner:
         FOLDER = Path(owner, "example")
         shutil.copytree(EXAMPLE, FOLDER, ignore=shutil.ignore_patterns("node_modules", "gloam", "bundle.js"))
-        for name in ("page.js", "types.ts"):
-            shutil.copy(HERE / "npm" / name, FOLDER)
+        shutil.copytree(Path(__file__).with_name("npm"), FOLDER, dirs_exist_ok=True)
         subprocess.run([GLOAM, "pack", "--npm", FOLDER / "gloam"], check=True)
-        try:
-            install(FOLDER, *FOR_TYPES)
-        except NoPackages as reason:
-            skip(reason)
+        install(FOLDER, *FOR_TYPES)
         subprocess.run(["npx", "esbuild", "page.js", "--bundle", "--outfile=page-bundle.js", "--log-level=warning"],
                        cwd=FOLDER, check=True)
         (FOLDER / "test.html").write_text('<!DOCTYPE html><script src="page-bundle.js"></script>', encoding="utf-8")

@@ -48,8 +48,7 @@ class PageTest(PageCase):
         for choice in range(self.browser.evaluate(f"{figure}.querySelectorAll('input').length")):
             self.browser.evaluate(f"{figure}.querySelectorAll('input')[{choice}].click()")
             seen += self.browser.evaluate(shown)
-        self.assertEqual(5, len(set(seen)))
-        self.assertEqual(5, len(seen))
+        self.assertEqual((5, 5), (len(seen), len(set(seen))))
         self.assertIn("error", self.browser.evaluate(f"{figure}.querySelector('figcaption').textContent"))
 
     def count(self):

@@ -26,14 +26,12 @@ SHADE = """(async () => {{
 
 
 def read_pfm(file):
-    """The floats of a picture, upper row first, and its channels."""
+    """The floats of a picture of one channel, upper row first."""
     head, size, scale, data = Path(file).read_bytes().split(b"\n", 3)
     width, height = map(int, size.split())
-    assert float(scale) < 0
-    channels = 3 if head == b"PF" else 1
+    assert head == b"Pf" and float(scale) < 0
     values = array.array("f", data)
-    row = width * channels
-    return [v for y in reversed(range(height)) for v in values[y * row:(y + 1) * row]], channels
+    return [v for y in reversed(range(height)) for v in values[y * width:(y + 1) * width]]
 
 
 class BrowserCase(unittest.TestCase):
@@ -51,11 +49,7 @@ class BrowserCase(unittest.TestCase):
 
 class PageCase(BrowserCase):
     """Tests of the page in the folder that is the script's second argument."""
-
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.page = Path(sys.argv[2]) / "index.html"
+    page = Path(sys.argv[2]) / "index.html"
 
     def open(self):
         """Opens the page, and waits until the live effect has drawn."""
@@ -84,9 +78,8 @@ def skip(reason):
     sys.exit(77)
 
 
-def main(missing=None):
+def main(missing=None if program() else "no Chromium"):
     """Runs the tests of the script, which takes two arguments; skips them where what they need is missing."""
-    missing = missing or (None if program() else "no Chromium")
     if missing:
         skip(missing)
     unittest.main("__main__", argv=sys.argv[:1] + sys.argv[3:])

@@ -55,21 +55,35 @@ std::string effect_json(const ShaderFolders& folders) {
     for (const effect::Preset& preset : effect::presets()) {
         const effect::Settings& settings = preset.settings;
         if (preset.published) continue;
-        json["presets"].push_back({{"name", preset.name},
-                                   {"description", preset.description},
-                                   {"slices", slices_of(settings)},
-                                   {"steps", settings.own.steps},
-                                   {"half", settings.resolution == effect::Resolution::half},
-                                   {"half_width", settings.filter_half_width},
-                                   {"range", settings.history_range},
-                                   {"sharpness", settings.history_sharpness}});
+        json["presets"].push_back(
+            {{"name", preset.name},
+             {"description", preset.description},
+             {"slices", slices_of(settings)},
+             {"steps", settings.own.steps},
+             {"resolution", effect::text_of(effect::setting_named("resolution").get(settings))},
+             {"mark", settings.mark},
+             {"range", settings.history_range},
+             {"sharpness", settings.history_sharpness}});
     }
+    json["steps_before_tiles"] = effect::steps_before_tiles;
     add_passes(folders.page, {"whole_image.vert"}, folders, json);
-    add_passes(folders.library / "passes/frame", {"prepare.frag", "sweep.frag", "filter.frag", "join.frag"},
-               folders, json);
-    json["sweep_from_depth"] = shader::code_of(
-        scene::PassLibrary(folders.library)
-            .text("frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}, {}, {}, shader::Language::es300));
+    add_passes(
+        folders.library / "passes/frame",
+        {"tiles.vert", "prepare.frag", "sweep.frag", "mark.frag", "halve.frag", "filter.frag", "join.frag"},
+        folders, json);
+    struct Defined {
+        const char* name;
+        const char* file;
+        std::vector<std::string> defines;
+    };
+    const scene::PassLibrary library(folders.library);
+    for (const auto& [name, file, defines] :
+         {Defined{"sweep_from_depth", "frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}},
+          {"refine", "frame/sweep.frag", {"GLOAM_MARKS"}},
+          {"refine_from_depth", "frame/sweep.frag", {"GLOAM_MARKS", "GLOAM_NORMALS_FROM_DEPTH"}},
+          {"filter_of_tiles", "frame/filter.frag", {"GLOAM_MARKS"}},
+          {"join_of_tiles", "frame/join.frag", {"GLOAM_MARKS"}}})
+        json[name] = shader::code_of(library.text(file, defines, {}, {}, shader::Language::es300));
     json["multi_bounce"] = function_text("gloam/shading/ambient.glsl", "gloam_multi_bounce", folders);
     return text_of(json);
 }

@@ -9,6 +9,9 @@ import {View} from "./view.js";
 
 const size = [160, 90];
 
+// No preset of the package is at full size.
+effect.presets.push({...effect.presets.at(-1), name: "reference --set resolution=full", resolution: "full"});
+
 // A view that shows its visibility alone.
 function made(options = {}, [width, height] = size) {
     const view = new View(document.createElement("canvas"), options);

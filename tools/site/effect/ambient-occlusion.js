@@ -44,7 +44,7 @@ class AmbientOcclusion {
         const found = presets.find(({name}) => name === preset);
         if (!found) throw new Error(`preset "${preset}": expected ${presets.map(({name}) => name).join(", ")}`);
         if (!(radius > 0 && radius <= 1e18)) throw new Error(`radius ${radius}: expected a number above 0`);
-        if (found.half !== this.preset?.half) this.deleteImages();
+        if (found.resolution !== this.preset?.resolution) this.deleteImages();
         Object.assign(this, {preset: found, radius});
         this.restart();
     }
@@ -92,12 +92,18 @@ class AmbientOcclusion {
 
     // What is kept, in the images of even frames and of odd ones, and what is not.
     newImages(deep) {
-        const {passes, size, preset} = this;
-        const swept = preset.half ? size.map((n) => Math.ceil(n / 2)) : size;
+        const {passes, size, preset: {resolution}} = this;
+        const per = (pixels) => size.map((n) => Math.ceil(n / pixels));
+        const target = (format, extent) => passes.target(extent, [passes.image(format, extent)]);
+        const texels = (extent) => target(deep ? "RG32UI" : "R32UI", extent);
         const shown = passes.image("R8", size);
-        return {deep, shown, texels: passes.target(swept, [passes.image(deep ? "RG32UI" : "R32UI", swept)]),
-            levels: [0, 1].map(() => passes.levels(size, deep ? "R32F" : "R16F", 5)),
-            last: [0, 1].map(() => passes.target(size, [shown, passes.image("RGB10_A2", size, {linear: true})]))};
+        const last = [0, 1].map(() => passes.target(size, [shown, passes.image("RGB10_A2", size, {linear: true})]));
+        const images = {deep, shown, last, levels: [0, 1].map(() => passes.levels(size, deep ? "R32F" : "R16F", 5)),
+            texels: texels(resolution === "full" ? size : per(2))};
+        if (resolution !== "tiles") return images;
+        const fullTexels = texels(size);
+        return {...images, fullTexels, marks: target("R8", per(8)),
+            joined: last.map((one) => passes.target(size, [...one.images, fullTexels.image]))};
     }
 
     // As glsl/passes/frame/gloam_frame.h (gloam_fill) has them.
@@ -112,18 +118,32 @@ class AmbientOcclusion {
             noise: [part(0.618034), part(0.7548777)]};
     }
 
-    drawPasses({slices, steps, half, half_width}, values) {
-        const {passes, effect, images: {texels, levels, last}, size, frames} = this;
+    drawPasses({slices, steps, resolution, mark}, values) {
+        const {passes, effect, images: {texels, fullTexels, marks, levels, joined, last}, size, frames} = this;
         const [even, odd] = [frames % 2, 1 - frames % 2];
-        const all = {...values, depth_image: levels[even][0].image, texel_image: texels.image,
+        const all = {...values, depth_image: levels[even][0].image, mark_image: marks?.image, least: mark,
             depth_before_image: levels[odd][0].image, before_image: last[odd].images[1],
-            inverse_size: size.map((n) => 1 / n), inverse_texels: [1 / texels.width, 1 / texels.height]};
-        const draw = (name, constants, target, level = 0) => passes.draw(passes.program(name, effect.whole_image,
-            effect[name], {orthographic: values.orthographic, deep: values.deep, history: true, ...constants}),
-            {...all, level}, target);
-        levels[even].forEach((target, level) => draw("prepare", {}, target, level));
-        draw(this.stored ? "sweep" : "sweep_from_depth", {...this.stored, slices, steps, stride: half ? 2 : 1}, texels);
-        draw(half ? "join" : "filter", half ? {} : {half_width}, last[even]);
+            inverse_size: size.map((n) => 1 / n)};
+        const common = {orthographic: values.orthographic, deep: values.deep, history: true};
+        const swept = {...common, ...this.stored, slices, steps};
+        const from = this.stored ? "" : "_from_depth";
+        // read: the texels that the pass reads. marked: in tiles, of those that are drawn; side: of one, in pixels.
+        const draw = (name, constants, target, {read = texels, level = 0, marked = null, side = 8} = {}) => passes.draw(
+            passes.program(name, effect[marked === null ? "whole_image" : "tiles"], effect[name], constants),
+            {...all, level, marked, texel_image: read.image, inverse_texels: [1 / read.width, 1 / read.height]},
+            target, marked === null ? null : {...marks, side});
+        levels[even].forEach((target, level) => draw("prepare", common, target, {level}));
+        if (resolution !== "tiles") {
+            draw("sweep" + from, {...swept, stride: resolution === "half" ? 2 : 1}, texels);
+            draw(resolution === "half" ? "join" : "filter", common, last[even]);
+            return;
+        }
+        draw("sweep" + from, {...swept, slices: 1, steps: effect.steps_before_tiles, stride: 2}, texels);
+        draw("mark", {}, marks);
+        draw("refine" + from, swept, fullTexels, {marked: 1});
+        draw("halve", {}, texels, {read: fullTexels, marked: 1, side: 4});
+        draw("join_of_tiles", common, joined[even], {marked: 0});
+        draw("filter_of_tiles", common, last[even], {read: fullTexels, marked: 1});
     }
 
     // The occlusion that the last frame has given, one float a pixel, row 0 first.
@@ -138,8 +158,8 @@ class AmbientOcclusion {
 
     deleteImages() {
         if (this.images === null) return;
-        const {texels, levels, last} = this.images;
-        for (const target of [texels, ...levels.flat(), ...last]) this.passes.deleteTarget(target);
+        const {deep, shown, ...targets} = this.images;
+        for (const target of Object.values(targets).flat(2)) this.passes.deleteTarget(target);
         this.images = null;
     }
 

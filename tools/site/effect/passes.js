@@ -8,6 +8,8 @@ class Passes {
         if (gl.getExtension("EXT_color_buffer_float") === null)
             throw new Error("this GPU cannot draw to textures of floats (EXT_color_buffer_float)");
         this.gl = gl;
+        // Of a side of an image, and of a viewport of whole tiles.
+        this.mostPixels = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), ...gl.getParameter(gl.MAX_VIEWPORT_DIMS)) & ~7;
         this.programs = new Map();
         this.noVertices = gl.createVertexArray();
     }
@@ -19,11 +21,6 @@ class Passes {
             if (!declared.test(all)) throw new Error(`${name} has no constant ${constant}`);
             return all.replace(declared, (_, start) => `${start}${value};`);
         }, text);
-    }
-
-    // The most pixels of a side of an image.
-    get mostPixels() {
-        return this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
     }
 
     // A linked program with its uniforms; compiled once for each name and its constants, which are those of the
@@ -140,14 +137,15 @@ class Passes {
         else gl.uniform1i(location, value);
     }
 
-    // Draws the whole of a target, or of a canvas with framebuffer null.
-    draw(program, values, {framebuffer, width, height}) {
+    // Draws the whole of a target, or of a canvas with framebuffer null. tiles: how many there are of what side, of
+    // which the program draws some; those at the edges stand out.
+    draw(program, values, {framebuffer, width, height}, tiles = null) {
         const {gl} = this;
         this.use(program, values);
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-        gl.viewport(0, 0, width, height);
+        gl.viewport(0, 0, tiles ? tiles.side * tiles.width : width, tiles ? tiles.side * tiles.height : height);
         gl.bindVertexArray(this.noVertices);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.drawArrays(gl.TRIANGLES, 0, tiles ? 6 * tiles.width * tiles.height : 3);
         gl.bindVertexArray(null);
     }
 

@@ -6,10 +6,10 @@ export interface Preset {
     /** Of each pixel that is swept; and the taps on each side of one. */
     readonly slices: number;
     readonly steps: number;
-    /** Every second pixel in both directions is swept. */
-    readonly half: boolean;
-    /** Of the filter at full size, pixels. */
-    readonly half_width: number;
+    /** Which pixels are swept: each, every second one in both directions, or these and each of some tiles of 8 x 8. */
+    readonly resolution: "full" | "half" | "tiles";
+    /** Of tiles: the deviation of the occlusion in one from which on each of its pixels is swept. */
+    readonly mark: number;
     /** How far a mean of frames may be from that of the last ones; and how much less of a new frame it filters. */
     readonly range: number;
     readonly sharpness: number;
@@ -20,11 +20,21 @@ export interface Effect {
     /** The default preset. */
     readonly preset: string;
     readonly presets: readonly Preset[];
+    /** Of the first sweep, with tiles. */
+    readonly steps_before_tiles: number;
     readonly whole_image: string;
+    readonly tiles: string;
     readonly prepare: string;
     readonly sweep: string;
+    readonly sweep_from_depth: string;
+    readonly mark: string;
+    readonly refine: string;
+    readonly refine_from_depth: string;
+    readonly halve: string;
     readonly filter: string;
+    readonly filter_of_tiles: string;
     readonly join: string;
+    readonly join_of_tiles: string;
     /** `vec3 gloam_multi_bounce(float occlusion, vec3 albedo)`: factor of the ambient light, with what surfaces reflect. */
     readonly multi_bounce: string;
 }
