@@ -55,8 +55,8 @@ void copy(const Picture& picture, const Texture& texture, GLenum channels) {
                     picture.values.data());
 }
 
-std::string text_of(const char* pass) {
-    return read_file(std::string(EFFECT "/") + pass + ".frag");
+std::string text_of(const std::string& file) {
+    return read_file(EFFECT "/" + file);
 }
 
 void attach(GLuint program, GLenum stage, const std::string& text) {
@@ -71,43 +71,53 @@ void attach(GLuint program, GLenum stage, const std::string& text) {
     glDeleteShader(shader);
 }
 
-// Draws a triangle over what it is given to write.
+// Draws a triangle over what it is given to write, or in tiles: the marked ones, or all others. side: pixels
+// of a tile in what is written.
 struct Pass {
-    explicit Pass(const std::string& text) {
-        attach(program, GL_VERTEX_SHADER, text.substr(0, text.find('\n')) + R"(
-            void main() { gl_Position = vec4(ivec2(gl_VertexID & 1, gl_VertexID >> 1) * 4 - 1, 0, 1); })");
+    enum Area { whole, marked, others };
+    explicit Pass(const std::string& name, Area drawn = whole, int side = 8) : area(drawn), side(side) {
+        const std::string text = text_of(name + ".frag");
+        const std::string triangle = text.substr(0, text.find('\n')) + R"(
+            void main() { gl_Position = vec4(ivec2(gl_VertexID & 1, gl_VertexID >> 1) * 4 - 1, 0, 1); })";
+        attach(program, GL_VERTEX_SHADER, area == whole ? triangle : text_of("tiles.vert"));
         attach(program, GL_FRAGMENT_SHADER, text);
         glLinkProgram(program);
         GLint links = 0;
         glGetProgramiv(program, GL_LINK_STATUS, &links);
         if (links == 0) throw std::runtime_error("a pass does not link");
-        glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Parameters"), 0);
     }
     // read: the textures of samplers by their names.
     template <class Parameters>
     void draw(const Parameters& parameters,
               std::initializer_list<std::pair<const char*, const Texture&>> read,
-              std::initializer_list<const Texture*> written, int level = 0) const {
+              const std::vector<const Texture*>& written, int level = 0) const {
         glUseProgram(program);
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof parameters, &parameters);
         glUniform1i(glGetUniformLocation(program, "level"), level);
+        glUniform1f(glGetUniformLocation(program, "marked"), area == marked ? 1.0F : 0.0F);
         GLint unit = 0;
         for (const auto& [sampler, texture] : read) {
             glActiveTexture(GL_TEXTURE0 + unit);
             glBindTexture(GL_TEXTURE_2D, texture.name);
             glUniform1i(glGetUniformLocation(program, sampler), unit++);
         }
-        constexpr GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+        constexpr GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
         for (const GLenum& place : places) {
             const std::size_t i = &place - places;
-            const GLuint name = i < written.size() ? written.begin()[i]->name : 0;
+            const GLuint name = i < written.size() ? written[i]->name : 0;
             glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, name, level);
         }
         glDrawBuffers(GLsizei(written.size()), places);
-        const Texture& all = **written.begin();
-        glViewport(0, 0, std::max(all.width >> level, 1), std::max(all.height >> level, 1));
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        const Texture& all = *written[0];
+        const int columns = (all.width + side - 1) / side, rows = (all.height + side - 1) / side;
+        if (area == whole)
+            glViewport(0, 0, std::max(all.width >> level, 1), std::max(all.height >> level, 1));
+        else
+            glViewport(0, 0, side * columns, side * rows);
+        glDrawArrays(GL_TRIANGLES, 0, area == whole ? 3 : 6 * columns * rows);
     }
+    Area area;
+    int side;
     GLuint program = glCreateProgram();
 };
 
@@ -120,16 +130,29 @@ struct Images {
           levels_before(settings.preset.deep ? GL_R32F : GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
           texels(settings.preset.deep ? GL_RG32UI : GL_R32UI,
                  settings.preset.deep ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, settings.size, 1,
-                 settings.preset.half ? 2 : 1),
+                 settings.preset.resolution == gloam_full ? 1 : 2),
           history(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
           history_before(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
-          shown(GL_R8, GL_RED, GL_UNSIGNED_BYTE, settings.size) {}
+          shown(GL_R8, GL_RED, GL_UNSIGNED_BYTE, settings.size),
+          marks(GL_R8, GL_RED, GL_UNSIGNED_BYTE, settings.size, 1, 8) {
+        if (settings.preset.resolution == gloam_tiles)
+            full_texels.emplace(settings.preset.deep ? GL_RG32UI : GL_R32UI,
+                                settings.preset.deep ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT,
+                                settings.size);
+    }
     Texture depth, normal, levels, levels_before, texels, history, history_before, shown;
+    Texture marks;  // this and the next are for tiles alone
+    std::optional<Texture> full_texels;
 };
 
-// Prepare, sweep, and filter or join.
 struct Passes {
     Passes() {
+        const bool tiles = PRESET.resolution == gloam_tiles;
+        if (tiles) mark.emplace("mark");
+        if (tiles) refine.emplace("refine", Pass::marked);
+        if (tiles) halve.emplace("halve", Pass::marked, 4);
+        if (PRESET.resolution != gloam_full) join.emplace("join", tiles ? Pass::others : Pass::whole);
+        if (PRESET.resolution != gloam_half) filter.emplace("filter", tiles ? Pass::marked : Pass::whole);
         GLuint name = 0;
         glGenBuffers(1, &name);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, name);
@@ -145,20 +168,40 @@ struct Passes {
                          {{"stored_image", of.depth}, {"depth_before_image", of.levels_before}}, {&of.levels},
                          level);
         sweep.draw(frame.sweep, {{"depth_image", of.levels}, {"normal_image", of.normal}}, {&of.texels});
-        last.draw(frame.last,
-                  {{"texel_image", of.texels},
-                   {"depth_image", of.levels},
-                   {"depth_before_image", of.levels_before},
-                   {"before_image", of.history_before}},
-                  {&of.shown, &of.history});
+        const Texture& full_texels = of.full_texels ? *of.full_texels : of.texels;
+        if (mark) mark->draw(frame.mark, {{"texel_image", of.texels}}, {&of.marks});
+        if (refine)
+            refine->draw(frame.sweep,
+                         {{"depth_image", of.levels}, {"normal_image", of.normal}, {"mark_image", of.marks}},
+                         {&full_texels});
+        if (halve)
+            halve->draw(frame.sweep, {{"texel_image", full_texels}, {"mark_image", of.marks}}, {&of.texels});
+        std::vector<const Texture*> joined{&of.shown, &of.history};
+        if (of.full_texels) joined.push_back(&*of.full_texels);
+        if (join)
+            join->draw(frame.join,
+                       {{"texel_image", of.texels},
+                        {"depth_image", of.levels},
+                        {"mark_image", of.marks},
+                        {"depth_before_image", of.levels_before},
+                        {"before_image", of.history_before}},
+                       joined);
+        if (filter)
+            filter->draw(frame.filter,
+                         {{"texel_image", full_texels},
+                          {"mark_image", of.marks},
+                          {"depth_before_image", of.levels_before},
+                          {"before_image", of.history_before}},
+                         {&of.shown, &of.history});
         std::swap(of.levels.name, of.levels_before.name);
         std::swap(of.history.name, of.history_before.name);
     }
-    Pass prepare{text_of("prepare")}, sweep{text_of("sweep")}, last{text_of(PRESET.half ? "join" : "filter")};
+    Pass prepare{"prepare"}, sweep{"sweep"};
+    std::optional<Pass> mark, refine, halve, join, filter;
 };
 
 void run(char** arguments) {
-    make_context(text_of("sweep").starts_with("#version 300 es"));
+    make_context(text_of("sweep.frag").starts_with("#version 300 es"));
     const Passes passes;
     std::optional<Images> images;
     each_frame(arguments, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {

@@ -3,7 +3,6 @@
 // `gloam pack --effect` wrote. An engine has what stands above `struct Images`.
 #include <gloam_frame.h>
 
-#include <array>
 #include <optional>
 #include <vulkan/vulkan_raii.hpp>
 
@@ -66,6 +65,15 @@ void barrier(const Commands& commands, vk::ArrayProxy<const vk::ImageMemoryBarri
     commands.pipelineBarrier(all, all, {}, memory, nullptr, images);
 }
 
+struct Buffer {
+    Buffer(const Device& d, vk::DeviceSize bytes, vk::BufferUsageFlags usage, vk::MemoryPropertyFlags wanted)
+        : handle(d.device, {{}, bytes, usage}), memory(d.memory(handle.getMemoryRequirements(), wanted)) {
+        handle.bindMemory(*memory, 0);
+    }
+    vk::raii::Buffer handle;
+    vk::raii::DeviceMemory memory;
+};
+
 // In the layout general, filled with zeros. divisor: of the size, rounded up.
 struct Image {
     Image(const Device& d, vk::Format format, const int size[2], std::uint32_t levels = 1, int divisor = 1)
@@ -87,7 +95,7 @@ struct Image {
             commands.clearColorImage(*handle, general, vk::ClearColorValue{}, all_levels);
         });
     }
-    vk::ImageView all() const { return *views[0]; }
+    operator vk::ImageView() const { return *views[0]; }  // of all levels
     vk::ImageView level(int number) const { return *views[number + 1]; }
     vk::Extent3D extent;
     vk::raii::Image handle;
@@ -100,27 +108,25 @@ template <class Values>
 void copy(const Device& d, Values& values, const Image& image, bool to_image) {
     const std::size_t bytes = values.size() * sizeof values[0];
     const auto usage = vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
-    const vk::raii::Buffer buffer(d.device, {{}, bytes, usage});
     const auto seen = vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
-    const vk::raii::DeviceMemory memory = d.memory(buffer.getMemoryRequirements(), seen);
-    buffer.bindMemory(*memory, 0);
-    void* mapped = memory.mapMemory(0, VK_WHOLE_SIZE);
+    const Buffer buffer(d, bytes, usage, seen);
+    void* mapped = buffer.memory.mapMemory(0, VK_WHOLE_SIZE);
     if (to_image) std::memcpy(mapped, values.data(), bytes);
     d.run([&](const Commands& commands) {
         const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {}, image.extent);
-        if (to_image) commands.copyBufferToImage(*buffer, *image.handle, general, all);
-        if (!to_image) commands.copyImageToBuffer(*image.handle, general, *buffer, all);
+        if (to_image) commands.copyBufferToImage(*buffer.handle, *image.handle, general, all);
+        if (!to_image) commands.copyImageToBuffer(*image.handle, general, *buffer.handle, all);
     });
     if constexpr (!std::is_const_v<Values>)
         if (!to_image) std::memcpy(values.data(), mapped, bytes);
 }
 
-// kinds: of its bindings: i, an image that is written; n or l, one whose nearest texel is read, or linearly.
-// width, height: what a group makes.
+// kinds: of its bindings: i, an image that is written; n or l, one whose nearest texel is read, or linearly;
+// b, the lists. width, height: what a group makes. work: the list that says how many groups there are.
 struct Pass {
     Pass(const Device& device, const char* name, std::string_view kinds, std::uint32_t bytes, int width,
-         int height)
-        : d(device), kinds(kinds), bytes(bytes), width(width), height(height) {
+         int height, int work = 0)
+        : d(device), kinds(kinds), bytes(bytes), width(width), height(height), work(work) {
         std::vector<vk::DescriptorSetLayoutBinding> bindings;
         for (std::uint32_t i = 0; i < kinds.size(); ++i)
             bindings.emplace_back(i, type(i), 1, vk::ShaderStageFlagBits::eCompute);
@@ -135,28 +141,36 @@ struct Pass {
         pipeline = {d.device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout)};
     }
     vk::DescriptorType type(std::size_t binding) const {
-        return kinds[binding] == 'i' ? vk::DescriptorType::eStorageImage
-                                     : vk::DescriptorType::eCombinedImageSampler;
+        return kinds[binding] == 'i'   ? vk::DescriptorType::eStorageImage
+               : kinds[binding] == 'b' ? vk::DescriptorType::eStorageBuffer
+                                       : vk::DescriptorType::eCombinedImageSampler;
     }
-    void record(const Commands& commands, const std::vector<vk::ImageView>& views, const void* parameters,
-                const vk::Extent3D& made) const {
-        barrier(commands);
-        std::vector<vk::DescriptorImageInfo> images;
+    void record(const Commands& commands, const std::vector<vk::ImageView>& views, const Buffer& lists,
+                const void* parameters, const vk::Extent3D& made) const {
+        using Access = vk::AccessFlagBits;
+        const auto stages =
+            vk::PipelineStageFlagBits::eComputeShader | vk::PipelineStageFlagBits::eDrawIndirect;
+        const vk::MemoryBarrier memory(
+            Access::eShaderWrite, Access::eShaderRead | Access::eShaderWrite | Access::eIndirectCommandRead);
+        commands.pipelineBarrier(stages, stages, {}, memory, nullptr, nullptr);
+        std::vector<vk::DescriptorImageInfo> images(kinds.size());
         for (std::size_t i = 0; i < views.size(); ++i)
-            images.emplace_back(kinds[i] == 'l' ? *d.linear : *d.nearest, views[i], general);
+            images[i] = {kinds[i] == 'l' ? *d.linear : *d.nearest, views[i], general};
+        const vk::DescriptorBufferInfo list(*lists.handle, 0, VK_WHOLE_SIZE);
         std::vector<vk::WriteDescriptorSet> writes;
-        for (std::uint32_t i = 0; i < views.size(); ++i)
-            writes.emplace_back(vk::DescriptorSet{}, i, 0, 1, type(i), &images[i]);
+        for (std::uint32_t i = 0; i < kinds.size(); ++i)
+            writes.emplace_back(vk::DescriptorSet{}, i, 0, 1, type(i), &images[i], &list);
         commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
         commands.pushDescriptorSetKHR(vk::PipelineBindPoint::eCompute, *layout, 0, writes);
         commands.pushConstants<char>(*layout, vk::ShaderStageFlagBits::eCompute, 0,
                                      {bytes, static_cast<const char*>(parameters)});
+        if (work > 0) return commands.dispatchIndirect(*lists.handle, 16 * work);
         commands.dispatch((made.width + width - 1) / width, (made.height + height - 1) / height, 1);
     }
     const Device& d;
     std::string_view kinds;
     std::uint32_t bytes;
-    int width, height;
+    int width, height, work;
     vk::raii::DescriptorSetLayout set{nullptr};
     vk::raii::PipelineLayout layout{nullptr};
     vk::raii::Pipeline pipeline{nullptr};
@@ -171,34 +185,63 @@ struct Images {
           levels_before(d, settings.preset.deep ? vk::Format::eR32Sfloat : vk::Format::eR16Sfloat,
                         settings.size, 5),
           texels(d, settings.preset.deep ? vk::Format::eR32G32Uint : vk::Format::eR32Uint, settings.size, 1,
-                 settings.preset.half ? 2 : 1),
+                 settings.preset.resolution == gloam_full ? 1 : 2),
           history(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
           history_before(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
-          shown(d, vk::Format::eR8Unorm, settings.size) {}
+          shown(d, vk::Format::eR8Unorm, settings.size),
+          marks(d, vk::Format::eR8Unorm, settings.size, 1, 8),
+          lists(d, 68 + 8 * marks.extent.width * marks.extent.height,
+                vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer, {}) {
+        if (settings.preset.resolution == gloam_tiles)
+            full_texels.emplace(d, settings.preset.deep ? vk::Format::eR32G32Uint : vk::Format::eR32Uint,
+                                settings.size);
+    }
 
     Image depth, normal, levels, levels_before, texels, history, history_before, shown;
+    Image marks;  // this and what follows are for tiles alone
+    Buffer lists;
+    std::optional<Image> full_texels;
 };
 
-// Prepare, sweep, and filter or join.
-std::array<Pass, 3> passes_of(const Device& d, bool half) {
-    return {Pass(d, "prepare", "niiiiin", sizeof(gloam_prepare), 32, 16),
-            Pass(d, "sweep", "nni", sizeof(gloam_sweep), 16, 8),
-            half ? Pass(d, "join", "nnilni", sizeof(gloam_last), 32, 16)
-                 : Pass(d, "filter", "nilni", sizeof(gloam_last), 32, 8)};
-}
+struct Passes {
+    Passes(const Device& d, gloam_resolution resolution)
+        : prepare(d, "prepare", "niiiiinb", sizeof(gloam_prepare), 32, 16),
+          sweep(d, "sweep", "nni", sizeof(gloam_sweep), 16, 8) {
+        const bool tiles = resolution == gloam_tiles;
+        if (tiles) mark.emplace(d, "mark", "nib", sizeof(gloam_mark), 8, 8);
+        if (tiles) refine.emplace(d, "refine", "nniib", sizeof(gloam_sweep), 0, 0, 1);
+        if (resolution != gloam_full)
+            join.emplace(d, "join", "nnilniib", sizeof(gloam_last), 32, 16, tiles ? 3 : 0);
+        if (resolution != gloam_half)
+            filter.emplace(d, "filter", "nilnib", sizeof(gloam_last), 32, 8, tiles ? 2 : 0);
+    }
+    Pass prepare, sweep;
+    std::optional<Pass> mark, refine, join, filter;
+};
 
-void record(const Commands& commands, const std::array<Pass, 3>& passes, Images& of,
-            const gloam_frame& frame) {
-    std::vector<vk::ImageView> prepared{of.depth.all()};
+void record(const Commands& commands, const Passes& passes, Images& of, const gloam_frame& frame) {
+    std::vector<vk::ImageView> prepared{of.depth};
     for (int i = 0; i < 5; ++i) prepared.push_back(of.levels.level(i));
-    prepared.push_back(of.levels_before.all());
-    passes[0].record(commands, prepared, &frame.prepare, of.depth.extent);
-    passes[1].record(commands, {of.levels.all(), of.normal.all(), of.texels.all()}, &frame.sweep,
-                     of.texels.extent);
-    std::vector<vk::ImageView> shown{of.texels.all(), of.shown.all(), of.history_before.all(),
-                                     of.levels_before.all(), of.history.all()};
-    if (frame.settings.preset.half) shown.insert(shown.begin() + 1, of.levels.all());
-    passes[2].record(commands, shown, &frame.last, of.shown.extent);
+    prepared.push_back(of.levels_before);
+    const Image& full_texels = of.full_texels ? *of.full_texels : of.texels;
+    barrier(commands);  // behind what the engine has written
+    passes.prepare.record(commands, prepared, of.lists, &frame.prepare, of.depth.extent);
+    passes.sweep.record(commands, {of.levels, of.normal, of.texels}, of.lists, &frame.sweep,
+                        of.texels.extent);
+    if (passes.mark)
+        passes.mark->record(commands, {of.texels, of.marks}, of.lists, &frame.mark, of.marks.extent);
+    if (passes.refine)
+        passes.refine->record(commands, {of.levels, of.normal, full_texels, of.texels}, of.lists,
+                              &frame.sweep, {});
+    if (passes.join)
+        passes.join->record(
+            commands,
+            {of.texels, of.levels, of.shown, of.history_before, of.levels_before, of.history, full_texels},
+            of.lists, &frame.join, of.shown.extent);
+    if (passes.filter)
+        passes.filter->record(commands,
+                              {full_texels, of.shown, of.history_before, of.levels_before, of.history},
+                              of.lists, &frame.filter, of.shown.extent);
     barrier(commands);  // before the engine reads `shown`
     std::swap(of.levels, of.levels_before);
     std::swap(of.history, of.history_before);
@@ -206,7 +249,7 @@ void record(const Commands& commands, const std::array<Pass, 3>& passes, Images&
 
 void run(char** arguments) {
     const Device device;
-    const std::array<Pass, 3> passes = passes_of(device, PRESET.half != 0);
+    const Passes passes(device, PRESET.resolution);
     std::optional<Images> images;
     each_frame(arguments, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {
         if (!images || images->depth.extent != vk::Extent3D(depth.width, depth.height, 1))

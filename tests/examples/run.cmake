@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# run(WHAT command...): stops the test when the command fails.
+# run(WHAT command...): stops the test when the command fails, or Vulkan's validation layers report something.
 function(run WHAT)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
+  if(NOT status EQUAL 0 OR output MATCHES "Validation (Error|Warning)")
     list(JOIN ARGN " " command)
     message(FATAL_ERROR "${WHAT}: exit status ${status}\n${command}\n${output}")
   endif()
