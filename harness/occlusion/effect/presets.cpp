@@ -59,8 +59,8 @@ struct Measured {
 // frames.
 constexpr Measured measured[] = {{"fast", 0.0539, 1.00},
                                  {"balanced", 0.0511, 1.40},
-                                 {"quality", 0.0470, 2.25, 0.260},
-                                 {"reference", 0.0444, 3.50, 0.351},
+                                 {"quality", 0.0459, 1.91, 0.260},
+                                 {"reference", 0.0450, 2.27, 0.351},
                                  {"tssao-paper", 0.0708, 4.65},
                                  {"study-crytek-performance", 0.1022, 4.96},
                                  {"study-crytek-quality", 0.0997, 24.63},
