@@ -135,6 +135,31 @@ TEST_P(Frames, TilesThatAreLeftOutChangeNoPixel) {
     }
 }
 
+// The lists are those of what is swept now: after frames that had none, and after another size whose texels
+// are as many.
+TEST_P(Frames, ListsFollowWhatIsSwept) {
+    Settings settings = with_radius(GetParam().settings, 0.6F);
+    settings.history = false;
+    Settings all = settings;
+    all.skips = false;
+    Settings full = settings;
+    full.resolution = Resolution::full;
+    constexpr gpu::Extent twice{2 * odd.width, 2 * odd.height};
+    AmbientOcclusion effect(device_, passes_, odd);
+    std::vector<std::vector<float>> shown;
+    const auto show = [&](const scene::GBuffer& view, const Settings& chosen) {
+        effect.begin(view, chosen);
+        shown.push_back(effect.next().filtered);
+    };
+    for (const Settings* chosen : {&all, &settings, &all, &settings}) show(drawn("columns", odd), *chosen);
+    for (std::size_t i = 1; i < shown.size(); ++i) EXPECT_TRUE(same_bits(shown[i], shown[0], odd.width)) << i;
+    show(drawn("sky", odd), full);
+    effect.advance(drawn("columns", twice));
+    show(drawn("columns", twice), settings);
+    show(drawn("columns", twice), all);
+    EXPECT_TRUE(same_bits(shown[5], shown[6], twice.width));
+}
+
 // Of 11 x 6 tiles: all in the first frame, then those with a surface in them. A group makes 2 in full, 8 at
 // half size.
 TEST_P(Frames, BackgroundIsSweptOnce) {

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <glm/gtc/packing.hpp>
+#include <utility>
 
 #include "effect/internal/executor.hpp"
 #include "effect/internal/passes.hpp"
@@ -320,17 +321,15 @@ class ThreePasses : public FramePasses {
 
     void take(const scene::GBuffer& view, const Settings& settings, bool follows) override {
         if (!follows) gloam_cut(&frame_);
-        settings_ = settings;
-        const bool deep = taken_.deep;
-        taken_ = taken_of(view, settings);
+        const Taken before = std::exchange(taken_, taken_of(view, settings));
         if (follows && !view.camera.orthographic())
-            taken_.deep = deep;  // a camera that zooms keeps its images
+            taken_.deep = before.deep;  // a camera that zooms keeps its images
         taken_.skips = settings.skips && device_->info().type == "cpu";
         Plan plan = plan_for(settings, taken_, frame_);
-        // Lists that know which texels are blank are kept.
-        const gpu::Extent texels = swept_of(settings, view.extent);
-        if (texels == listed_ && taken_.deep == deep) plan.buffers.clear();
-        listed_ = texels;
+        const bool same_texels = before.view.extent == view.extent && before.deep == taken_.deep &&
+                                 stride_of(settings_) == stride_of(settings);
+        if (before.skips && taken_.skips && same_texels) plan.buffers.clear();  // they know what is blank
+        settings_ = settings;
         resources_.provide(plan);
         upload(view, true, resources_);
         if (!follows) resources_.restart(plan);  // what is read without weight still tells in the last bit
@@ -369,7 +368,6 @@ class ThreePasses : public FramePasses {
     Resources resources_;
     Settings settings_;
     Taken taken_;
-    gpu::Extent listed_;   // texels of which the lists know
     View last_;            // of the frame before
     gloam_frame frame_{};  // of the last frame, until advance()
 };

@@ -55,8 +55,8 @@ struct Measured {
 };
 
 // What one run of `gloam bench presets` printed: errors, which an H200 and llvmpipe have alike, and times on
-// llvmpipe (LLVM 15.0.6), two cores. tiles: the mean of the perspective unseen views at 640 x 360, single
-// frames.
+// llvmpipe (LLVM 15.0.6), two cores; of quality and reference a later run. tiles: the mean of the perspective
+// unseen views at 640 x 360, single frames.
 constexpr Measured measured[] = {{"fast", 0.0539, 1.00},
                                  {"balanced", 0.0511, 1.40},
                                  {"quality", 0.0459, 1.91, 0.260},
