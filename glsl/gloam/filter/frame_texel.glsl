@@ -60,10 +60,11 @@ vec2 gloam_near_pair(vec2 depths, float own, vec2 scale, float alone) {
 // how much the occlusion varies in a tile (FRAME-mark): `sqrt(n sum_i o_i^2 - (sum_i o_i)^2) / n` [gloam].
 // The standard deviation of its texels at half size: where it is large, half size does not suffice: at contacts, edges
 // and thin parts. All texels tell, so that the noise of single ones moves it less than it moves their range.
-// sum, squares: of o and of o^2 over the texels; exact where o are whole numbers up to 255. count: n, at most 64.
-// Returns a deviation in the unit of o. Error: 0.008.
-float gloam_tile_deviation(float sum, float squares, float count) {
-    return sqrt(max(count * squares - sum * sum, 0.0)) / count;
+// sum, squares: of o and of o^2 over the texels, o in [0, 255]: whole numbers, since single precision loses a small
+// difference of two large ones. count: n, in [1, 64].
+// Returns a deviation in the unit of o. Error: 3e-5.
+float gloam_tile_deviation(uint sum, uint squares, uint count) {
+    return sqrt(float(count * squares - sum * sum)) / float(count);
 }
 
 #endif

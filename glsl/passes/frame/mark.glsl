@@ -25,7 +25,7 @@ bool is_marked(ivec2 tile) {
         squares += occlusion * occlusion;
     }
     const vec4 all = vec4(1.0);
-    return gloam_tile_deviation(dot(sum, all), dot(squares, all), 36.0) >= 255.0 * parameters.least;
+    return gloam_tile_deviation(uint(dot(sum, all)), uint(dot(squares, all)), 36u) >= 255.0 * parameters.least;
 }
 
 #endif

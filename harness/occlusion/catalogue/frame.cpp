@@ -169,18 +169,17 @@ void append_texels(Entries& entries) {
          uniform(0, 1).and_value(0.0F).only_as_drawn()},
         {.absolute = 2e-7}, {0, 1});
     // Of 36 texels with one of two values.
-    const Values value = uniform(0, 256).only_as_drawn();
+    const Values code = integers(0, 255).only_as_drawn();
     add(entries, "FRAME-mark", &reference::gloam_tile_deviation,
-        Domain{value, value, uniform(0, 37).only_as_drawn()}.adjusted([](std::span<Word> row) {
-            const auto whole = [&](std::size_t i) { return std::floor(std::bit_cast<float>(row[i])); };
-            const float one = whole(0);
-            const float other = whole(1);
-            const float count = whole(2);
-            row[0] = to_word(count * one + (36.0F - count) * other);
-            row[1] = to_word(count * one * one + (36.0F - count) * other * other);
-            row[2] = to_word(36.0F);
+        Domain{code, code, integers(0, 36).only_as_drawn()}.adjusted([](std::span<Word> row) {
+            const Word one = row[0];
+            const Word other = row[1];
+            const Word count = row[2];
+            row[0] = count * one + (36 - count) * other;
+            row[1] = count * one * one + (36 - count) * other * other;
+            row[2] = 36;
         }),
-        {.absolute = 0.008}, {0, 127.5});
+        {.absolute = 3e-5}, {0, 127.5});
 }
 
 // What brings a pixel of an image of 100 x 100 to the frame before.

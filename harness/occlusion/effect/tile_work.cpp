@@ -8,8 +8,6 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::uint32_t side = 8;  // of a tile, pixels
-
 // Pixels of the radius at this depth, along the longer side of a pixel.
 double reach_of(const scene::GBuffer& view, double radius, double depth) {
     const glm::mat4& projection = view.camera.proj_vk;
@@ -21,8 +19,9 @@ double reach_of(const scene::GBuffer& view, double radius, double depth) {
 // The depth of the nearest surface in a tile; infinity: it has none.
 float nearest_in(const scene::GBuffer& view, std::uint32_t column, std::uint32_t row) {
     float nearest = std::numeric_limits<float>::infinity();
-    for (std::uint32_t y = side * row; y < std::min(side * (row + 1), view.extent.height); ++y)
-        for (std::uint32_t x = side * column; x < std::min(side * (column + 1), view.extent.width); ++x)
+    for (std::uint32_t y = tile_side * row; y < std::min(tile_side * (row + 1), view.extent.height); ++y)
+        for (std::uint32_t x = tile_side * column; x < std::min(tile_side * (column + 1), view.extent.width);
+             ++x)
             if (const float depth = view.depth[std::size_t{y} * view.extent.width + x]; depth > 0.0F)
                 nearest = std::min(nearest, depth);
     return nearest;
@@ -31,7 +30,7 @@ float nearest_in(const scene::GBuffer& view, std::uint32_t column, std::uint32_t
 }  // namespace
 
 gpu::Extent tiles_of(gpu::Extent view) {
-    return {(view.width + side - 1) / side, (view.height + side - 1) / side};
+    return {(view.width + tile_side - 1) / tile_side, (view.height + tile_side - 1) / tile_side};
 }
 
 std::vector<TileWork> tile_work_of(const scene::GBuffer& view, const Settings& settings) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "effect/settings.hpp"
@@ -8,7 +9,9 @@
 
 namespace gloam::effect {
 
-// Tiles of 8 x 8 pixels that cover a view.
+inline constexpr std::uint32_t tile_side = 8;  // pixels
+
+// Tiles that cover a view.
 [[nodiscard]] gpu::Extent tiles_of(gpu::Extent view);
 
 // What a frame does in a tile of 8 x 8 pixels of the view, the most that it does in any of its pixels.

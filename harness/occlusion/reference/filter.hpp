@@ -239,9 +239,9 @@ inline dvec2 gloam_near_pair(dvec2 depths, double own, dvec2 scale, double alone
     return max(dvec2(together), alone - abs(own - depths) * scale.y);
 }
 
-inline double gloam_tile_deviation(double sum, double squares, double count) {
-    const double mean = sum / count;
-    return std::sqrt(max(squares / count - mean * mean, 0.0));
+inline double gloam_tile_deviation(unsigned sum, unsigned squares, unsigned count) {
+    const double mean = static_cast<double>(sum) / count;
+    return std::sqrt(max(static_cast<double>(squares) / count - mean * mean, 0.0));
 }
 
 }  // namespace gloam::reference

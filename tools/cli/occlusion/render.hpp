@@ -152,6 +152,11 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
 // STEM_ao.pfm and .png, of the filtered image.
 void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame);
 
+// STEM_tiles.png: the occlusion, tinted in each tile of 8 x 8 pixels by the frame's work in it: blue
+// background, green a radius below a pixel, white half size, orange in full. view: with its guard band.
+void write_tiles(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
+                 const scene::GBuffer& view);
+
 // Errors of a frame against the truth.
 struct FrameErrors {
     effect::Errors raw;

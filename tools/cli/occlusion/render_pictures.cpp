@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "pictures/sheet.hpp"
 #include "scene/read_gbuffer.hpp"
@@ -48,6 +49,24 @@ void write_images(report::OutputFolder& folder, const std::string& stem, const e
     const auto [width, height] = frame.extent;
     folder.write(stem + "_ao.pfm", base::to_pfm(frame.filtered, width, height, 1));
     folder.write(stem + "_ao.png", pictures::to_visibility_png(frame.filtered, width, height));
+}
+
+void write_tiles(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
+                 const scene::GBuffer& view) {
+    const std::map<effect::TileWork, glm::vec3> tints{{effect::TileWork::background, {0.5F, 0.65F, 1.0F}},
+                                                      {effect::TileWork::below_pixel, {0.6F, 1.0F, 0.5F}},
+                                                      {effect::TileWork::half, glm::vec3(1.0F)},
+                                                      {effect::TileWork::full, {1.0F, 0.65F, 0.3F}}};
+    const auto [width, height] = frame.extent;
+    const std::uint32_t columns = effect::tiles_of(view.extent).width;
+    base::RgbBytes rgb = pictures::visibility_rgb(frame.filtered);
+    for (std::uint32_t i = 0; i < rgb.size(); ++i) {
+        const std::uint32_t column = (i / 3 % width + view.border.left) / effect::tile_side;
+        const std::uint32_t row = (i / 3 / width + view.border.top) / effect::tile_side;
+        const glm::vec3& tint = tints.at(frame.tiles[row * columns + column]);
+        rgb[i] = static_cast<std::uint8_t>(static_cast<float>(rgb[i]) * tint[static_cast<int>(i % 3)]);
+    }
+    folder.write(stem + "_tiles.png", base::to_rgb_png(rgb, width, height));
 }
 
 namespace {

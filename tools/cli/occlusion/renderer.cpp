@@ -211,6 +211,8 @@ class Renderer {
             compare(entry, view, frame, truth, last);
             if (last && is_shown(number)) show(number, number + i, view, frame, truth);
             if (last) write_directions(number + i, wide, settings, frame);
+            if (output_.folder != nullptr && settings.resolution == effect::Resolution::tiles)
+                write_tiles(*output_.folder, stem(number + i), frame, wide);
             report_.frames.push_back(std::move(entry));
             progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
         }
