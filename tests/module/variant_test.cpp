@@ -45,7 +45,7 @@ TEST(Variants, EachMakesAModuleOfItsOwn) {
     EXPECT_EQ(module_of("literals"), module_of("optimized"));
 }
 
-constexpr Language all[] = {Language::vulkan450, Language::gl430, Language::gl330,
+constexpr Language all[] = {Language::vulkan450, Language::gl430, Language::gl330, Language::gl150,
                             Language::es300,     Language::es310, Language::es320};
 
 std::string error_of(const std::string& body, Language language) {
@@ -62,21 +62,22 @@ std::string accepted_by(const std::string& body) {
 
 TEST(Language, IncludesAndUndefinedPrototypesCompileEverywhere) {
     for (const char* name : {"math/hypot.glsl", "math/neighbour.glsl", "fetch.glsl"})
-        EXPECT_EQ(accepted_by("#include \"" + std::string(name) + "\"\n"), "450 430 330 300es 310es 320es ")
+        EXPECT_EQ(accepted_by("#include \"" + std::string(name) + "\"\n"),
+                  "450 430 330 150 300es 310es 320es ")
             << name;
 }
 
 TEST(Language, AcceptsABodyThatIsWrittenForIt) {
     const std::vector<std::array<const char*, 3>> bodies{
-        {"an empty body compiles", "", "450 430 330 300es 310es 320es "},
+        {"an empty body compiles", "", "450 430 330 150 300es 310es 320es "},
         {"a body may end in a comment", "float f(float x) { return x; } // no newline",
-         "450 430 330 300es 310es 320es "},
-        {"implicit conversion is not for es", "float f(float x) { return x * 2; }", "450 430 330 "},
+         "450 430 330 150 300es 310es 320es "},
+        {"implicit conversion is not for es", "float f(float x) { return x * 2; }", "450 430 330 150 "},
         {"bitfield functions are newer", "uint f(uint x) { return bitfieldReverse(x); }",
          "450 430 310es 320es "},
         {"doubles are for desktop", "double f(double x) { return x; }", "450 430 "},
         {"vulkan alone refuses free uniforms", "uniform float x;\nfloat f() { return x; }",
-         "430 330 300es 310es 320es "},
+         "430 330 150 300es 310es 320es "},
         {"recursion compiles nowhere", "float f(float x) { return f(x); }", ""}};
     for (const auto& [about, text, languages] : bodies) EXPECT_EQ(accepted_by(text), languages) << about;
 }

@@ -105,9 +105,10 @@ class NpmTest(BrowserCase):
 
     def test_other_encodings_and_left_handed_views_give_the_same(self):
         for view in ("made()", "orthographic(made())"):
-            for how in ('"world-octahedral", false', '"world-octahedral", true', '"view", true'):
+            for how in ('"world-octahedral", false', '"world-octahedral", true', '"view", true, "visibility"'):
                 with self.subTest(view + how):
                     got = self.ask(f"return encoded({view}, {how});")
+                    self.assertTrue(got["into"])
                     self.assertLess(got["mean"], 1e-3)
                     self.assertEqual(0, got["most"])
 

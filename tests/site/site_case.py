@@ -19,7 +19,7 @@ SHADE = """(async () => {{
     const scene = await gloam.scene("columns");
     picture.set(scene, "{preset}", scene.radius);
     for (let i = 0; i < {frames}; ++i) picture.frame(gloam.cameraAt(scene, i));
-    const bytes = new Uint8Array(picture.occlusion.readOcclusion().buffer);
+    const bytes = new Uint8Array(picture.occlusion.readShown().buffer);
     picture.passes.gl.getExtension("WEBGL_lose_context").loseContext();
     return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 }})()"""

@@ -9,7 +9,8 @@
  * texels       R32UI           view; half of it, up,  sweep; refine    filter (full), join, mark (nearest)
  *                              for half and tiles
  * history[2]   RGB10_A2        view                   filter, join     the same of the next frame (linear)
- * shown        R8              view                   filter, join     the engine: 1 where blocked, 0 where open
+ * shown        R8              view                   filter, join     the engine: 1 where blocked, 0 where open;
+ *                                                                      with constant 10 the other way round
  * Deep, for orthographic cameras and those that zoom to less than 30 degrees: R32F for R16F, RG32UI for R32UI.
  * With tiles, where each pixel is swept in those of 8 x 8 pixels in which half size does not suffice:
  * marks        R8              view / 8, rounded up   mark             fragment refine, halve, join, filter (nearest)
@@ -43,8 +44,10 @@
  * COMPUTE_SHADER | DRAW_INDIRECT, the second access is INDIRECT_COMMAND_READ, too, and the buffer has the usages
  * STORAGE and INDIRECT. The device needs the feature shaderStorageImageExtendedFormats. Specialization constants:
  * 1 orthographic; 2, 3, 4 normals in world space, octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one
- * another; 9 deep, for which what writes levels or texels is packed with the other formats.
- * OpenGL: structures are the uniform block 0 (Parameters), in a buffer of 128 bytes, and behind each compute pass there
+ * another; 9 deep, for which what writes levels or texels is packed with the other formats; 10 what is shown is
+ * visibility, of filter and join.
+ * OpenGL: structures are the uniform block 0 (Parameters), in a buffer of 128 bytes, or members of a uniform structure
+ * `parameters`, if packed so, and behind each compute pass there
  * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT), with tiles also
  * GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT.
  * As fragment shaders (330, 300es) a pass draws a triangle over all that it writes, prepare one for each `level`. Their

@@ -16,6 +16,7 @@
 
 layout(constant_id = 1) const bool orthographic = false;  // both cameras; else perspective
 layout(constant_id = 8) const bool history = false;       // there is one
+layout(constant_id = 10) const bool visibility = false;   // is what is shown; else occlusion
 
 struct LastParameters {
     mat4x3 before;        // where a pixel's point was (gloam_frame_before)
@@ -61,7 +62,7 @@ vec3 bend_at(ivec2 place) {
 #endif
 vec4 kept = vec4(0.0);  // the texel of a pixel for the next frame, in sequences
 
-// Occlusion of a pixel with its history, if there is one, in [0, 1]. sums: of the occlusion and the weight of the pixel
+// What is shown of a pixel, with its history, if there is one, in [0, 1]. sums: of the occlusion and the weight of the pixel
 // itself, and of all that the filter reads. moved: the share of these that met what moved.
 float accumulated(ivec2 pixel, float depth, vec4 sums, float moved) {
     vec2 means = vec2(sums.z / sums.w);  // at first what the filter gives
@@ -99,7 +100,7 @@ float accumulated(ivec2 pixel, float depth, vec4 sums, float moved) {
 #ifdef GLOAM_MULTI_BOUNCE
     means.x = 1.0 - gloam_multi_bounce(means.x, vec3(parameters.albedo)).x;  // the history has none
 #endif
-    return means.x;
+    return visibility ? 1.0 - means.x : means.x;
 }
 
 #endif

@@ -13,28 +13,34 @@ namespace {
 constexpr const char* es_precisions =
     "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 
+// What OpenGL 3.2 lacks: locations of outputs, and bits of floats.
+constexpr const char* extensions_of_150 =
+    "#extension GL_ARB_explicit_attrib_location : require\n"
+    "#extension GL_ARB_shader_bit_encoding : require\n";
+
 struct Entry {
     Language language;
     const char* name;
     const char* version;
-    bool es;
+    const char* start;  // behind #version
     Stage stage;
 };
 
 constexpr std::array entries{
-    Entry{Language::vulkan450, "450", "450", false, Stage::compute},
-    Entry{Language::gl430, "430", "430 core", false, Stage::compute},
-    Entry{Language::gl330, "330", "330 core", false, Stage::fragment},
-    Entry{Language::es300, "300es", "300 es", true, Stage::fragment},
-    Entry{Language::es310, "310es", "310 es", true, Stage::compute},
-    Entry{Language::es320, "320es", "320 es", true, Stage::compute},
+    Entry{Language::vulkan450, "450", "450", "", Stage::compute},
+    Entry{Language::gl430, "430", "430 core", "", Stage::compute},
+    Entry{Language::gl330, "330", "330 core", "", Stage::fragment},
+    Entry{Language::gl150, "150", "150 core", extensions_of_150, Stage::fragment},
+    Entry{Language::es300, "300es", "300 es", es_precisions, Stage::fragment},
+    Entry{Language::es310, "310es", "310 es", es_precisions, Stage::compute},
+    Entry{Language::es320, "320es", "320 es", es_precisions, Stage::compute},
 };
 
 const Entry& entry_of(Language language) {
     for (const Entry& entry : entries)
         if (entry.language == language) return entry;
     throw std::invalid_argument("language " + std::to_string(static_cast<int>(language)) +
-                                ": not one of 450, 430, 330, 300es, 310es, 320es");
+                                ": not one of 450, 430, 330, 150, 300es, 310es, 320es");
 }
 
 }  // namespace
@@ -51,7 +57,7 @@ std::string to_string(Language language) {
 
 std::string preamble(Language language) {
     const Entry& entry = entry_of(language);
-    return "#version " + std::string(entry.version) + "\n" + (entry.es ? es_precisions : "");
+    return "#version " + std::string(entry.version) + "\n" + entry.start;
 }
 
 Stage usual_stage(Language language) {

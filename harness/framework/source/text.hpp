@@ -30,13 +30,13 @@ class CompileError : public std::runtime_error {
 };
 
 // The GLSL versions that the library promises to compile as.
-enum class Language { vulkan450, gl430, gl330, es300, es310, es320 };
+enum class Language { vulkan450, gl430, gl330, gl150, es300, es310, es320 };
 
-// "450", "430", "330", "300es", "310es", "320es"; nullopt for other text.
+// "450", "430", "330", "150", "300es", "310es", "320es"; nullopt for other text.
 [[nodiscard]] std::optional<Language> language_from(std::string_view name);
 [[nodiscard]] std::string to_string(Language language);
 
-// The first lines of a text: #version, and for ES the default precisions (highp).
+// The first lines of a text: #version, extensions of 150, and for ES the default precisions (highp).
 [[nodiscard]] std::string preamble(Language language);
 
 // The stage in which a text of this language is checked by default: compute if the language has it, otherwise

@@ -34,7 +34,7 @@ function frames(view, count, before = () => {}) {
     return view;
 }
 
-const occlusion = (view) => view.occlusion.occlusion.readOcclusion();
+const occlusion = (view) => view.occlusion.occlusion.readShown();
 
 // The mean difference of two images, and the largest of nine tenths of their pixels.
 function apart(a, b) {
@@ -222,11 +222,11 @@ function leftHanded(view) {
 }
 
 // How far a frame of the class is from that of the pass when it is given linear depth and these normals, octahedral
-// ones in world space or "view". left: by a left-handed camera.
-function encoded(view, normals, left) {
+// ones in world space or "view". left: by a left-handed camera. Visibility is shown in a texture of one's own.
+function encoded(view, normals, left, shown = "occlusion") {
     const [{size: [width, height], texels, proj_vk: p, view: matrix, occlusion: want}] = recorded(view, 1, () => {});
     const other = new AmbientOcclusion(view.renderer.getContext(), effect,
-        {depth: "linear", range: "zero-to-one", normals});
+        {depth: "linear", range: "zero-to-one", normals, shown});
     const {gl} = other.passes;
     const [depth, normal] = [0, 1].map(() => ({values: new Float32Array(texels.length),
         image: other.passes.image("RGBA32F", [width, height])}));
@@ -247,11 +247,12 @@ function encoded(view, normals, left) {
     }
     other.setPreset("balanced", 1);
     other.setSize(width, height);
-    other.render({depth: depth.image, normal: normal.image, projection: negated(p, (i) => left && i >> 2 === 2),
-        view: negated(matrix, (i) => left && i % 4 === 2)});
-    const got = apart(want, other.readOcclusion());
+    const into = shown === "occlusion" ? null : other.passes.image("RGBA8", [width, height]);
+    const drawn = other.render({depth: depth.image, normal: normal.image, into,
+        projection: negated(p, (i) => left && i >> 2 === 2), view: negated(matrix, (i) => left && i % 4 === 2)});
+    const got = apart(want, other.readShown().map((one) => into === null ? one : 1 - one));
     closed(view);
-    return got;
+    return {...got, into: into === null || drawn === into};
 }
 
 // Normal and depth of each pixel.

@@ -106,7 +106,7 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
     const auto language = shader::language_from(options.version);
     if (!language) {
         throw std::invalid_argument("unknown GLSL version \"" + options.version +
-                                    "\": expected 450, 430, 330, 300es, 310es or 320es");
+                                    "\": expected 450, 430, 330, 150, 300es, 310es or 320es");
     }
     const std::optional<shader::Target> target = target_of(options);
     std::vector<fs::path> roots{glsl_directory()};
@@ -153,10 +153,13 @@ std::string with_version(std::string text, const std::string& api) {
 
 std::string api_of(shader::Language language) {
     using enum shader::Language;
-    static const std::map<shader::Language, const char*> names{
-        {vulkan450, "Vulkan"},    {gl430, "OpenGL 4.3"},
-        {gl330, "OpenGL 3.3"},    {es300, "OpenGL ES 3.0 and WebGL2"},
-        {es310, "OpenGL ES 3.1"}, {es320, "OpenGL ES 3.2"}};
+    static const std::map<shader::Language, const char*> names{{vulkan450, "Vulkan"},
+                                                               {gl430, "OpenGL 4.3"},
+                                                               {gl330, "OpenGL 3.3"},
+                                                               {gl150, "OpenGL 3.2"},
+                                                               {es300, "OpenGL ES 3.0 and WebGL2"},
+                                                               {es310, "OpenGL ES 3.1"},
+                                                               {es320, "OpenGL ES 3.2"}};
     return std::string(" for ") + names.at(language);
 }
 
@@ -172,7 +175,8 @@ void add_pack_options(CLI::App& command, PackOptions& options) {
     add_include_option(command, options.includes);
     add_define_option(command, options.defines);
     command
-        .add_option("--version", options.version, "450 (Vulkan), 430 (OpenGL), 330, 300es, 310es or 320es")
+        .add_option("--version", options.version,
+                    "450 (Vulkan), 430 (OpenGL), 330, 150, 300es, 310es or 320es")
         ->capture_default_str();
     command.add_option("--target", options.target,
                        "hlsl or msl: translated to HLSL of shader model 6.0 or to Metal's language");

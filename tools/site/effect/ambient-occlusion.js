@@ -13,10 +13,12 @@ class AmbientOcclusion {
     //            both, as `gloam pack --normals` has them
     //   deep     whether a perspective camera zooms to less than 30 degrees: depth then takes twice the memory, as it
     //            does for orthographic cameras and for those that begin so
+    //   shown    what render() gives: "occlusion", 1 where blocked, or "visibility", 1 where open
     // Throws an Error for other inputs, and where the context is not WebGL2 or cannot draw floats.
-    constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none", deep = false} = {}) {
-        AmbientOcclusion.check(depth, range, normals);
-        Object.assign(this, {effect, inputs: {depth, range, deep}, size: null, preset: null, images: null});
+    constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none", deep = false,
+        shown = "occlusion"} = {}) {
+        AmbientOcclusion.check(depth, range, normals, shown);
+        Object.assign(this, {effect, inputs: {depth, range, deep, shown}, size: null, preset: null, images: null});
         this.stored = normals === "none" ? null : {world_normals: normals.startsWith("world"),
             octahedral_normals: normals.includes("octahedral"), unorm_normals: normals.includes("unorm")};
         this.passes = new Passes(gl);
@@ -29,9 +31,10 @@ class AmbientOcclusion {
         this.restart();
     }
 
-    static check(depth, range, normals) {
+    static check(depth, range, normals, shown) {
         for (const [name, value, pattern, expected] of [["depth", depth, /^(linear|buffer)$/, '"linear" or "buffer"'],
             ["range", range, /^(negative-one|zero)-to-one$/, '"negative-one-to-one" or "zero-to-one"'],
+            ["shown", shown, /^(occlusion|visibility)$/, '"occlusion" or "visibility"'],
             ["normals", normals, /^(none|(view|world)(-octahedral)?(-unorm)?)$/,
                 '"none", or "view" or "world" and "-octahedral", "-unorm" or both behind it']])
             if (!pattern.test(value)) throw new Error(`${name} "${value}": expected ${expected}`);
@@ -69,8 +72,9 @@ class AmbientOcclusion {
     // Renders a frame: it is added to the history, which is moved where the view has.
     // depth, normal: textures of the size of the view, stored as the constructor was told. projection: from view to
     // clip space, and view: from world to view space, column by column, as the engine's vertices were drawn with.
-    // Returns a texture whose first channel is the occlusion: 0 open, 1 blocked; null where the context is lost.
-    render({depth, normal = null, projection, view}) {
+    // into: the texture that is drawn, of the size of the view, R8 or RGBA8; without it one of this object's.
+    // Returns that texture: its first channel is what is shown; null where the context is lost.
+    render({depth, normal = null, projection, view, into = null}) {
         if (this.size === null || this.preset === null)
             throw new Error("no size or no preset: setSize() and setPreset() must come before render()");
         const {passes, size, preset} = this;
@@ -81,6 +85,7 @@ class AmbientOcclusion {
         if (this.before?.orthographic !== now.orthographic) this.restart();
         if (this.images?.deep !== now.deep) this.deleteImages();
         this.images ??= this.newImages(now.deep);
+        this.drawInto(into ?? this.images.own);
         passes.begin();
         this.drawPasses(preset, {...now, ...sweepValues(now), ...this.historyValues(now), stored_image: depth,
             normal_image: normal ?? depth});
@@ -98,12 +103,23 @@ class AmbientOcclusion {
         const texels = (extent) => target(deep ? "RG32UI" : "R32UI", extent);
         const shown = passes.image("R8", size);
         const last = [0, 1].map(() => passes.target(size, [shown, passes.image("RGB10_A2", size, {linear: true})]));
-        const images = {deep, shown, last, levels: [0, 1].map(() => passes.levels(size, deep ? "R32F" : "R16F", 5)),
+        const images = {deep, own: shown, shown, last,
+            levels: [0, 1].map(() => passes.levels(size, deep ? "R32F" : "R16F", 5)),
             texels: texels(resolution === "full" ? size : per(2))};
         if (resolution !== "tiles") return images;
         const fullTexels = texels(size);
         return {...images, fullTexels, marks: target("R8", per(8)),
             joined: last.map((one) => passes.target(size, [...one.images, fullTexels.image]))};
+    }
+
+    drawInto(texture) {
+        const {passes: {gl}, images} = this;
+        if (images.shown === texture) return;
+        for (const {framebuffer} of [...images.last, ...images.joined ?? []]) {
+            gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+        }
+        images.shown = texture;
     }
 
     // As glsl/passes/frame/gloam_frame.h (gloam_fill) has them.
@@ -126,6 +142,7 @@ class AmbientOcclusion {
             inverse_size: size.map((n) => 1 / n)};
         const common = {orthographic: values.orthographic, deep: values.deep, history: true};
         const swept = {...common, ...this.stored, slices, steps};
+        const shown = {...common, visibility: this.inputs.shown === "visibility"};
         const from = this.stored ? "" : "_from_depth";
         // read: the texels that the pass reads. marked: in tiles, of those that are drawn; side: of one, in pixels.
         const draw = (name, constants, target, {read = texels, level = 0, marked = null, side = 8} = {}) => passes.draw(
@@ -135,19 +152,19 @@ class AmbientOcclusion {
         levels[even].forEach((target, level) => draw("prepare", common, target, {level}));
         if (resolution !== "tiles") {
             draw("sweep" + from, {...swept, stride: resolution === "half" ? 2 : 1}, texels);
-            draw(resolution === "half" ? "join" : "filter", common, last[even]);
+            draw(resolution === "half" ? "join" : "filter", shown, last[even]);
             return;
         }
         draw("sweep" + from, {...swept, slices: 1, steps: effect.steps_before_tiles, stride: 2}, texels);
         draw("mark", {}, marks);
         draw("refine" + from, swept, fullTexels, {marked: 1});
         draw("halve", {}, texels, {read: fullTexels, marked: 1, side: 4});
-        draw("join_of_tiles", common, joined[even], {marked: 0});
-        draw("filter_of_tiles", common, last[even], {read: fullTexels, marked: 1});
+        draw("join_of_tiles", shown, joined[even], {marked: 0});
+        draw("filter_of_tiles", shown, last[even], {read: fullTexels, marked: 1});
     }
 
-    // The occlusion that the last frame has given, one float a pixel, row 0 first.
-    readOcclusion() {
+    // What the last frame has shown, one float a pixel, row 0 first.
+    readShown() {
         const {passes: {gl}, size, images} = this;
         const texels = new Uint8Array(4 * size[0] * size[1]);
         gl.bindFramebuffer(gl.FRAMEBUFFER, images.last[0].framebuffer);
@@ -158,7 +175,7 @@ class AmbientOcclusion {
 
     deleteImages() {
         if (this.images === null) return;
-        const {deep, shown, ...targets} = this.images;
+        const {deep, own, shown, ...targets} = this.images;
         for (const target of Object.values(targets).flat(2)) this.passes.deleteTarget(target);
         this.images = null;
     }

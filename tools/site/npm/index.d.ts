@@ -56,6 +56,8 @@ export interface Inputs {
      * and those that begin so narrow, have that without it. Default false.
      */
     deep?: boolean;
+    /** What render() gives: "occlusion" (the default), 1 where blocked, or "visibility", 1 where open. */
+    shown?: "occlusion" | "visibility";
 }
 
 export interface Frame {
@@ -65,6 +67,8 @@ export interface Frame {
     projection: ArrayLike<number>;
     /** From world to view space, likewise. */
     view: ArrayLike<number>;
+    /** What is drawn, of the size of the view, R8 or RGBA8; default: a texture of the object's own. */
+    into?: WebGLTexture | null;
 }
 
 /** The frame in sequences for any engine of WebGL2. */
@@ -80,13 +84,13 @@ export class AmbientOcclusion {
     /** Forgets the history: call it where the picture is cut. */
     restart(): void;
     /**
-     * Renders a frame. Returns a texture of the size of the view whose first channel is the occlusion: 0 open, 1
-     * blocked, 8 bits; null where the context is lost. It is valid until the next call.
+     * Renders a frame. Returns the texture that it has drawn, whose first channel is what is shown, 8 bits; null where
+     * the context is lost. One of the object's own is valid until the next call.
      * Leaves no program, vertex array or framebuffer bound, tests and blending off, and its viewport and textures.
      */
     render(frame: Frame): WebGLTexture | null;
-    /** Occlusion of the last frame, one float a pixel, row 0 first. Waits for the GPU. */
-    readOcclusion(): Float32Array;
+    /** What the last frame has shown, one float a pixel, row 0 first. Waits for the GPU. */
+    readShown(): Float32Array;
     /** Deletes what this object has made in the context. */
     dispose(): void;
 }

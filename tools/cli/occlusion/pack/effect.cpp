@@ -40,7 +40,8 @@ shader::Language language_of(const std::string& version) {
             "--effect --version " + version +
             ": its compute shaders cannot write images of 16 bits; it takes the fragment shaders of 300es");
     if (!language)
-        throw std::invalid_argument("--effect --version " + version + ": expected 450, 430, 330 or 300es");
+        throw std::invalid_argument("--effect --version " + version +
+                                    ": expected 450, 430, 330, 150 or 300es");
     return *language;
 }
 
@@ -97,12 +98,16 @@ void pack_effect(const EffectPackOptions& options) {
         throw std::invalid_argument(
             "--effect --bent-normals --version 430: OpenGL 4.3 has too few images for tiles; expected --set "
             "resolution=full or half, or --version 450");
+    if (options.plain_uniforms && language == shader::Language::vulkan450)
+        throw std::invalid_argument("--uniforms plain: Vulkan has blocks alone; expected another --version");
     const scene::PassLibrary library(glsl_directory());
     report::OutputFolder folder(options.out);
     for (effect::PlannedPass& pass : plan_of(settings, plan_options(options), library).passes) {
         const std::string file = pass.name + (compute ? ".comp" : ".frag");
         if (!compute) pass.source.file.replace(pass.source.file.size() - 5, 5, ".frag");
-        if (language != shader::Language::vulkan450)
+        if (options.visibility && (pass.name == "filter" || pass.name == "join"))
+            pass.source.constants.push_back({.id = 10, .bits = 1});
+        if (language != shader::Language::vulkan450 && !options.plain_uniforms)
             pass.source.defines.emplace_back("GLOAM_PARAMETER_BLOCK");
         if (!compute)  // there are no lists
             std::erase_if(pass.source.defines,

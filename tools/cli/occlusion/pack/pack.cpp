@@ -119,6 +119,18 @@ void add_effect_options(CLI::App& command, PackCommand& options) {
     only(command.add_flag("--orthographic", of_effect.orthographic,
                           "the camera is orthographic; else perspective"));
     only(command
+             .add_option_function<std::string>(
+                 "--shown",
+                 [&of_effect](const std::string& what) { of_effect.visibility = what == "visibility"; },
+                 "occlusion, 1 where blocked, or visibility, 1 where open: what the image shown holds")
+             ->check(CLI::IsMember({"occlusion", "visibility"})));
+    only(command
+             .add_option_function<std::string>(
+                 "--uniforms",
+                 [&of_effect](const std::string& kind) { of_effect.plain_uniforms = kind == "plain"; },
+                 "of OpenGL: block, or plain: members of a uniform structure `parameters`")
+             ->check(CLI::IsMember({"block", "plain"})));
+    only(command
              .add_option("--normals", of_effect.normals,
                          "the engine's: view or world space, and behind it -octahedral, -unorm or both; "
                          "none: from depth")
