@@ -8,7 +8,7 @@ const still = ["#with", "#without"].includes(location.hash);
 const view = new View(at("canvas"));
 
 function draw(milliseconds) {
-    view.occlusion.enabled = at("on").checked;
+    view.occlusion.intensity = at("on").checked ? 1 : 0;
     view.occlusion.output = at("alone").checked ? "visibility" : "shaded";
     view.occlusion.radius = Number(at("radius").value);
     view.look(0.4 * Math.sin(milliseconds / 3000));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A scene of three.js with ambient occlusion between its RenderPass and its OutputPass.
+// A scene of three.js, which the pass of ambient occlusion draws.
 import {BoxGeometry, Color, DirectionalLight, HemisphereLight, Mesh, MeshStandardMaterial, PerspectiveCamera,
     PlaneGeometry, Scene, SphereGeometry, TorusKnotGeometry, WebGLRenderer} from "three";
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
 import {OutputPass} from "three/addons/postprocessing/OutputPass.js";
-import {RenderPass} from "three/addons/postprocessing/RenderPass.js";
 import {AmbientOcclusionPass} from "gloam/three";
 
 function placed(geometry, color, x, y, z) {
@@ -40,7 +39,6 @@ export class View {
         this.camera = new PerspectiveCamera(40, 1, 0.1, 100);
         this.composer = new EffectComposer(this.renderer);
         this.occlusion = new AmbientOcclusionPass(this.scene, this.camera, {preset: "balanced", radius: 1});
-        this.composer.addPass(new RenderPass(this.scene, this.camera));
         this.composer.addPass(this.occlusion);
         this.composer.addPass(new OutputPass());
         this.look(0);

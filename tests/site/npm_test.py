@@ -20,8 +20,6 @@ from site_case import GLOAM, BrowserCase, main, read_pfm, skip
 EXAMPLE = Path(sys.argv[2])
 FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
 
-FULL = "reference --set resolution=full"  # of page.js, and as the program takes it
-
 # Name, preset, whether there are normals, and the view.
 # The last number: the share of pixels that may be apart once the camera stands; in a jitter a point that stands lies
 # on the border of other texels in each frame.
@@ -31,7 +29,8 @@ SEQUENCES = [("perspective", "balanced", True, "made()", 0.015),
              ("orthographic", "fast", True, "orthographic(made())", 0.015),
              ("orthographic, in tiles", "quality", True, "orthographic(made())", 0.015),
              ("depth of the composer", "reference", False, "withComposerDepth(made())", 0.015),
-             ("full size", FULL, True, "made()", 0.015)]
+             ("full size", "reference --set resolution=full", True, "made()", 0.015),
+             ("tiles", "balanced --set resolution=tiles --set mark=0.08", True, "made()", 0.015)]
 
 
 def write_gbuffer(folder, number, frame, before, normals):
@@ -77,7 +76,7 @@ class NpmTest(BrowserCase):
             with self.subTest(name):
                 frames = self.ask(f"""
                     const view = {made};
-                    view.occlusion.preset = "{preset}";
+                    [view.occlusion.preset, , view.occlusion.resolution = null] = "{preset}".split(/ --set |=/);
                     const box = view.scene.children[2];
                     const all = written(recorded(view, 40, (view, i) => {{
                         if (i === 20) view.setSize(97, 55, 1);
@@ -187,7 +186,7 @@ class NpmTest(BrowserCase):
             const {occlusion: pass} = view;
             const counts = [() => {}, () => {}, () => { pass.radius = 0.5; }, () => {},
                 () => { pass.preset = "quality"; },
-                () => { pass.camera = view.camera.clone(); view.composer.passes[0].camera = pass.camera; }
+                () => { pass.camera = view.camera.clone(); }, () => { pass.resolution = "half"; },
             ].map((change) => {
                 change();
                 view.draw();
@@ -195,26 +194,32 @@ class NpmTest(BrowserCase):
             });
             closed(view);
             return counts;""")
-        self.assertEqual([1, 2, 1, 2, 1, 1], got)
+        self.assertEqual([1, 2, 1, 2, 1, 1, 1], got)
 
     def test_another_preset_gives_what_a_new_pass_gives(self):
-        got = self.ask(f"""
+        got = self.ask("""
             const view = made();
-            const all = ["{FULL}", "fast", "quality", "{FULL}", "reference", "balanced"].map((preset) => {{
+            const all = ["reference full", "fast", "quality", "reference full", "reference", "balanced",
+                "balanced tiles", "balanced full", "balanced half"].map((name) => {
+                const [preset, resolution = null] = name.split(" ");
                 const other = made();
-                const [got, want] = [view, other].map((one) => {{
-                    one.occlusion.preset = preset;
+                const [got, want] = [view, other].map((one) => {
+                    Object.assign(one.occlusion, {preset, resolution});
                     return occlusion(frames(one, 3));
-                }});
-                const {{images, passes: {{gl}}}} = other.occlusion.occlusion;
+                });
+                const {images, passes: {gl}} = other.occlusion.occlusion;
                 other.occlusion.dispose();
                 const left = [images.marks, images.fullTexels].some((one) => gl.isTexture(one?.image ?? null));
                 closed(other);
-                return {{mean: apart(got, want).mean, left, error: view.renderer.getContext().getError()}};
-            }});
+                return {got, mean: apart(got, want).mean, left, error: view.renderer.getContext().getError()};
+            });
             closed(view);
-            return all;""")
-        self.assertEqual([{"mean": 0, "left": False, "error": 0}] * 6, got)
+            const [half, ...others] = all.splice(-4).map((one) => one.got);
+            return {all, others: others.map((other) => apart(half, other).mean)};""")
+        for one in got["all"]:
+            self.assertEqual((0, False, 0), (one["mean"], one["left"], one["error"]))
+        self.assertGreater(min(got["others"][:2]), 1e-3)
+        self.assertEqual(0, got["others"][2])
 
     def test_what_cannot_be_is_refused(self):
         messages = self.ask("""
@@ -230,6 +235,7 @@ class NpmTest(BrowserCase):
                 () => plain.render({}),
                 () => plain.setPreset("none", 1),
                 () => plain.setPreset("balanced", -1),
+                () => plain.setPreset("balanced", 1, {resolution: "quarter"}),
                 () => plain.setSize(0, 5),
                 () => { plain.setPreset("balanced", 1); plain.setSize(8, 8);
                     plain.render({projection: identity, view: [NaN]}); },
@@ -249,16 +255,53 @@ class NpmTest(BrowserCase):
             return got;""")
         expected = ["not one of WebGL2", 'depth "log": expected "linear" or "buffer"', 'range "0-1": expected',
                     'normals "tangent": expected', "no size or no preset", 'preset "none": expected fast, balanced',
-                    "radius -1: expected", "size 0x5: expected whole numbers", "view: expected 16 finite numbers",
-                    "depth: expected a texture", "projection: the matrix is written row by row, expected column",
+                    "radius -1: expected", 'resolution "quarter": expected "full"', "size 0x5: expected whole numbers",
+                    "view: expected 16 finite numbers", "depth: expected a texture",
+                    "projection: the matrix is written row by row, expected column",
                     "view: the matrix is written row by row", "whose target has a depthTexture",
                     'preset "none": expected fast', "logarithmicDepthBuffer: expected",
                     'output "light": expected "shaded" or "visibility" or "ambient"',
-                    'option "raduis": expected preset, radius, intensity, output, source, bounces',
+                    'option "raduis": expected preset, radius, resolution, intensity, distance, output',
                     "camera: expected one of three.js, got undefined",
                     "MeshNormalMaterial: expected a material that three.js lights"]
         for want, message in zip(expected, messages, strict=True):
             self.assertIn(want, message or "")
+
+    def test_fog_before_a_surface_is_not_darkened(self):
+        """Opaque white fog stays white; a black surface in half of it has no light that could be darkened."""
+        for view in ("made({reversedDepthBuffer: true})", "orthographic(made())", "withComposerDepth(made())"):
+            for fog in ("Fog('white', 0, .1)", "FogExp2('white', 9)", "Fog('white', 4, 14)", "FogExp2('white', 0.08)"):
+                with self.subTest(view + fog):
+                    got = self.ask(f"""
+                        const view = {view};
+                        fogged(view, new {fog});
+                        return darkening(view);""")
+                    self.assertLessEqual(got["most"], 1)
+                    self.assertEqual(fog.endswith(("1)", "9)")), got["least"] == 255)
+
+    def test_glass_is_not_darkened_by_what_lies_behind_it(self):
+        for output in ("shaded", "ambient"):
+            for glass, most in (("{opacity: 0.98}", 2), ("{opacity: 1, depthWrite: false}", 0), ("{opacity: 0}", 255)):
+                with self.subTest(output + glass):
+                    got = self.ask(f"""
+                        const view = made();
+                        const pane = sheet({{transparent: true, ...{glass}}}, 40);
+                        view.scene.add(pane.translateZ(4));
+                        pane.scale.y = 20;
+                        if ("{output}" === "ambient") ambient(view, "HemisphereLight");
+                        return darkening(view);""")
+                    self.assertTrue(got["mean"] > 2 if most == 255 else got["most"] <= most, got)
+
+    def test_strength_and_distance_of_what_is_shown(self):
+        for view in ("made()", "orthographic(made({reversedDepthBuffer: true}))"):
+            means = []
+            for options in ("{}", "{intensity: 0.5}", "{intensity: 2}", "{distance: 9}", "{distance: 4}"):
+                with self.subTest(view + options):
+                    got = self.ask(f"return shownByFormula({view}, {options});")
+                    self.assertLess(got["most"], 1.1)
+                    means.append(got["mean"])
+            whole, half, twice, near, none = means
+            self.assertTrue(twice < whole - 1 < near - 2 < none == 255 and whole < half < none, means)
 
     def test_ambient_light_alone_is_darkened(self):
         got = self.ask("""
@@ -271,8 +314,10 @@ class NpmTest(BrowserCase):
                 const plain = shown(view);
                 Object.assign(view.occlusion, {intensity: 1, enabled: false});
                 const disabled = apart(shown(view), plain).mean;
+                Object.assign(view.occlusion, {enabled: true, distance: 4});
+                const far = apart(shown(view), plain).mean;
                 closed(view);
-                return {disabled, dark: apart(dark, plain).mean, bounced: apart(bounced, plain).mean,
+                return {disabled: disabled + far, dark: apart(dark, plain).mean, bounced: apart(bounced, plain).mean,
                     brighter: dark.filter((x, i) => x > plain[i]).length};
             });""")
         self.assertEqual({"disabled": 0, "dark": 0, "bounced": 0, "brighter": 0}, got[0])
@@ -284,9 +329,11 @@ class NpmTest(BrowserCase):
     def test_only_what_is_asked_for_changes_the_picture(self):
         got = self.ask("""
             const view = made();
-            view.occlusion.enabled = false;
-            const without = shown(view);
-            Object.assign(view.occlusion, {enabled: true, output: "shaded", intensity: 0});
+            const other = withComposerDepth(made());
+            other.occlusion.enabled = false;
+            const without = shown(other);
+            closed(other);
+            Object.assign(view.occlusion, {output: "shaded", intensity: 0});
             const idle = shown(frames(view, 2));
             view.occlusion.intensity = 1;
             const shaded = shown(frames(view, 2));
@@ -306,8 +353,9 @@ if __name__ == "__main__":
         FOLDER = Path(owner, "example")
         shutil.copytree(EXAMPLE, FOLDER, ignore=shutil.ignore_patterns("node_modules", "gloam", "bundle.js"))
         shutil.copytree(Path(__file__).with_name("npm"), FOLDER, dirs_exist_ok=True)
-        subprocess.run([GLOAM, "pack", "--npm", FOLDER / "gloam"], check=True)
-        install(FOLDER, *FOR_TYPES)
+        package = Path(owner, "gloam")  # outside, as the guide has it
+        subprocess.run([GLOAM, "pack", "--npm", package], check=True)
+        install(FOLDER, "--install-links", package, *FOR_TYPES)
         subprocess.run(["npx", "esbuild", "page.js", "--bundle", "--outfile=page-bundle.js", "--log-level=warning"],
                        cwd=FOLDER, check=True)
         (FOLDER / "test.html").write_text('<!DOCTYPE html><script src="page-bundle.js"></script>', encoding="utf-8")

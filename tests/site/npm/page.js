@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What npm_test.py asks of views of the example, bundled with it.
-import {Bone, BoxGeometry, BufferAttribute, DataTexture, DepthTexture, DoubleSide, FloatType, HalfFloatType, Mesh,
-    MeshStandardMaterial, OrthographicCamera, Plane, PlaneGeometry, Skeleton, SkinnedMesh, Vector3, WebGLRenderTarget}
-    from "three";
+import {Bone, BoxGeometry, BufferAttribute, DataTexture, DepthTexture, DoubleSide, FloatType, Fog, FogExp2,
+    HalfFloatType, Mesh, MeshBasicMaterial, MeshStandardMaterial, OrthographicCamera, Plane, PlaneGeometry, Skeleton,
+    SkinnedMesh, Vector3, WebGLRenderTarget} from "three";
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
+import {RenderPass} from "three/addons/postprocessing/RenderPass.js";
 import {AmbientOcclusion, effect} from "gloam";
 import {View} from "./view.js";
 
 const size = [160, 90];
-
-// No preset of the package is at full size.
-effect.presets.push({...effect.presets.at(-1), name: "reference --set resolution=full", resolution: "full"});
 
 // A view that shows its visibility alone.
 function made(options = {}, [width, height] = size) {
@@ -43,14 +41,14 @@ function apart(a, b) {
     return {mean: all.reduce((sum, x) => sum + x, 0) / all.length, most: all[Math.floor(0.9 * all.length)]};
 }
 
-// What the canvas shows, bottom row first, four bytes a pixel.
-function shown(view, [width, height] = size) {
-    const gl = view.renderer.getContext();
-    const bytes = new Uint8Array(4 * width * height);
-    view.draw();
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+// What the canvas shows, bottom row first, four bytes a pixel; and in a new frame.
+function pixels({renderer}) {
+    const gl = renderer.getContext();
+    const bytes = new Uint8Array(4 * size[0] * size[1]);
+    gl.readPixels(0, 0, ...size, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return bytes;
 }
+const shown = (view) => pixels(frames(view, 1));
 
 const halton = (index, base) => {
     let sum = 0;
@@ -68,7 +66,7 @@ function orthographic(view) {
     camera.position.copy(view.camera.position);
     camera.quaternion.copy(view.camera.quaternion);
     camera.updateProjectionMatrix();
-    view.camera = view.occlusion.camera = view.composer.passes[0].camera = camera;
+    view.camera = view.occlusion.camera = camera;
     return view;
 }
 
@@ -78,7 +76,7 @@ function withComposerDepth(view) {
         FloatType)});
     const {passes} = view.composer;
     view.composer = new EffectComposer(view.renderer, target);
-    for (const pass of passes) view.composer.addPass(pass);
+    for (const pass of [new RenderPass(view.scene, view.camera), ...passes]) view.composer.addPass(pass);
     view.occlusion.source = "composer";
     return view;
 }
@@ -86,8 +84,8 @@ function withComposerDepth(view) {
 // The pass before the RenderPass, for the ambient light alone, and lights of one kind. The materials had another pass
 // before, and are given to this one twice.
 function ambient(view, lights) {
-    const [render, occlusion, output] = view.composer.passes;
-    view.composer.passes = [occlusion, render, output];
+    const [occlusion, output] = view.composer.passes;
+    view.composer.passes = [occlusion, new RenderPass(view.scene, view.camera), output];
     occlusion.output = "ambient";
     const former = new occlusion.constructor(view.scene, view.camera);
     view.scene.traverse((object) => {
@@ -95,6 +93,39 @@ function ambient(view, lights) {
         if (object.isMesh) for (const pass of [former, occlusion, occlusion]) pass.darken(object.material);
     });
     return view;
+}
+
+// A black scene in white fog, which is opaque in the background.
+function fogged(view, fog) {
+    view.scene.background.set("white");
+    return Object.assign(view.scene, {fog, overrideMaterial: new MeshBasicMaterial({color: "black"})});
+}
+
+// How far the picture is from that without occlusion, and its least byte.
+function darkening(view) {
+    if (view.occlusion.output === "visibility") view.occlusion.output = "shaded";
+    const dark = shown(frames(view, 2));
+    view.occlusion.intensity = 0;
+    const plain = shown(view);
+    closed(view);
+    return {most: Math.max(...plain.map((x, i) => Math.abs(x - dark[i]))), least: Math.min(...dark),
+        mean: apart(dark, plain).mean};
+}
+
+// How far the visibility that is shown with these options is from its formula, at most, and its mean; both of 255.
+function shownByFormula(view, {intensity = 1, distance = Infinity}) {
+    view.composer.passes.pop();  // which encodes colours
+    Object.assign(view.occlusion, {intensity, distance});
+    const [{texels, proj_vk: p, occlusion}] = recorded(view, 1, () => {});
+    const bytes = pixels(view);
+    closed(view);
+    const errors = Array.from(occlusion, (one, i) => {
+        const stored = texels[4 * i + 3];
+        const away = p[11] === 0 ? (p[14] - stored) / p[10] : p[14] / (p[10] + stored);
+        const fade = Math.min(Math.max(2 - 2 * away / distance, 0), 1);
+        return Math.abs((1 - Math.min(intensity, 1) * fade * one) ** Math.max(intensity, 1) - bytes[4 * i] / 255);
+    });
+    return {most: 255 * Math.max(...errors), mean: bytes.reduce((sum, x) => sum + x, 0) / bytes.length};
 }
 
 // An upright sheet in the scene, of this width, whose left edge is so far from -1.
@@ -290,5 +321,6 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, ambient, apart, closed, comparedPairs, effect, encoded, frames, jitter, leftHanded,
-    lostAndRestored, made, occlusion, orthographic, recorded, refusal, shown, withComposerDepth, written};
+window.page = {AmbientOcclusion, Fog, FogExp2, ambient, apart, closed, comparedPairs, darkening, effect, encoded,
+    fogged, frames, jitter, leftHanded, lostAndRestored, made, occlusion, orthographic, recorded, refusal, sheet,
+    shown, shownByFormula, withComposerDepth, written};

@@ -13,7 +13,7 @@ export function renderWith(gl: WebGL2RenderingContext, frame: Frame): WebGLTextu
 }
 
 export function add(composer: EffectComposer): void {
-    const pass = new AmbientOcclusionPass(new Scene(), new PerspectiveCamera(), {radius: 0.5, source: "composer"});
+    const pass = new AmbientOcclusionPass(new Scene(), new PerspectiveCamera(), {radius: 0.5, resolution: "tiles"});
     // @ts-expect-error there is no such output
     pass.output = "nothing";
     composer.addPass(pass);

@@ -40,13 +40,17 @@ class AmbientOcclusion {
             if (!pattern.test(value)) throw new Error(`${name} "${value}": expected ${expected}`);
     }
 
-    // preset: a name. radius: of influence, world units. Begins a new history. Throws an Error for another preset or
-    // radius.
-    setPreset(preset, radius) {
+    // preset: a name. radius: of influence, world units. resolution: null for that of the preset. Begins a new history.
+    // Throws an Error for another preset, radius or resolution.
+    setPreset(preset, radius, {resolution = null} = {}) {
         const {presets} = this.effect;
-        const found = presets.find(({name}) => name === preset);
-        if (!found) throw new Error(`preset "${preset}": expected ${presets.map(({name}) => name).join(", ")}`);
+        const named = presets.find(({name}) => name === preset);
+        if (!named) throw new Error(`preset "${preset}": expected ${presets.map(({name}) => name).join(", ")}`);
         if (!(radius > 0 && radius <= 1e18)) throw new Error(`radius ${radius}: expected a number above 0`);
+        if (![null, "full", "half", "tiles"].includes(resolution))
+            throw new Error(`resolution "${resolution}": expected "full", "half" or "tiles"`);
+        const {mark} = presets.find((one) => one.mark > 0);  // for a preset that has no tiles
+        const found = {...named, resolution: resolution ?? named.resolution, mark: named.mark || mark};
         if (found.resolution !== this.preset?.resolution) this.deleteImages();
         Object.assign(this, {preset: found, radius});
         this.restart();

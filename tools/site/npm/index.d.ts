@@ -77,8 +77,8 @@ export class AmbientOcclusion {
     constructor(gl: WebGL2RenderingContext, effect: Effect, inputs?: Inputs);
     /** Frames since the history began. */
     readonly frames: number;
-    /** radius: world units. Begins a new history. */
-    setPreset(preset: string, radius: number): void;
+    /** radius: world units. resolution: in the place of the preset's. Begins a new history. */
+    setPreset(preset: string, radius: number, options?: {resolution?: Preset["resolution"] | null}): void;
     /** Pixels of the images that render() gets. Begins a new history. */
     setSize(width: number, height: number): void;
     /** Forgets the history: call it where the picture is cut. */

@@ -7,16 +7,22 @@ export interface PassOptions {
     preset?: string;
     /** How far what blocks light may be, world units; default 1. */
     radius?: number;
-    /** Share of the occlusion that is shown, 0 to 1; default 1. */
+    /** Which pixels are swept (Preset.resolution); null (the default): those of the preset. */
+    resolution?: "full" | "tiles" | "half" | null;
+    /** Share of the occlusion that is shown; above 1 visibility to this power; default 1. */
     intensity?: number;
+    /** Where none is shown any more, world units: it fades out from half of it on. Default Infinity. */
+    distance?: number;
     /**
      * "shaded" (the default): the picture, darkened. "visibility": 1 where open, 0 where blocked. "ambient": no picture;
      * the materials given to darken() read the occlusion.
      */
     output?: "shaded" | "visibility" | "ambient";
     /**
-     * "scene" (the default): the pass draws the scene's depth and normals itself. "composer": it reads the
-     * depthTexture of the composer's target, which the pass right before it has drawn, and makes normals from it.
+     * "scene" (the default): the pass draws the scene: depth and normals, and for "shaded", in the place of a
+     * RenderPass, the picture: what is opaque is darkened before transparent surfaces are drawn over it. "composer": it
+     * darkens the picture of the passes before it, and reads the depthTexture of the composer's target, which the pass
+     * right before it has drawn; it makes normals from that.
      */
     source?: "scene" | "composer";
     /** The camera may zoom to a view of less than 30 degrees (Inputs.deep); default false. */
@@ -25,7 +31,10 @@ export interface PassOptions {
     bounces?: boolean;
 }
 
-/** Ambient occlusion in an EffectComposer, behind its RenderPass; with the output "ambient" before it. All options may be set later, too. */
+/**
+ * Ambient occlusion in an EffectComposer, in the place of its RenderPass; before it with the output "ambient", behind
+ * it with the output "visibility" or the source "composer". All options may be set later, too.
+ */
 export class AmbientOcclusionPass extends Pass {
     /** Throws an Error for another option, or a value that none of these is. */
     constructor(scene: Scene, camera: Camera, options?: PassOptions);
@@ -34,7 +43,9 @@ export class AmbientOcclusionPass extends Pass {
     camera: Camera;
     preset: string;
     radius: number;
+    resolution: "full" | "tiles" | "half" | null;
     intensity: number;
+    distance: number;
     output: "shaded" | "visibility" | "ambient";
     source: "scene" | "composer";
     deep: boolean;

@@ -1,37 +1,54 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion as a pass of three.js's EffectComposer.
-import {DepthTexture, DoubleSide, ExternalTexture, FloatType, HalfFloatType, MeshNormalMaterial, NearestFilter,
-    NoBlending, ShaderMaterial, UniformsLib, UniformsUtils, WebGLRenderTarget} from "three";
-import {FullScreenQuad, Pass} from "three/addons/postprocessing/Pass.js";
+import {BufferGeometry, CustomBlending, DepthTexture, DoubleSide, ExternalTexture, FloatType, Group, HalfFloatType,
+    Mesh, MeshNormalMaterial, NearestFilter, NoBlending, OneFactor, ShaderMaterial, SrcAlphaFactor, UniformsLib,
+    UniformsUtils, WebGLRenderTarget, ZeroFactor} from "three";
+import {Pass} from "three/addons/postprocessing/Pass.js";
 import {AmbientOcclusion, effect} from "./index.js";
 
-const mixVertices = `varying vec2 at;
-void main() {
-    at = uv;
-    gl_Position = vec4(position.xy, 0.0, 1.0);
+const mixVertices = `void main() {
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }`;
 
-// The background is open, so it stays as it is.
-const mixFragments = `uniform sampler2D color;
-uniform sampler2D occlusion;
-uniform float intensity;
+// What is shown of the occlusion at a point so far from the camera.
+const visibility = `uniform highp sampler2D gloamOcclusion;
+uniform float gloamIntensity;
+uniform float gloamFade;
+float gloamVisibility(float away) {
+    float occlusion = texelFetch(gloamOcclusion, ivec2(gl_FragCoord.xy), 0).x;
+    occlusion *= clamp(2.0 - 2.0 * gloamFade * away, 0.0, 1.0);
+    return pow(1.0 - min(gloamIntensity, 1.0) * occlusion, max(gloamIntensity, 1.0));
+}
+`;
+
+// Fog lies between a surface and the camera: it is not darkened. The background is open, so it stays as it is.
+const mixFragments = `${visibility}
+uniform sampler2D color;
+uniform highp sampler2D depth;
+uniform vec4 lens;
+uniform vec3 fog;
+uniform vec3 fogColor;
 uniform bool alone;
-varying vec2 at;
+uniform bool between;
 void main() {
-    float visibility = 1.0 - intensity * texelFetch(occlusion, ivec2(gl_FragCoord.xy), 0).x;
-    vec4 shaded = texture2D(color, at);
-    gl_FragColor = alone ? vec4(vec3(visibility), 1.0) : vec4(shaded.rgb * visibility, shaded.a);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float stored = texelFetch(depth, pixel, 0).x;
+    float away = min((lens.x + lens.y * stored) / (lens.z + lens.w * stored), 1e15);
+    float visible = gloamVisibility(away);
+    float fogged = fog.z > 0.0 ? 1.0 - exp(-fog.z * fog.z * away * away) : smoothstep(fog.x, fog.y, away);
+    vec3 restored = (1.0 - visible) * fogged * fogColor;
+    vec4 shaded = texelFetch(color, pixel, 0);
+    gl_FragColor = alone ? vec4(vec3(visible), 1.0) : between ? vec4(restored, visible)
+        : vec4(shaded.rgb * visible + restored, shaded.a);
 }`;
 
 // What is put into the shader of a material whose ambient light is darkened.
-const ambientUniforms = `uniform highp sampler2D gloamOcclusion;
-uniform float gloamIntensity;
-uniform bool gloamBounces;
+const ambientUniforms = `${visibility}uniform bool gloamBounces;
 ${effect.multi_bounce}`;
 const ambientDarkened = `
-float gloamShown = gloamIntensity * texelFetch(gloamOcclusion, ivec2(gl_FragCoord.xy), 0).x;
-reflectedLight.indirectDiffuse *= gloamBounces ? gloam_multi_bounce(gloamShown, diffuseColor.rgb)
-    : vec3(1.0 - gloamShown);`;
+float gloamVisible = gloamVisibility(vViewPosition.z);
+reflectedLight.indirectDiffuse *= gloamBounces ? gloam_multi_bounce(1.0 - gloamVisible, diffuseColor.rgb)
+    : vec3(gloamVisible);`;
 
 // Materials that were given to darken(), and the pass whose occlusion they read.
 const darkened = new WeakMap();
@@ -59,9 +76,14 @@ class NormalMaterials {
         };
     }
 
+    // Whether a material is seen through: it is not in the depth, and not darkened by what lies behind it.
+    static through(material) {
+        return material.transparent || material.depthWrite === false;
+    }
+
     // That of one of the scene's materials.
     of(material) {
-        if (material.transparent || material.depthWrite === false || !material.visible) return this.hidden;
+        if (NormalMaterials.through(material) || !material.visible) return this.hidden;
         if (!this.known.has(material)) {
             this.known.set(material, Object.assign(new MeshNormalMaterial({blending: NoBlending}),
                 {onBeforeCompile: cutOut}));
@@ -103,8 +125,8 @@ export class AmbientOcclusionPass extends Pass {
         super();
         for (const [name, object, kind] of [["scene", scene, "isObject3D"], ["camera", camera, "isCamera"]])
             if (!object?.[kind]) throw new Error(`${name}: expected one of three.js, got ${object}`);
-        const known = {preset: effect.preset, radius: 1, intensity: 1, output: "shaded", source: "scene",
-            bounces: false, deep: false};
+        const known = {preset: effect.preset, radius: 1, resolution: null, intensity: 1, distance: Infinity,
+            output: "shaded", source: "scene", bounces: false, deep: false};
         for (const name of Object.keys(options))
             if (!(name in known)) throw new Error(`option "${name}": expected ${Object.keys(known).join(", ")}`);
         const {output, source} = Object.assign(known, options);
@@ -117,11 +139,21 @@ export class AmbientOcclusionPass extends Pass {
         this.occlusion = null;
         this.materials = new NormalMaterials();
         const pass = this;
-        this.uniforms = {color: {value: null}, occlusion: {value: new ExternalTexture()}, alone: {value: false},
-            intensity: {get value() { return pass.enabled && pass.occlusion ? pass.intensity : 0; }},
-            bounces: {get value() { return pass.bounces; }}};
-        this.mix = new FullScreenQuad(new ShaderMaterial({vertexShader: mixVertices, fragmentShader: mixFragments,
-            uniforms: this.uniforms, depthTest: false, depthWrite: false, blending: NoBlending, side: DoubleSide}));
+        this.uniforms = {color: {value: null}, depth: {value: null}, lens: {value: []}, fog: {value: []},
+            fogColor: {value: []}, alone: {value: false}, between: {value: false},
+            gloamOcclusion: {value: new ExternalTexture()}, gloamFade: {get value() { return 1 / pass.distance; }},
+            gloamIntensity: {get value() { return pass.enabled && pass.occlusion ? pass.intensity : 0; }},
+            gloamBounces: {get value() { return pass.bounces; }}};
+        // A triangle over the whole picture: the first of a scene's transparent objects, or alone.
+        this.triangle = new Mesh(new BufferGeometry(), new ShaderMaterial({vertexShader: mixVertices,
+            fragmentShader: mixFragments, uniforms: this.uniforms, depthTest: false, depthWrite: false,
+            transparent: true, side: DoubleSide, blendSrc: OneFactor, blendDst: SrcAlphaFactor,
+            blendSrcAlpha: ZeroFactor, blendDstAlpha: OneFactor, allowOverride: false}));
+        this.triangle.geometry.setDrawRange(0, 3);
+        this.triangle.frustumCulled = false;
+        this.triangle.layers.enableAll();
+        this.mix = Object.assign(new Group().add(this.triangle), {renderOrder: -Infinity});
+        this.mix.layers.enableAll();
     }
 
     // Lets the occlusion darken the ambient light alone of a material that three.js lights: for the output "ambient",
@@ -137,9 +169,10 @@ export class AmbientOcclusionPass extends Pass {
             const place = "#include <aomap_fragment>";
             if (!shader.fragmentShader.includes(place))
                 throw new Error(`${material.type}: expected a material that three.js lights`);
-            for (const name of ["Occlusion", "Intensity", "Bounces"])
-                shader.uniforms[`gloam${name}`] = {get value() {
-                    return darkened.get(material).uniforms[name.toLowerCase()].value;
+            for (const name of ["gloamOcclusion", "gloamIntensity", "gloamFade", "gloamBounces"])
+                shader.uniforms[name] = {get value() {
+                    const left = name === "gloamIntensity" && NormalMaterials.through(material);
+                    return left ? 0 : darkened.get(material).uniforms[name].value;
                 }};
             shader.fragmentShader = ambientUniforms + shader.fragmentShader.replace(place, place + ambientDarkened);
         };
@@ -161,9 +194,8 @@ export class AmbientOcclusionPass extends Pass {
         const inputs = this.source === "scene" ? this.drawScene(renderer) : AmbientOcclusionPass.drawn(readBuffer);
         const raw = (texture) => renderer.properties.get(texture).__webglTexture;
         this.prepare(renderer);
-        const {camera} = this;
-        const {uniforms} = this;
-        uniforms.occlusion.value.sourceTexture = this.occlusion.render({depth: raw(inputs.depth),
+        const {camera, uniforms, output, source} = this;
+        uniforms.gloamOcclusion.value.sourceTexture = this.occlusion.render({depth: raw(inputs.depth),
             normal: inputs.normal === null ? null : raw(inputs.normal),
             projection: camera.projectionMatrix.elements, view: camera.matrixWorldInverse.elements});
         // resetState() forgets that the depth buffer is reversed, and to what it is cleared.
@@ -172,12 +204,36 @@ export class AmbientOcclusionPass extends Pass {
         renderer.resetState();
         depth.setReversed(reversed);
         depth.setClear(1);
-        this.needsSwap = this.output !== "ambient";
-        if (!this.needsSwap) return;
-        uniforms.color.value = readBuffer.texture;
-        uniforms.alone.value = this.output === "visibility";
-        renderer.setRenderTarget(this.renderToScreen ? null : writeBuffer);
-        this.mix.render(renderer);
+        const between = output === "shaded" && source === "scene";
+        this.needsSwap = output !== "ambient" && !between;
+        if (output === "ambient") return;
+        this.setMix({between, alone: output === "visibility", depth: inputs.depth,
+            color: between ? null : readBuffer.texture}, reversed ? [1, 0] : [2, -1]);
+        renderer.setRenderTarget(this.renderToScreen ? null : between ? readBuffer : writeBuffer);
+        if (between) this.drawBetween(renderer);
+        else renderer.render(this.mix, camera);
+    }
+
+    // scale, offset: from stored depth to clip space.
+    setMix(values, [scale, offset]) {
+        const [p22, p32, p23, p33] = [10, 14, 11, 15].map((i) => this.camera.projectionMatrix.elements[i]);
+        const {near = 1e30, far = 2e30, density = 0, color = [0, 0, 0]} = this.scene.fog ?? {};
+        Object.entries({...values, fog: [near, far, density], fogColor: color,
+            lens: [offset * p33 - p32, scale * p33, offset * p23 - p22, scale * p23],
+        }).forEach(([name, value]) => { this.uniforms[name].value = value; });
+        this.triangle.material.blending = values.between ? CustomBlending : NoBlending;
+    }
+
+    // Draws the scene, and the occlusion behind what is opaque in it and before what is transparent.
+    drawBetween(renderer) {
+        const {scene, camera, mix} = this;
+        renderer.clear();  // also without autoClear
+        scene.children.unshift(mix);  // add() would tell the scene's listeners
+        try {
+            renderer.render(scene, camera);
+        } finally {
+            scene.children.shift();
+        }
     }
 
     // Brings the effect to the options that are set now.
@@ -194,10 +250,10 @@ export class AmbientOcclusionPass extends Pass {
             this.made = made;
             this.chosen = this.sized = this.seen = null;
         }
-        const {occlusion, size, preset, radius, camera} = this;
-        if (this.chosen?.some((one, i) => one !== [preset, radius][i]) ?? true)
-            occlusion.setPreset(preset, radius);
-        this.chosen = [preset, radius];
+        const {occlusion, size, preset, radius, resolution, camera} = this;
+        const chosen = [preset, radius, {resolution}];
+        if (this.chosen !== JSON.stringify(chosen)) occlusion.setPreset(...chosen);
+        this.chosen = JSON.stringify(chosen);
         if (this.sized !== String(size)) occlusion.setSize(...size);
         this.sized = String(size);
         if (this.seen !== camera) occlusion.restart();
@@ -244,7 +300,7 @@ export class AmbientOcclusionPass extends Pass {
         this.target?.dispose();
         this.target = undefined;
         this.materials.dispose();
-        this.mix.material.dispose();
-        this.mix.dispose();
+        this.triangle.material.dispose();
+        this.triangle.geometry.dispose();
     }
 }
