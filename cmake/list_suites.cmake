@@ -2,7 +2,7 @@
 # cmake -D PROGRAM=file -D PREFIX=name -D OUTPUT=file -D ENVIRONMENT=list -D SEEN=folder -P list_suites.cmake
 # Writes one ctest test for each suite of a GoogleTest program: the tests of a suite share a process and its device. A
 # suite of many tests becomes several ctest tests, so that every core has work. SEEN gets a file for each ctest test,
-# which lists the shaders that it reads (tools/test --seeing; a / in a name is a comma there).
+# which lists the shaders that it reads (tools/test-readers; a / in a name is a comma there).
 set(most_tests 48)
 # The groups that take longest, in seconds. ctest starts these first, before it has measured any of them. It measures
 # the others itself: it would not where they had a COST.

@@ -28,6 +28,5 @@ int main(int argc, char** argv) {
         ::setenv("GLOAM_TEST_DEVICE", "SwiftShader", 1);
     }
     gloam::test::keep_a_list_for_each_test();
-    gloam::test::run_only_listed_tests();
     return RUN_ALL_TESTS();
 }

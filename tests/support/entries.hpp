@@ -13,7 +13,7 @@ inline const std::vector<catalogue::Entry>& entries() {
 }
 
 // The numbers of all entries of the catalogue: tests that are parametrised by one run alone after a change of
-// its shader (tools/test --seeing).
+// its shader (tools/test-readers).
 inline auto entry_numbers() {
     return testing::Range(std::size_t{0}, entries().size());
 }

@@ -7,6 +7,5 @@
 int main(int argc, char** argv) {
     testing::InitGoogleMock(&argc, argv);
     gloam::test::keep_a_list_for_each_test();
-    gloam::test::run_only_listed_tests();
     return RUN_ALL_TESTS();
 }

@@ -8,7 +8,7 @@
 namespace gloam::test {
 
 // The names of the methods for which `wanted` holds: tests that are parametrised by one run alone after a
-// change of its shader (tools/test --seeing).
+// change of its shader (tools/test-readers).
 template <class Predicate>
 std::vector<std::string> method_names(Predicate wanted) {
     std::vector<std::string> names;

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace gloam::test {
@@ -17,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* list_variable = "GLOAM_DEPENDENCIES_OUTPUT";
-constexpr const char* only_variable = "GLOAM_ONLY_LISTS";
 
 class ListForEachTest : public testing::EmptyTestEventListener {
   public:
@@ -47,27 +45,6 @@ void keep_a_list_for_each_test() {
     if (list == nullptr) return;
     auto listener = std::make_unique<ListForEachTest>(list);
     testing::UnitTest::GetInstance()->listeners().Append(listener.release());  // which owns it from now on
-}
-
-void run_only_listed_tests() {
-    const char* list = std::getenv(list_variable);
-    const char* only = std::getenv(only_variable);
-    if (list == nullptr || only == nullptr) return;
-    std::ifstream stream(only);
-    if (!stream) throw std::runtime_error(std::string(only_variable) + ": " + only + " cannot be read");
-    const std::string group = fs::path(list).filename().string();
-    std::string filter;
-    for (std::string line; std::getline(stream, line);) {
-        if (line == group) return;
-        if (!line.starts_with(group + ":")) continue;
-        std::string name = line.substr(group.size() + 1);
-        std::ranges::replace(name, ',', '/');
-        filter += (filter.empty() ? "" : ":") + name;
-    }
-    // The lists are those of the tests of this shard.
-    ::unsetenv("GTEST_TOTAL_SHARDS");
-    ::unsetenv("GTEST_SHARD_INDEX");
-    testing::GTEST_FLAG(filter) = filter.empty() ? "-*" : filter;
 }
 
 }  // namespace gloam::test

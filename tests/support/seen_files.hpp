@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which tests read which shaders: what `tools/test --seeing FILE` asks.
+// Which tests read which shaders: what tools/test-readers asks.
 //
 // ctest gives each group of tests a list in GLOAM_DEPENDENCIES_OUTPUT, to which the shader compiler adds the
 // files that it reads. keep_a_list_for_each_test() gives each test of the group a list of its own beside
@@ -11,10 +11,5 @@ namespace gloam::test {
 
 // Call once, between InitGoogleTest() and RUN_ALL_TESTS(). Does nothing without that variable.
 void keep_a_list_for_each_test();
-
-// Runs only those tests of this group whose lists stand in the file that GLOAM_ONLY_LISTS names: the names of
-// lists without their folder, one a line. The list of the group itself means all of its tests. Does nothing
-// without that variable. Throws std::runtime_error when the file cannot be read.
-void run_only_listed_tests();
 
 }  // namespace gloam::test

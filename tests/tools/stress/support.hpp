@@ -43,7 +43,7 @@ class Bench {
 };
 
 // Tests of one method, by its name: a suite shares a run. They are instantiated for all methods, so that
-// after a change of one method `tools/test --seeing` runs its own.
+// after a change of one method `tools/test-readers` runs its own.
 class EachMethod : public testing::TestWithParam<std::string> {
   protected:
     static void SetUpTestSuite() { bench_.emplace(); }
