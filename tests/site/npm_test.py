@@ -109,7 +109,7 @@ class NpmTest(BrowserCase):
                     got = self.ask(f"return encoded({view}, {how});")
                     self.assertTrue(got["into"])
                     self.assertLess(got["mean"], 1e-3)
-                    self.assertEqual(0, got["most"])
+                    self.assertLess(got["most"], 1e-7)  # one less visibility is rounded
 
     def test_a_left_handed_camera_of_three_gives_what_its_mirror_gives(self):
         for view in ("made()", "made({reversedDepthBuffer: true})", "orthographic(made())"):
