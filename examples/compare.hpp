@@ -3,6 +3,7 @@
 // What an engine's example compares itself by: a mesh on a plane, triangles and camera, the occlusion that
 // `gloam render` traces for them, and its own.
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "gbuffers.hpp"
@@ -16,42 +17,81 @@ struct Comparison {
     Picture truth, gloam;                      // occlusion, NaN where none is known
 
     // Runs the program: a minute where it traces the first time. Files are written into the folder.
-    Comparison(const std::string& program, const std::string& mesh = "/usr/share/glmark2/models/bunny.obj",
-               const std::string& folder = "compared/") {
-        const std::string command = "'" + program + "' render '" + mesh + "' --orbit 30,25 --size 640x480" +
-                                    " --frames 8 --truth --truth-rays 256 --quiet --write-gbuffer " + folder +
-                                    " --out " + folder;
-        if (std::system(command.c_str()) != 0) throw std::runtime_error("this failed: " + command);
-        const std::string json = read_file(folder + "f0000.json"), key = "\"ao_radius\":";
+    Comparison(std::string program, const std::string& mesh = "/usr/share/glmark2/models/bunny.obj",
+               std::string folder = "compared/")
+        : program(std::move(program)), folder(std::move(folder)) {
+        const std::string& out = this->folder;
+        run("'" + mesh +
+            "' --orbit 30,25 --size 640x480 --frames 8 --truth --truth-rays 256 --write-gbuffer " + out +
+            " --out " + out);
+        const std::string json = read_file(out + "f0000.json"), key = "\"ao_radius\":";
         radius = std::strtof(json.c_str() + json.find(key) + key.size(), nullptr);
         view = numbers_of(json, "view");
         angle = 2 * std::atan(1 / numbers_of(json, "proj_gl").at(5)) * 180 / M_PI;
-        truth = read_pfm(folder + "truth.pfm", 1);
-        gloam = read_pfm(folder + "f0007_ao.pfm", 1);
+        truth = read_pfm(out + "truth.pfm", 1);
+        gloam = read_pfm(out + "f0007_ao.pfm", 1);
         read_triangles(mesh);
     }
 
-    // Of a picture of visibility, as OpenGL reads it: rows from the bottom up, of red, green and blue.
-    double error(const unsigned char* picture) const {
-        return error(
-            [=, this](int x, int y) { return 1 - picture[3 * ((height - 1 - y) * width + x)] / 255.0F; });
+    // Root mean square of what differs between an occlusion, first the truth, and a picture of visibility as
+    // OpenGL reads it: rows from the bottom up, of red, green and blue.
+    double error(const unsigned char* picture) const { return error(picture, truth); }
+    double error(const unsigned char* picture, const Picture& occlusion) const {
+        return error(occlusion, [=, this](int i) {
+            return 1 - picture[3 * ((height - 1 - i / width) * width + i % width)] / 255.0F;
+        });
+    }
+    // The occlusion that `gloam render` makes of a depth buffer: 0 to 1, rows from the bottom up, drawn with
+    // OpenGL's projection, column by column.
+    Picture rendered(const float* depth, const double* projection) const {
+        Picture picture{width, height, 1, {}};
+        for (int y = height; y-- > 0;)
+            picture.values.insert(picture.values.end(), depth + y * width, depth + (y + 1) * width);
+        const std::string of = folder + "of_depth/";
+        write_pfm(of + "f0000_depth.pfm", picture);
+        std::ofstream json(of + "f0000.json");
+        json << "{\"width\": " << width << ", \"height\": " << height
+             << ", \"camera\": {\"view\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"proj_gl\": [";
+        for (int i = 0; i < 16; ++i) json << (i > 0 ? "," : "") << projection[i];
+        json << "]}}";
+        json.close();
+        run("--gbuffer " + of + " --depth buffer --out " + of + " --radius " + std::to_string(radius));
+        return read_pfm(of + "f0000_ao.pfm", 1);
     }
     // The table's head, and its first row.
     void print_head() const {
         std::printf("| pass | RMSE (G) | ms |\n| --- | --: | --: |\n| gloam render | %.4f | |\n",
-                    error([this](int x, int y) { return gloam.values[y * width + x]; }));
+                    error(truth, [this](int i) { return gloam.values[i]; }));
+    }
+    // The least time that draw() takes for a frame, ms.
+    template <class Draw>
+    static double least_time(int frames, const Draw& draw) {
+        std::chrono::duration<double, std::milli> least(1e9);
+        for (int i = 0; i < frames; ++i) {
+            const auto begin = std::chrono::steady_clock::now();
+            draw();
+            least = std::min<decltype(least)>(least, std::chrono::steady_clock::now() - begin);
+        }
+        return least.count();
     }
     static void print_row(const std::string& pass, double error, double milliseconds) {
         std::printf("| %s | %.4f | %.1f |\n", pass.c_str(), error, milliseconds);
     }
 
   private:
-    template <class Occlusion>
-    double error(const Occlusion& occlusion) const {
+    std::string program, folder;
+
+    void run(const std::string& arguments) const {
+        const std::string command = "'" + program + "' render --quiet " + arguments;
+        if (std::system(command.c_str()) != 0) throw std::runtime_error("this failed: " + command);
+    }
+
+    template <class Shown>
+    double error(const Picture& occlusion, const Shown& shown) const {
         double sum = 0, count = 0;
         for (int i = 0; i < width * height; ++i) {
-            if (!std::isfinite(truth.values[i])) continue;
-            sum += std::pow(double(occlusion(i % width, i / width)) - truth.values[i], 2);
+            if (!std::isfinite(occlusion.values[i])) continue;
+            sum += std::pow(double(shown(i)) - occlusion.values[i], 2);
             ++count;
         }
         return std::sqrt(sum / count);
