@@ -2,8 +2,8 @@
 #ifndef GLOAM_PASSES_ENGINE_INPUTS_GLSL
 #define GLOAM_PASSES_ENGINE_INPUTS_GLSL
 
-// Depth and normals as an engine stores them, and their conversion to what all other passes read. This is the one place
-// that knows how they are stored: an engine with another encoding changes these two functions.
+// Depth and normals as an engine stores them, and their conversion to what all other passes read. For an engine with
+// another encoding, change linear_depth() and view_direction().
 
 #include "gloam/geometry/linear_depth.glsl"
 #include "gloam/geometry/vector.glsl"

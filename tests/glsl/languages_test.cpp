@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every method as a fragment shader of OpenGL ES 3.0: the results are those of Vulkan.
 #include "backend/gl/device.hpp"
-#include "base/text.hpp"
+#include "effect/errors.hpp"
 #include "gathers.hpp"
-#include "module/texts.hpp"
+#include "scene/analytic_scene.hpp"
+#include "scene/draw.hpp"
+#include "scene/scene.hpp"
+#include "support/files.hpp"
 
 namespace gloam::languages_test {
 
@@ -112,41 +115,53 @@ TEST_P(OpenGlMethods, GiveTheResultsOfVulkan) {
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlMethods, testing::ValuesIn(test::method_names()), test::parameter_name);
 
-// docs/integration.md: the fragment block of a material of Filament, whose compiler adds the parameters.
-constexpr const char* material = R"(
-#include "gloam.glsl"
+// The effect in one pass and its blur (gloam pack --one-pass), of a corner whose occlusion is known.
+constexpr const char* engine = R"(
+#define GLOAM_NORMALS_FROM_DEPTH
+float gloam_fetch_depth(ivec2 pixel);
+float gloam_fetch_occlusion(ivec2 pixel);
+float engine_depth(ivec2 pixel, int level) { return gloam_fetch_depth(pixel); }
+float engine_occlusion(ivec2 pixel) { return gloam_fetch_occlusion(pixel); }
+#include "passes/one_pass/)";
 
-float gloam_fetch_depth(ivec2 pixel) {
-    return gloam_linear_depth_perspective_vk(texelFetch(materialParams_depth, pixel, 0).x, 0.0, materialParams.near);
-}
-
-float occlusion_at(ivec2 pixel, ivec2 size, float radius) {
-    GloamCamera camera = GloamCamera(materialParams.p00_p11, size, false);
-    vec3 position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), camera);
-    vec3 normal = gloam_camera_normal(pixel, camera);
-    GloamKernel kernel = GloamKernel(radius, 1e-3 * radius, gloam_lattice_rotation(pixel), 0u, 96u, GLOAM_FARTHEST);
-    return gloam_sweep(position, normal, camera, kernel, GloamSweep(5u, 1.0, GLOAM_FALLOFF_LINEAR)).occlusion;
-}
-)";
-
-TEST(Materials, CallThePackedFunctions) {
-    const std::filesystem::path library = GLOAM_GLSL_DIR;
-    const shader::PackRequest functions{
-        .language = shader::Language::gl330,
-        .functions = {"gloam_sweep", "gloam_camera_position", "gloam_camera_normal",
-                      "gloam_linear_depth_perspective_vk", "gloam_lattice_rotation"}};
-    const std::string packed =
-        shader::pack({library / "gloam/methods/sweep.glsl", library / "gloam/geometry/camera_normal.glsl",
-                      library / "gloam/geometry/linear_depth.glsl", library / "gloam/sampling/rotation.glsl"},
-                     functions, {library});
-    const std::string parameters =
-        "uniform sampler2D materialParams_depth;\n"
-        "uniform struct { vec2 p00_p11; float near; } materialParams;\n";
-    const std::string text =
-        parameters + base::replaced(material, "#include \"gloam.glsl\"\n", packed.substr(packed.find('\n')));
-    const std::vector<shader::Source> whole{{.name = "material", .text = text}};
-    EXPECT_THAT(shader::pack(whole, {.language = shader::Language::gl330, .functions = {"occlusion_at"}}, {}),
-                HasSubstr("float occlusion_at("));
+TEST(OnePass, IsNearTheTruthAndItsBlurNearer) {
+    const test::TemporaryDirectory folder;
+    for (const std::string name : {"occlusion.glsl", "blur.glsl"}) folder.write(name, engine + name + "\"\n");
+    std::optional<check::Lab> lab;
+    try {
+        lab.emplace(check::LabOptions{.device = "es:llvmpipe-3.0",
+                                      .include_roots = {folder.path(), GLOAM_GLSL_DIR},
+                                      .cache_directory = test::cache_directory()});
+    } catch (const gl::Unavailable& error) {
+        GTEST_SKIP() << error.what();
+    }
+    using Occlusion = check::Function<float(glm::ivec2, glm::ivec2, glm::vec2, float)>;
+    using Blur = check::Function<float(glm::ivec2, glm::ivec2, bool)>;
+    const glm::ivec2 size(160, 90);
+    const scene::GBuffer view = scene::draw(scene::make_scene("corner"), {160, 90}, {});
+    const auto image_of = [&](const std::vector<float>& values) {
+        return check::make_image<float>(size, [&](glm::ivec2 p) { return values[p.y * size.x + p.x]; });
+    };
+    std::vector<Occlusion::Inputs> pixels;
+    std::vector<Blur::Inputs> in_rows;
+    std::vector<Blur::Inputs> in_columns;
+    for (int i = 0; i < size.x * size.y; ++i) {
+        const glm::ivec2 pixel(i % size.x, i / size.x);
+        pixels.emplace_back(pixel, size, view.camera.p00_p11(), 1.0F);
+        in_rows.emplace_back(pixel, size, false);
+        in_columns.emplace_back(pixel, size, true);
+    }
+    check::ImageSet images{{"gloam_fetch_depth", image_of(view.depth)}};
+    const std::vector<float> raw = Occlusion(*lab, "occlusion.glsl", "occlusion_at")(pixels, images);
+    const Blur blur(*lab, "blur.glsl", "blurred");
+    images["gloam_fetch_occlusion"] = image_of(raw);
+    images["gloam_fetch_occlusion"] = image_of(blur(in_rows, images));
+    const effect::Truth truth = effect::truth_of(view, 1.0, scene::corner_occlusion_at);
+    const double error = effect::errors_of(raw, truth).rmse;
+    const double blurred = effect::errors_of(blur(in_columns, images), truth).rmse;
+    RecordProperty("errors", std::to_string(error) + " " + std::to_string(blurred));
+    EXPECT_LT(error, 0.05);
+    EXPECT_LT(blurred, 0.8 * error);
 }
 
 }  // namespace gloam::languages_test

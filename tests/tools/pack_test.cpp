@@ -118,4 +118,71 @@ TEST_F(PackEffect, CamerasAreOfEitherHandOrAreErrors) {
     EXPECT_EQ(run_program(path("cameras").string(), {}).out, expected);
 }
 
+// docs/integration.md: the effect in one pass of SuperTuxKart, and of a material of Filament, whose compilers
+// add what stands here above it.
+constexpr const char* kart_head = R"(
+uniform sampler2D dtex;
+out float AO;
+
+float engine_depth(ivec2 pixel, int level) {
+    return texelFetch(dtex, pixel, 0).x;
+}
+)";
+constexpr const char* kart_main = R"(
+void main() {
+    vec2 p00_p11 = vec2(u_projection_matrix[0][0], u_projection_matrix[1][1]);
+    AO = 1.0 - occlusion_at(ivec2(gl_FragCoord.xy), ivec2(u_screen), p00_p11, 1.0);
+}
+)";
+constexpr const char* material_head = R"(
+float engine_depth(ivec2 pixel, int level) {
+    return materialParams.near / texelFetch(materialParams_depth, pixel, 0).x;
+}
+)";
+constexpr const char* material_main = R"(
+out float seen;
+void main() { seen = occlusion_at(ivec2(gl_FragCoord), ivec2(1920, 1080), materialParams.p00_p11, 0.5); }
+)";
+
+class PackOnePass : public InFolder {
+  protected:
+    void pack(const std::string& options) {
+        fs::remove_all(path("out"));
+        expect_success(run_command(words("pack --one-pass --out {} " + options, path("out"))));
+    }
+    void expect_compiles(const std::string& text) {
+        const CommandResult result =
+            run_program("/usr/bin/glslangValidator", {write("pass.frag", text).string()});
+        EXPECT_EQ(result.status, 0) << result.out << text;
+    }
+};
+
+TEST_F(PackOnePass, CompilesForEachVersion) {
+    for (const std::string version : {"330", "300es", "none"}) {
+        for (const char* others : {"--normals none --taps 4", "--normals view"}) {
+            pack("--version " + version + " " + others);
+            for (const char* name : {"occlusion.frag", "blur_x.frag", "blur_y.frag"}) {
+                const std::string text = read_file(path("out") / name);
+                EXPECT_EQ(text.starts_with("#version"), version != "none") << name;
+                expect_compiles((version == "none" ? "#version 330\n" : "") + text);
+            }
+        }
+    }
+}
+
+TEST_F(PackOnePass, IsTakenIntoProgramsByTheirText) {
+    pack("--version none --normals none");
+    const std::string text =
+        run_program("/usr/bin/sed",
+                    {"/^uniform /d; /^layout(/d; /^float engine_depth(/,/^}/d; /^void main/,$d",
+                     path("out/occlusion.frag").string()})
+            .out;
+    const std::string kart = "uniform mat4 u_projection_matrix;\nuniform vec2 u_screen;\n";
+    expect_compiles("#version 330\n" + kart + kart_head + text + kart_main);
+    const std::string material =
+        "uniform sampler2D materialParams_depth;\n"
+        "uniform struct { vec2 p00_p11; float near; } materialParams;\n";
+    expect_compiles("#version 330\n" + material + material_head + text + material_main);
+}
+
 }  // namespace gloam::test::pack_test

@@ -4,7 +4,9 @@
 
 // A structure that all invocations share, as `parameters`: push constants of Vulkan, a uniform of OpenGL, or there with
 // GLOAM_PARAMETER_BLOCK a block, whose binding is 0 unless the program says another.
-#ifdef VULKAN
+#ifdef GLOAM_ONE_PASS  // a variable
+#define FRAME_PARAMETERS(type) type parameters;
+#elif defined(VULKAN)
 #define FRAME_PARAMETERS(type) layout(push_constant) uniform Push { type parameters; };
 #elif defined(GLOAM_PARAMETER_BLOCK)
 #define FRAME_PARAMETERS(type) layout(std140) uniform Parameters { type parameters; };

@@ -122,4 +122,28 @@ void pack_effect(const EffectPackOptions& options) {
     folder.keep();
 }
 
+void pack_one_pass(const EffectPackOptions& options) {
+    if (options.out.empty()) throw std::invalid_argument("--one-pass: give --out, the folder to write");
+    if (options.normals != "none" && options.normals != "view")
+        throw std::invalid_argument("--one-pass --normals " + options.normals + ": expected view or none");
+    const bool own_version = options.version != "none";
+    const auto language = shader::language_from(own_version ? options.version : "330");
+    if (!language || *language == shader::Language::vulkan450)
+        throw std::invalid_argument("--one-pass --version " + options.version +
+                                    ": expected 430, 330, 150, 300es or none");
+    const scene::PassLibrary library(glsl_directory());
+    report::OutputFolder folder(options.out);
+    const auto write = [&](const char* name, const char* pass, std::uint32_t constant, std::uint32_t value) {
+        std::vector<std::string> defines;
+        if (options.normals == "none") defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
+        const std::string text =
+            with_version(library.text(pass, defines, {}, {{constant, value}}, *language), api_of(*language));
+        folder.write(name, own_version ? text : text.substr(text.find('\n') + 1));
+    };
+    write("occlusion.frag", "one_pass/occlusion.frag", 6, options.taps / 2);  // both sides of a slice
+    write("blur_x.frag", "one_pass/blur.frag", 10, 0);
+    write("blur_y.frag", "one_pass/blur.frag", 10, 1);
+    folder.keep();
+}
+
 }  // namespace gloam::cli

@@ -63,6 +63,7 @@ std::string method_table(const fs::path& glsl) {
 struct PackCommand : PackOptions {
     bool lines = false;
     bool effect = false;
+    bool one_pass = false;
     fs::path npm;  // folder of the package; empty: none
     EffectPackOptions of_effect;
 };
@@ -80,13 +81,16 @@ void pack_npm(const PackCommand& options) {
 
 void run_pack(PackCommand& options) {
     if (!options.npm.empty()) return pack_npm(options);
-    if (options.effect) {
+    if (options.effect || options.one_pass) {
+        const std::string name = options.effect ? "--effect" : "--one-pass";
         options.of_effect.out = options.out;
-        if (!options.target.empty()) throw std::invalid_argument("--effect takes no --target");
-        if (!options.defines.empty()) throw std::invalid_argument("--effect takes no --define");
+        if (!options.target.empty()) throw std::invalid_argument(name + " takes no --target");
+        if (!options.defines.empty()) throw std::invalid_argument(name + " takes no --define");
         options.of_effect.version = options.version;
-        return pack_effect(options.of_effect);
+        return options.effect ? pack_effect(options.of_effect) : pack_one_pass(options.of_effect);
     }
+    if (options.of_effect.normals != EffectPackOptions{}.normals)
+        throw std::invalid_argument("--normals requires --effect or --one-pass");
     if (options.lines) {
         if (!options.target.empty())
             throw std::invalid_argument("--lines counts lines of GLSL: it takes no --target");
@@ -130,11 +134,20 @@ void add_effect_options(CLI::App& command, PackCommand& options) {
                  [&of_effect](const std::string& kind) { of_effect.plain_uniforms = kind == "plain"; },
                  "of OpenGL: block, or plain: members of a uniform structure `parameters`")
              ->check(CLI::IsMember({"block", "plain"})));
-    only(command
-             .add_option("--normals", of_effect.normals,
-                         "the engine's: view or world space, and behind it -octahedral, -unorm or both; "
-                         "none: from depth")
-             ->capture_default_str());
+    command
+        .add_option("--normals", of_effect.normals,
+                    "the engine's: view or world space, and behind it -octahedral, -unorm or both; "
+                    "none: from depth")
+        ->capture_default_str();
+    CLI::Option* one_pass = command
+                                .add_flag("--one-pass", options.one_pass,
+                                          "the effect as one fragment shader and a blur of two, for programs "
+                                          "that take no more, into the folder --out")
+                                ->excludes(effect);
+    command.add_option("--taps", of_effect.taps, "of each pixel in one pass")
+        ->check(CLI::IsMember({4, 8, 16}))
+        ->capture_default_str()
+        ->needs(one_pass);
 }
 
 // The package has its presets and methods all together, so no other option belongs to it.
