@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "site/npm_package.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "base/files.hpp"
@@ -11,6 +12,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// An engine that has a module of the package, and its first version with all that the module takes.
+struct Engine {
+    const char *module, *package, *least;
+};
+constexpr std::array<Engine, 3> engines{{{"three", "three", "0.180.0"},  // ExternalTexture
+                                         {"babylon", "@babylonjs/core", "9.35.0"},
+                                         {"playcanvas", "playcanvas", "2.23.0"}}};  // FramePassCameraFrame
+
 constexpr const char* licence_line = "// SPDX-License-Identifier: MIT\n";
 
 // The class, and the data that it needs, as a module.
@@ -20,19 +29,28 @@ std::string index_text(const NpmOptions& options, const std::string& core) {
 }
 
 std::string package_json(const std::string& version) {
-    const auto typed = [](const std::string& types, const std::string& module) {
-        return ordered_json{{"types", "./" + types}, {"default", "./" + module}};
+    ordered_json exports;
+    const auto add = [&](const std::string& name, const std::string& module) {
+        exports[name] = {{"types", "./" + module + ".d.ts"}, {"default", "./" + module + ".js"}};
     };
+    add(".", "index");
+    ordered_json peers;
+    ordered_json optional;
+    for (const auto& [module, package, least] : engines) {
+        add(std::string("./") + module, module);
+        peers[package] = std::string(">=") + least;
+        optional[package] = {{"optional", true}};
+    }
     const ordered_json json{
         {"name", "gloam"},
         {"version", version},
-        {"description", "Screen-space ambient occlusion for WebGL2 and three.js"},
+        {"description", "Screen-space ambient occlusion for WebGL2, three.js, Babylon.js and PlayCanvas"},
         {"license", "MIT"},
         {"type", "module"},
         {"sideEffects", false},
-        {"exports", {{".", typed("index.d.ts", "index.js")}, {"./three", typed("three.d.ts", "three.js")}}},
-        {"peerDependencies", {{"three", ">=" + std::string(least_three)}}},
-        {"peerDependenciesMeta", {{"three", {{"optional", true}}}}}};
+        {"exports", exports},
+        {"peerDependencies", peers},
+        {"peerDependenciesMeta", optional}};
     return json.dump(2) + "\n";
 }
 
@@ -43,8 +61,13 @@ std::map<std::string, std::string> npm_package(const NpmOptions& options) {
     std::map<std::string, std::string> files{{"package.json", package_json(options.version)},
                                              {"index.js", index_text(options, effect_json(folders))},
                                              {"LICENSE", base::read_file(options.licence)}};
-    for (const char* name : {"index.d.ts", "three.js", "three.d.ts", "README.md"})
+    const auto add = [&](const std::string& name) {
         files[name] = base::read_file(options.files / "npm" / name);
+    };
+    add("index.d.ts");
+    add("README.md");
+    for (const auto& engine : engines)
+        for (const char* ending : {".js", ".d.ts"}) add(std::string(engine.module) + ending);
     return files;
 }
 

@@ -14,11 +14,8 @@ struct NpmOptions {
     std::string version;  // of the package
 };
 
-// The first three.js with ExternalTexture for a texture of the context.
-constexpr const char* least_three = "0.180.0";
-
-// The files of the npm package by name: the effect in WebGL2 as a module, its types, and a pass for three.js.
-// Throws std::runtime_error for a file that cannot be read, and like shader::pack().
+// The files of the npm package by name: the effect in WebGL2 as a module, its types, and a pass for each
+// engine. Throws std::runtime_error for a file that cannot be read, and like shader::pack().
 [[nodiscard]] std::map<std::string, std::string> npm_package(const NpmOptions& options);
 
 }  // namespace gloam::site
