@@ -184,7 +184,7 @@ def main():
         truth = [1 - x for x in read_pfm(Path(folder, "truth.pfm"))]
         print(f"gloam render: {rendered['filtered']['rmse']:.4f}")
         wrong = compare(page, rendered["filtered"]["rmse"], truth, frame["camera"])
-    sys.exit("\n".join(wrong))
+    sys.exit("\n".join(wrong) or 0)
 
 
 if __name__ == "__main__":

@@ -12,13 +12,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// An engine that has a module of the package, and its first version with all that the module takes.
+// An engine that has a module of the package, and the first version of it that the module was tried with.
 struct Engine {
     const char *module, *package, *least;
 };
 constexpr std::array<Engine, 3> engines{{{"three", "three", "0.180.0"},  // ExternalTexture
-                                         {"babylon", "@babylonjs/core", "9.35.0"},
-                                         {"playcanvas", "playcanvas", "2.23.0"}}};  // FramePassCameraFrame
+                                         {"babylon", "@babylonjs/core", "8.0.0"},
+                                         {"playcanvas", "playcanvas", "2.22.0"}}};
 
 constexpr const char* licence_line = "// SPDX-License-Identifier: MIT\n";
 

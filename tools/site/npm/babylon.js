@@ -6,6 +6,7 @@ import {Texture} from "@babylonjs/core/Materials/Textures/texture.js";
 import {Constants} from "@babylonjs/core/Engines/constants.js";
 import {PostProcess} from "@babylonjs/core/PostProcesses/postProcess.js";
 import {DepthRenderer} from "@babylonjs/core/Rendering/depthRenderer.js";
+import "@babylonjs/core/Rendering/depthRendererSceneComponent.js";  // what a DepthRenderer before 9 needs
 import {AmbientOcclusion, effect} from "./index.js";
 
 Effect.ShadersStore.gloamFragmentShader = `varying vec2 vUV;
