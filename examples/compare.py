@@ -144,7 +144,7 @@ class Page(Browser):
 def compare(page, render, truth, camera):
     near, far, flat = looks(camera)
     wrong, errors, base, first = [], {}, 0, None
-    print("| pass | RMSE (G) | ms |\n| --- | --: | --: |")
+    print(f"| pass | RMSE (G) | ms |\n| --- | --: | --: |\n| gloam render | {render:.4f} | - |")
     for name in page.evaluate("View.passes"):
         page.evaluate(f"open('{name}')")
         got = page.first(near)
@@ -182,7 +182,6 @@ def main():
         rendered = json.loads(Path(folder, "render.json").read_text(encoding="utf-8"))["frames"][0]["errors"]
         page.load(options.example, options.model, frame["ao_radius"])
         truth = [1 - x for x in read_pfm(Path(folder, "truth.pfm"))]
-        print(f"gloam render: {rendered['filtered']['rmse']:.4f}")
         wrong = compare(page, rendered["filtered"]["rmse"], truth, frame["camera"])
     sys.exit("\n".join(wrong) or 0)
 

@@ -7,7 +7,7 @@ export interface OcclusionOptions {
     preset?: string;
     /** How far what blocks light may be, world units; default 1. */
     radius?: number;
-    /** Share of the occlusion that is shown, 0 to 1; default 1. */
+    /** What the occlusion is multiplied by before it is shown; default 1. */
     intensity?: number;
 }
 

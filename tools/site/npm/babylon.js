@@ -15,7 +15,7 @@ uniform sampler2D visibility;
 uniform float intensity;
 void main() {
     vec4 color = texture2D(textureSampler, vUV);
-    gl_FragColor = vec4(color.rgb * mix(1.0, texture2D(visibility, vUV).x, intensity), color.a);
+    gl_FragColor = vec4(color.rgb * max(mix(1.0, texture2D(visibility, vUV).x, intensity), 0.0), color.a);
 }`;
 
 export class AmbientOcclusionPostProcess extends PostProcess {
