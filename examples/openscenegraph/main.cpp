@@ -79,8 +79,9 @@ void compare(View view) {
 // Whether pictures are near to what is traced, or what `gloam render` makes of their depth.
 bool check(View view) {
     view.draw(view.occluded, false);
-    double worst = view.error(view.of.truth);
-    std::printf("beside what is traced: %.4f\n", worst);
+    const double traced = view.error(view.of.truth);
+    double worst = 0;
+    std::printf("beside what is traced: %.4f\n", traced);
     for (const char* const kind : {"moving", "resized", "orthographic"}) {
         if (*kind == 'r') view.of.width = 500, view.of.height = 333;
         view.kept->depth_of = view.occluded;
@@ -90,7 +91,7 @@ bool check(View view) {
         std::printf("%s, beside gloam render: %.4f\n", kind, apart);
         worst = std::max(worst, apart);
     }
-    return worst < 0.0114;
+    return traced < 0.0114 && worst < 0.006;  // 0.0104 by gloam render; 0.007 with a history that lags
 }
 
 int main(int count, char** arguments) {
