@@ -71,7 +71,8 @@ function addModel(scene, {positions: right, indices}) {
 export class View {
     static passes = Object.keys(passes);
 
-    // model: positions and indices of triangles, and a radius; default: a scene of its own. Coordinates are right-handed.
+    // model: positions and indices of triangles, and a radius; default: a scene of its own. Both in right-handed
+    // coordinates.
     constructor(canvas, pass, model = null) {
         this.engine = new Engine(canvas, false, {preserveDrawingBuffer: true});
         this.gl = this.engine._gl;

@@ -7,13 +7,13 @@ export interface OcclusionOptions {
     preset?: string;
     /** How far what blocks light may be, world units; default 1. */
     radius?: number;
-    /** What the occlusion is multiplied by before it is shown; default 1. */
+    /** Share of the occlusion that is shown; above 1 visibility to this power; default 1. */
     intensity?: number;
 }
 
 /**
- * Ambient occlusion in a camera of Babylon.js, left- or right-handed. It draws the scene's depth itself, and darkens the
- * picture. All options may be set later, too.
+ * Ambient occlusion in a camera of Babylon.js, left- or right-handed. It draws the scene's depth itself, and darkens
+ * the picture. All options may be set later, too.
  */
 export class AmbientOcclusionPostProcess extends PostProcess {
     /** Also options of PostProcess, as its textureType. Throws an Error where the engine is not one of WebGL2. */

@@ -15,7 +15,8 @@ uniform sampler2D visibility;
 uniform float intensity;
 void main() {
     vec4 color = texture2D(textureSampler, vUV);
-    gl_FragColor = vec4(color.rgb * max(mix(1.0, texture2D(visibility, vUV).x, intensity), 0.0), color.a);
+    float seen = mix(1.0, texture2D(visibility, vUV).x, min(intensity, 1.0));
+    gl_FragColor = vec4(color.rgb * pow(seen, max(intensity, 1.0)), color.a);
 }`;
 
 export class AmbientOcclusionPostProcess extends PostProcess {
@@ -29,8 +30,8 @@ export class AmbientOcclusionPostProcess extends PostProcess {
         this.depth = new DepthRenderer(scene, Constants.TEXTURETYPE_FLOAT, camera, true, Texture.NEAREST_SAMPLINGMODE);
         if (engine.useReverseDepthBuffer) this.depth.clearColor.r = 0;
         const map = this.depth.getDepthMap();
-        this.visibility = new RenderTargetTexture(`${name} visibility`, map.getSize(), scene, {generateDepthBuffer: false,
-            generateMipMaps: false, samplingMode: Texture.NEAREST_SAMPLINGMODE, format: Constants.TEXTUREFORMAT_R});
+        this.visibility = new RenderTargetTexture(`${name} visibility`, map.getSize(), scene, {generateMipMaps: false,
+            generateDepthBuffer: false, samplingMode: Texture.NEAREST_SAMPLINGMODE, format: Constants.TEXTUREFORMAT_R});
         camera.customRenderTargets.push(map);
         map.onBeforeBindObservable.add(() => this.fit(map, engine.getRenderWidth(), engine.getRenderHeight()));
         map.onAfterUnbindObservable.add(() => this.draw(map, camera, engine));

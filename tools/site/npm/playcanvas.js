@@ -10,8 +10,8 @@ class OcclusionPass extends RenderPass {
         super(device);
         const occlusion = new AmbientOcclusion(device.gl, effect, {depth: "linear", shown: "visibility"});
         Object.assign(this, {ssao, camera, depth, occlusion, chosen: null});
-        this.ssaoTexture = new Texture(device, {name: "gloam", width: 1, height: 1, format: PIXELFORMAT_R8, mipmaps: false,
-            minFilter: FILTER_NEAREST, magFilter: FILTER_NEAREST, addressU: ADDRESS_CLAMP_TO_EDGE,
+        this.ssaoTexture = new Texture(device, {name: "gloam", width: 1, height: 1, format: PIXELFORMAT_R8,
+            mipmaps: false, minFilter: FILTER_NEAREST, magFilter: FILTER_NEAREST, addressU: ADDRESS_CLAMP_TO_EDGE,
             addressV: ADDRESS_CLAMP_TO_EDGE});
     }
 
