@@ -62,7 +62,6 @@ class GloamAO : public osg::Camera {
     bool next(const osg::Matrixd& view) {
         // OSG multiplies rows by matrices: products are reversed, in memory all is as the header expects.
         const osg::Matrixd change = osg::Matrixd::inverse(view) * before_;
-        moved_ += view != before_;  // not told by the translation, whose floats are coarse in large worlds
         before_ = view;
         settings_.radius = radius;
         gloam_camera camera;
@@ -70,7 +69,7 @@ class GloamAO : public osg::Camera {
         for (int i = 0; i < 16; ++i) {
             const double* const p = projection->ptr() + i;
             camera.projection[i] = float(i % 4 == 2 ? 0.5 * (p[0] + p[1]) : p[0]);  // z from 0 to 1
-            camera.view[i] = float(i / 4 == 3 && i < 15 ? moved_ % 2 : view.ptr()[i]);
+            camera.view[i] = float(view.ptr()[i]);
             previous[i] = float(change.ptr()[i]);
         }
         if (gloam_next(&frame_, settings_, camera, previous) != gloam_fine) return false;
@@ -206,7 +205,7 @@ class GloamAO : public osg::Camera {
     using Block = std::tuple<const float*, std::size_t, osg::ref_ptr<osg::FloatArray>>;
     std::string effect_;
     gloam_settings settings_;
-    int deep_, turn_ = 0, moved_ = 0;
+    int deep_, turn_ = 0;
     gloam_frame frame_ = {};
     osg::Matrixd before_;
     osg::ref_ptr<osg::Geometry> triangle_ = new osg::Geometry;

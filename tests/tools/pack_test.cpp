@@ -114,7 +114,7 @@ TEST_F(PackEffect, CamerasAreOfEitherHandOrAreErrors) {
     expect_success(run_program("/usr/bin/cc", words("-std=c99 -Wall -Wextra -Werror -o {} {} -lm",
                                                     path("cameras"), path("cameras.c"))));
     std::string expected;
-    for (int i = 0; i < 5; ++i) expected += "0000 2 1 1 12340 0\n";
+    for (int i = 0; i < 5; ++i) expected += "0000 2 1 1 01 12340 0\n";
     EXPECT_EQ(run_program(path("cameras").string(), {}).out, expected);
 }
 

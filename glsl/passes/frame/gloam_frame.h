@@ -250,6 +250,8 @@ static inline gloam_error gloam_next(gloam_frame* frame, gloam_settings settings
         if (fabsf(camera.projection[i] - frame->now.projection[i]) * (float)settings.size[k] <= 2)
             held.projection[i] = frame->now.projection[i];
     frame->still = same && memcmp(&held, &frame->now, sizeof held) == 0;
+    for (int i = 12; previous_from_current && i < 15; ++i) /* floats of a view are coarse in a large world */
+        frame->still &= fabsf(previous_from_current[i]) <= 1e-5f * settings.radius;
     const int follows = same && (frame->still || previous_from_current);
     if (!follows) held = camera;
     frame->frames = follows ? frame->frames + 1 : 0;
