@@ -80,7 +80,7 @@ inline std::string frame_name(int number) {
 // frame of the sequence how it is seen, and writes the occlusion, in 1/255, that draw(frame, depth, normal)
 // returns.
 template <class Draw>
-void each_frame(char** arguments, gloam_preset preset, const Draw& draw) {
+void each_frame(char** arguments, const Draw& draw) {
     const std::string gbuffers = std::string(arguments[0]) + "/", out = std::string(arguments[1]) + "/";
     const float radius = std::strtof(arguments[2], nullptr);
     const std::string kind = arguments[3];
@@ -97,7 +97,7 @@ void each_frame(char** arguments, gloam_preset preset, const Draw& draw) {
         const Picture normal = read_pfm(gbuffers + name + "_normal.pfm", 4);
         const std::vector<float> motion = numbers_of(json, "previous_from_current");
         // Another preset, radius or size begins a sequence, and so does NULL; gloam_cut() asks for it.
-        const gloam_settings settings{preset, {depth.width, depth.height}, radius, kind == "buffer"};
+        const gloam_settings settings{PRESET, {depth.width, depth.height}, radius, kind == "buffer"};
         gloam_camera camera{};
         std::ranges::copy(numbers_of(json, "proj_vk"), camera.projection);
         std::ranges::copy(numbers_of(json, "view"), camera.view);

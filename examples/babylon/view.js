@@ -17,6 +17,7 @@ import {SSAO2RenderingPipeline}
     from "@babylonjs/core/PostProcesses/RenderPipeline/Pipelines/ssao2RenderingPipeline.js";
 import {Scene} from "@babylonjs/core/scene.js";
 import {AmbientOcclusionPostProcess} from "gloam/babylon";
+import {open} from "../page.js";
 
 // How each adds ambient occlusion to a camera; what it returns has a restart(), or nothing of frames before.
 const passes = {
@@ -68,11 +69,10 @@ function addModel(scene, {positions: right, indices}) {
     new HemisphericLight("sky", new Vector3(0, 1, 0), scene).groundColor = Color3.White();
 }
 
-export class View {
+class View {
     static passes = Object.keys(passes);
 
-    // model: positions and indices of triangles, and a radius; default: a scene of its own. Both in right-handed
-    // coordinates.
+    // model: positions and indices of triangles, right-handed, and a radius; default: a scene of its own.
     constructor(canvas, pass, model = null) {
         this.engine = new Engine(canvas, false, {preserveDrawingBuffer: true});
         this.gl = this.engine._gl;
@@ -119,3 +119,5 @@ export class View {
         this.engine.dispose();
     }
 }
+
+open(View);

@@ -204,7 +204,7 @@ void run(char** arguments) {
     make_context(text_of("sweep.frag").starts_with("#version 300 es"));
     const Passes passes;
     std::optional<Images> images;
-    each_frame(arguments, PRESET, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {
+    each_frame(arguments, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {
         if (!images || images->depth.width != depth.width || images->depth.height != depth.height)
             images.emplace(frame.settings);
         copy(depth, images->depth, GL_RED);

@@ -2,6 +2,7 @@
 // A scene of PlayCanvas whose ambient light ambient occlusion darkens: gloam's, and that of the engine.
 import * as pc from "playcanvas";
 import {AmbientOcclusionCameraFrame} from "gloam/playcanvas";
+import {open} from "../page.js";
 
 // How each makes the CameraFrame of a camera.
 const passes = {
@@ -61,7 +62,7 @@ function addModel(app, {positions, indices}) {
     app.scene.ambientLight = pc.Color.WHITE;
 }
 
-export class View {
+class View {
     static passes = Object.keys(passes);
     static encoded = true;  // the picture, for sRGB
 
@@ -109,3 +110,5 @@ export class View {
         this.app.destroy();
     }
 }
+
+open(View);

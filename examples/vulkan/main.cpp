@@ -251,7 +251,7 @@ void run(char** arguments) {
     const Device device;
     const Passes passes(device, PRESET.resolution);
     std::optional<Images> images;
-    each_frame(arguments, PRESET, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {
+    each_frame(arguments, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {
         if (!images || images->depth.extent != vk::Extent3D(depth.width, depth.height, 1))
             images.emplace(device, frame.settings);
         copy(device, depth.values, images->depth, true);

@@ -95,7 +95,7 @@ GOES_ON_WITHOUT = {
 # And what stops it, with parts of its last line.
 STOPS = {
     "no package manager": ({"without": ("apt-get",)}, None, (), {}, ("no apt-get", "g++ libfmt-dev")),
-    "an unknown list": ({}, None, ("everything",), {}, ("'everything'", "expected program or nothing")),
+    "an unknown list": ({}, None, ("everything",), {}, ("'everything'", "expected program, engines or nothing")),
     "no source offers it": ({"offered": ("g++",)}, None, (), {}, ("offers: libfmt-dev",)),
     "a full disk": ({}, ("broken", ()), (), {}, ("could not install: g++ libfmt-dev",)),
     "neither root nor sudo": ({"installed": ("g++",), "without": ("sudo",)}, None, (), AS_NOBODY,
