@@ -128,8 +128,10 @@ def program(example, mesh, radius, shots):
                 for size, look in shots]
         asked.write_text("".join(" ".join(map(str, row)) + "\n" for row in rows), encoding="utf-8")
         display = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]
-        subprocess.run([*display, example.resolve(), model, str(radius), asked, result], check=True,
-                       env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"})
+        done = subprocess.run([*display, example.resolve(), model, str(radius), asked, result], check=False,
+                              env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"})
+        if done.returncode:
+            sys.exit(f"{example}: exit status {done.returncode}")
         with open(result, "rb") as file:
             while name := file.readline():
                 yield name.decode().strip(), [(float(file.readline()), [x / 255 for x in file.read(width * height)])

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What compare.py asks of an engine's program: the red of each shot with each pass, and the least time of a
-// frame.
+// What compare.py asks of a program: the red of each shot with each pass, and the least time of a frame.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>

@@ -19,8 +19,8 @@ struct Kept : osg::Camera::DrawCallback {
 
 int main(int count, char** arguments) try {
     if (count != 3 && count != 5) throw std::runtime_error("expected MODEL RADIUS [SHOTS RESULT]");
-    const osg::ref_ptr<osgDB::Options> upright = new osgDB::Options("noRotation");  // an OBJ file
-    const osg::ref_ptr<osg::Node> model = osgDB::readRefNodeFile(arguments[1], upright);
+    const osg::ref_ptr<osgDB::Options> turned = new osgDB::Options(count == 5 ? "noRotation" : "");
+    const osg::ref_ptr<osg::Node> model = osgDB::readRefNodeFile(arguments[1], turned);
     if (!model) throw std::runtime_error(arguments[1] + std::string(": cannot read the model"));
     const osg::ref_ptr<GloamAO> occluded = new GloamAO(EFFECT, PRESET, std::stof(arguments[2]));
     occluded->addChild(model);
