@@ -228,13 +228,12 @@ static inline void gloam_mirror(float* m, int rows, int columns) {
  * frame begins a sequence. */
 static inline gloam_error gloam_next(gloam_frame* frame, gloam_settings settings, gloam_camera camera,
                                      const float* previous_from_current) {
-    const float* p = camera.projection;
+    const float *p = camera.projection, *change = previous_from_current;
     const int flat = p[11] == 0, left = gloam_is_left(p);
     const float turned = left ? 2 : 0;
-    const gloam_error error = gloam_by_rows(p, 1)             ? gloam_projection_by_rows
-                              : gloam_by_rows(camera.view, 0) ? gloam_view_by_rows
-                              : previous_from_current && gloam_by_rows(previous_from_current, 0)
-                                  ? gloam_previous_by_rows
+    const gloam_error error = gloam_by_rows(p, 1)                      ? gloam_projection_by_rows
+                              : gloam_by_rows(camera.view, 0)          ? gloam_view_by_rows
+                              : change && gloam_by_rows(change, 0)     ? gloam_previous_by_rows
                               : flat != !!settings.preset.orthographic ? gloam_other_projection
                                                                        : gloam_fine;
     if (error != gloam_fine) {
@@ -250,16 +249,16 @@ static inline gloam_error gloam_next(gloam_frame* frame, gloam_settings settings
         if (fabsf(camera.projection[i] - frame->now.projection[i]) * (float)settings.size[k] <= 2)
             held.projection[i] = frame->now.projection[i];
     frame->still = same && memcmp(&held, &frame->now, sizeof held) == 0;
-    for (int i = 12; previous_from_current && i < 15; ++i) /* floats of a view are coarse in a large world */
-        frame->still &= fabsf(previous_from_current[i]) <= 1e-5f * settings.radius;
-    const int follows = same && (frame->still || previous_from_current);
+    /* Floats of a view are coarse in a large world. */
+    for (int i = 12; change && i < 15; ++i) frame->still &= fabsf(change[i]) <= 1e-5f * settings.radius;
+    const int follows = same && (frame->still || change);
     if (!follows) held = camera;
     frame->frames = follows ? frame->frames + 1 : 0;
     frame->settings = settings;
     frame->before = follows ? frame->now : held;
     frame->now = held;
     for (int i = 0; i < 16; ++i)
-        frame->previous_from_current[i] = follows && !frame->still ? previous_from_current[i] : i % 5 == 0;
+        frame->previous_from_current[i] = follows && !frame->still ? change[i] : i % 5 == 0;
     gloam_mirror(frame->previous_from_current, left, left);
     gloam_fill(frame, camera.projection);
     frame->sweep.view_from_world[2][3] = turned;

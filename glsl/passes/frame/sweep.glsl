@@ -54,25 +54,12 @@ struct Point {
 };
 
 #ifndef GLOAM_ONE_PASS
-// Depth at a place of the image, 0 to 1, of a level, and of a pixel. Below 0: what the frame before did not show.
-float tap_depth(vec2 at, float level) {
-    return textureLod(depth_image, at * parameters.span + parameters.first, level).x;
-}
-
-float own_depth(ivec2 pixel) {
-    return texelFetch(depth_image, pixel, 0).x;
-}
-
 #ifdef GLOAM_NORMALS_FROM_DEPTH
 // The farthest one outside the image.
 float surface_depth(ivec2 pixel) {
     if (pixel != clamp(pixel, ivec2(0), textureSize(normal_image, 0) - 1)) return GLOAM_FARTHEST_LEVEL_DEPTH;
     return gloam_level_depth(texelFetch(normal_image, pixel, 0).x, parameters.numerator, parameters.divisor,
                              parameters.far);
-}
-#else
-vec3 normal_at(ivec2 pixel) {
-    return view_direction(texelFetch(normal_image, pixel, 0).xyz, parameters.view_from_world);
 }
 #endif
 #endif
@@ -100,7 +87,11 @@ Point point_at(ivec2 pixel, float depth, vec2 reach) {
     float squared = orthographic ? 1.0 : dot(ray, ray) + 1.0;
     float inverse = inversesqrt(squared);
     vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
+#if defined(GLOAM_NORMALS_FROM_DEPTH) || defined(GLOAM_ONE_PASS)
     vec3 normal = normal_at(stride * pixel);
+#else
+    vec3 normal = view_direction(texelFetch(normal_image, stride * pixel, 0).xyz, parameters.view_from_world);
+#endif
     normal *= inversesqrt(max(dot(normal, normal), GLOAM_LEAST_SQUARE));
     float turns = gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI);
     vec2 noise = vec2(turns, 14.0 * turns) + (history ? parameters.noise : vec2(0.0));
@@ -143,7 +134,12 @@ vec3 slice_of(Point point, int slice) {
         vec4 at = clamp(vec4(offset, -offset) * parameters.inverse_span.xyxy + point.at.xyxy, 0.0, 1.0);
         // By the middle of the step, so that the logarithm is a constant.
         float level = reach_level + log2(gloam_slice_place((float(k) + 0.5) / float(steps), 1e18));
+#ifdef GLOAM_ONE_PASS
         vec2 stored = vec2(tap_depth(at.xy, level), tap_depth(at.zw, level));
+#else
+        vec2 stored = vec2(textureLod(depth_image, at.xy * parameters.span + parameters.first, level).x,
+                           textureLod(depth_image, at.zw * parameters.span + parameters.first, level).x);
+#endif
         if (history && (stride == 2 || (slice == 0 && k % 2 == 0))) least = min(least, min(stored.x, stored.y));
         vec2 depth = history ? abs(stored) : stored;
         vec4 taps = gloam_tap_pair(along.z + along.x * at.xz + along.y * at.yw,
@@ -160,9 +156,13 @@ vec3 slice_of(Point point, int slice) {
     return vec3(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal), least);
 }
 
-// Of a pixel: occlusion, by how much it counts, depth, and the least depth that a tap met.
-vec4 seen_at(ivec2 pixel) {
+// The texel of a pixel (gloam/filter/frame_texel.glsl), and its depth for texel_from().
+uvec2 texel_of(ivec2 pixel) {
+#ifdef GLOAM_ONE_PASS
     float least = own_depth(stride * pixel);
+#else
+    float least = texelFetch(depth_image, stride * pixel, 0).x;
+#endif
     float depth = abs(least);
     vec2 reach = orthographic ? parameters.reach : parameters.reach / depth;
     vec2 sum = vec2(0.0);
@@ -179,14 +179,8 @@ vec4 seen_at(ivec2 pixel) {
 #ifdef GLOAM_BENT_NORMALS
     blocked = dot(blocked, blocked) < 16.0 * sum.y * sum.y ? blocked * (0.5 / sum.y) : vec3(0.0);
 #endif
-    return vec4(min(sum.x / sum.y, 1.0), min(sum.y * (1.0 / float(slices)), 1.6), depth, least);
-}
-
-// The texel of a pixel (gloam/filter/frame_texel.glsl), and its depth for texel_from().
-uvec2 texel_of(ivec2 pixel) {
-    vec4 seen = seen_at(pixel);
-    uint code = gloam_frame_code(seen.z, seen.x, seen.y);
-    return uvec2(history && seen.w < 0.0 ? code + GLOAM_FRAME_MOVED : code, floatBitsToUint(seen.z));
+    uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(sum.y * (1.0 / float(slices)), 1.6));
+    return uvec2(history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code, floatBitsToUint(depth));
 }
 
 #ifdef GLOAM_BENT_NORMALS

@@ -46,7 +46,7 @@ float occlusion_at(ivec2 pixel, ivec2 size, vec2 p00_p11, float radius) {
     parameters.ray_span = step * vec2(size - 1);
     parameters.first_ray = -0.5 * parameters.ray_span;
     parameters.reach = 1.0 / step;
-    return seen_at(pixel).x;
+    return gloam_frame_texel(texel_of(pixel).x).occlusion / 255.0;
 }
 
 #endif
