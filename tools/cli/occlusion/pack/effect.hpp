@@ -21,8 +21,8 @@ struct EffectPackOptions {
     std::string preset = effect::default_preset;
     std::vector<std::string> set;  // NAME=VALUE
     bool orthographic = false;
-    bool visibility = false;      // is what is shown; otherwise occlusion
-    bool plain_uniforms = false;  // in the place of a block of OpenGL
+    bool visibility = false;       // is what is shown; otherwise occlusion
+    bool plain_uniforms = false;   // in the place of a block of OpenGL
     std::string normals = "view";  // scene::encoding_named(), or none: from depth
     std::string version = "450";   // of the passes: compute shaders, or fragment shaders where there are none
     std::filesystem::path out;
