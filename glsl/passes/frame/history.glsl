@@ -62,8 +62,8 @@ vec3 bend_at(ivec2 place) {
 #endif
 vec4 kept = vec4(0.0);  // the texel of a pixel for the next frame, in sequences
 
-// What is shown of a pixel, with its history, if there is one, in [0, 1]. sums: of the occlusion and the weight of the pixel
-// itself, and of all that the filter reads. moved: the share of these that met what moved.
+// What is shown of a pixel, with its history, if there is one, in [0, 1]. sums: of the occlusion and the weight of the
+// pixel itself, and of all that the filter reads. moved: the share of these that met what moved.
 float accumulated(ivec2 pixel, float depth, vec4 sums, float moved) {
     vec2 means = vec2(sums.z / sums.w);  // at first what the filter gives
 #ifdef GLOAM_BENT_NORMALS

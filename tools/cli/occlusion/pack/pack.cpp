@@ -119,7 +119,7 @@ void add_effect_options(CLI::App& command, PackCommand& options) {
         "the mean open direction of each pixel, too"));
     only(command.add_flag_callback(
         "--multi-bounce", [&of_effect] { of_effect.set.emplace_back("bounce_albedo=0.5"); },
-        "with light that bounces among blockers of one albedo, gloam_frame::last.albedo"));
+        "with light that bounces among blockers of one albedo, gloam_frame::filter.albedo"));
     only(command.add_flag("--orthographic", of_effect.orthographic,
                           "the camera is orthographic; else perspective"));
     only(command
@@ -134,6 +134,10 @@ void add_effect_options(CLI::App& command, PackCommand& options) {
                  [&of_effect](const std::string& kind) { of_effect.plain_uniforms = kind == "plain"; },
                  "of OpenGL: block, or plain: members of a uniform structure `parameters`")
              ->check(CLI::IsMember({"block", "plain"})));
+}
+
+void add_one_pass_options(CLI::App& command, PackCommand& options) {
+    EffectPackOptions& of_effect = options.of_effect;
     command
         .add_option("--normals", of_effect.normals,
                     "the engine's: view or world space, and behind it -octahedral, -unorm or both; "
@@ -143,7 +147,7 @@ void add_effect_options(CLI::App& command, PackCommand& options) {
                                 .add_flag("--one-pass", options.one_pass,
                                           "the effect as one fragment shader and a blur of two, for programs "
                                           "that take no more, into the folder --out")
-                                ->excludes(effect);
+                                ->excludes("--effect");
     command.add_option("--taps", of_effect.taps, "of each pixel in one pass")
         ->check(CLI::IsMember({4, 8, 16}))
         ->capture_default_str()
@@ -156,7 +160,8 @@ void add_npm(CLI::App& command, PackCommand& options) {
         command.get_options([](const CLI::Option* option) { return option->get_name() != "--help"; });
     CLI::Option* npm = command.add_option(
         "--npm", options.npm,
-        "folder for a package of npm: the effect in WebGL2 as a module with types, and a pass for three.js");
+        "folder for a package of npm: the effect in WebGL2 as a module with types, and passes for three.js, "
+        "Babylon.js and PlayCanvas");
     for (CLI::Option* other : others) npm->excludes(other);
 }
 
@@ -171,6 +176,7 @@ void add_pack(CLI::App& app) {
         "--lines", options->lines,
         "a table of the lines of code of each file as packed, comments not counted (default: all methods)");
     add_effect_options(*command, *options);
+    add_one_pass_options(*command, *options);
     add_npm(*command, *options);
     command->callback([options] { run_pack(*options); });
 }
