@@ -17,9 +17,8 @@
 
 class GloamAO : public osg::Camera {
   public:
-    // effect: the folder of `gloam pack --effect --normals none --version 330`. Orthographic cameras need one
-    // more, by
-    // `--orthographic`, in its folder orthographic. radius: of influence, world units.
+    // effect: the folder of `gloam pack --effect --normals none --version 330`; for orthographic cameras its
+    // folder orthographic is of the same with `--orthographic`. radius: of influence, world units.
     GloamAO(std::string effect, const gloam_preset& preset, float radius)
         : radius(radius), effect_(std::move(effect)), settings_{preset, {0, 0}, 0, 1}, deep_(preset.deep) {
         const osg::Vec2 corners[] = {{-1, -1}, {3, -1}, {-1, 3}};

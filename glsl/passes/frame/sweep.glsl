@@ -87,8 +87,10 @@ Point point_at(ivec2 pixel, float depth, vec2 reach) {
     float squared = orthographic ? 1.0 : dot(ray, ray) + 1.0;
     float inverse = inversesqrt(squared);
     vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
-#if defined(GLOAM_NORMALS_FROM_DEPTH) || defined(GLOAM_ONE_PASS)
+#ifdef GLOAM_NORMALS_FROM_DEPTH
     vec3 normal = normal_at(stride * pixel);
+#elif defined(GLOAM_ONE_PASS)
+    vec3 normal = engine_normal(stride * pixel);
 #else
     vec3 normal = view_direction(texelFetch(normal_image, stride * pixel, 0).xyz, parameters.view_from_world);
 #endif
@@ -159,7 +161,7 @@ vec3 slice_of(Point point, int slice) {
 // The texel of a pixel (gloam/filter/frame_texel.glsl), and its depth for texel_from().
 uvec2 texel_of(ivec2 pixel) {
 #ifdef GLOAM_ONE_PASS
-    float least = own_depth(stride * pixel);
+    float least = depth_in_radii(stride * pixel, 0);
 #else
     float least = texelFetch(depth_image, stride * pixel, 0).x;
 #endif

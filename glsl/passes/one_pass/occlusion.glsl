@@ -15,21 +15,13 @@ float depth_in_radii(ivec2 pixel, int level) {
     return depth > 0.0 && depth < GLOAM_FARTHEST_LEVEL_DEPTH ? depth : GLOAM_FARTHEST_LEVEL_DEPTH;
 }
 
-float own_depth(ivec2 pixel) {
-    return depth_in_radii(pixel, 0);
-}
-
 float tap_depth(vec2 at, float level) {
     return depth_in_radii(ivec2(at * vec2(depth_size - 1) + 0.5), int(clamp(level + 0.5, 0.0, 5.0)));
 }
 
 #ifdef GLOAM_NORMALS_FROM_DEPTH
 float surface_depth(ivec2 pixel) {
-    return pixel == clamp(pixel, ivec2(0), depth_size - 1) ? own_depth(pixel) : GLOAM_FARTHEST_LEVEL_DEPTH;
-}
-#else
-vec3 normal_at(ivec2 pixel) {
-    return engine_normal(pixel);
+    return pixel == clamp(pixel, ivec2(0), depth_size - 1) ? depth_in_radii(pixel, 0) : GLOAM_FARTHEST_LEVEL_DEPTH;
 }
 #endif
 
