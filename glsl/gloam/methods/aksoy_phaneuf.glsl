@@ -15,7 +15,8 @@
 // Surface points under a disc, each counting by its distance if it lies in front of the tangent plane (Aksoy and
 // Phaneuf 2011; CS-J).
 
-// All samples of one pixel in one frame (GloamEstimate).
+// occlusion by the distance of surface points (METHOD-aksoy_phaneuf): `mean of 1 - |v| / R where v . n > beta` [Aksoy
+// and Phaneuf 2011, CS-J].
 GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -43,6 +44,7 @@ GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera
 // The fine radius, as a fraction of the other.
 const float GLOAM_FINE_SHARE = 0.25;
 
+// aksoy_phaneuf at two radii (METHOD-aksoy_phaneuf_two): `min(AO(R / 4) + AO(R), 1)` [Aksoy and Phaneuf 2011, CS-J].
 // All samples of one pixel in one frame, as many at both radii. Parameters and result are those of gloam_aksoy_phaneuf.
 GloamEstimate gloam_aksoy_phaneuf_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     GloamKernel broad = kernel;

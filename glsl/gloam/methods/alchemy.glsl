@@ -19,7 +19,8 @@ struct GloamAlchemy {
     float intensity;  // sigma as a share of the radius
 };
 
-// All samples of one pixel in one frame (GloamEstimate).
+// occlusion by surface points under a disc (METHOD-alchemy): `mean of 2 sigma max(v . n - beta, 0) / (v . v + epsilon)`
+// [McGuire et al. 2011, CS-3.10].
 GloamEstimate gloam_alchemy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAlchemy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -21,7 +21,9 @@ struct GloamAngle {
     float angle_bias;  // taken off the cosines
 };
 
-// All samples of one pixel in one frame (GloamEstimate), in pairs.
+// what angles between opposite samples lack to half a turn (METHOD-angle): `mean of 1 - (acos c_1 + acos c_2) / pi`
+// [Mittring 2012, CS-P].
+// All samples of one pixel in one frame, in pairs.
 GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAngle settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -31,8 +31,9 @@ uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
     return gloam_bitmask_sectors(vec2(min(first, second), max(first, second)));
 }
 
-// All samples of one pixel in one frame (GloamEstimate). Error: 3e-6, but for samples within rounding of a sector's
-// border or a pixel's.
+// covered sectors of slices (METHOD-bitmask): `weighted mean of sectors / 32 between fronts and backs` [Therrien et al.
+// 2023].
+// Error: 3e-6, but for samples within rounding of a sector's border or a pixel's.
 GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamBitmask settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

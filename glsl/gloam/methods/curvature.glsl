@@ -30,7 +30,8 @@ struct GloamNeighbor {
     vec3 turn;    // its unit normal less that of the point
 };
 
-// Zero for background, for what is farther away than the range, and for a surface without a normal.
+// Zero for the point's own pixel, for background, for what is farther away than the range, and for a surface without a
+// normal.
 // tap: in units of the radius.
 GloamNeighbor gloam_neighbor(GloamFootprint footprint, vec2 tap, vec3 position, vec3 normal, float range) {
     ivec2 at = gloam_footprint_pixel(footprint, tap);
@@ -38,7 +39,8 @@ GloamNeighbor gloam_neighbor(GloamFootprint footprint, vec2 tap, vec3 position, 
     vec3 facing = gloam_fetch_normal(at);
     facing *= inversesqrt(max(dot(facing, facing), GLOAM_LEAST_SQUARE));
     vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-    bool known = gloam_tap_sees(depth) && dot(facing, facing) > 0.5 && dot(offset, offset) <= range * range;
+    bool known = at != footprint.pixel && gloam_tap_sees(depth) && dot(facing, facing) > 0.5 &&
+                 dot(offset, offset) <= range * range;
     if (!known) return GloamNeighbor(vec3(0.0), vec3(0.0));  // WebGL has no ?: of structures
     return GloamNeighbor(offset, facing - normal);
 }
@@ -50,8 +52,10 @@ GloamNeighbor gloam_across(GloamFootprint footprint, vec2 arm, vec3 position, ve
     return GloamNeighbor(ahead.offset - behind.offset, ahead.turn - behind.turn);
 }
 
-// All samples of one pixel in one frame (GloamEstimate): crosses of arms between half the radius and the radius, turned
-// from one to the next. Error: that of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
+// occlusion of the quadric through the surroundings (METHOD-curvature): `mean of the occlusion of (k_1, k_2)` [after
+// Hattori et al. 2012, CS-K].
+// All samples of one pixel in one frame: crosses of arms between half the radius and the radius, turned from one to the
+// next. Error: that of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                               GloamCurvature settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -21,7 +21,9 @@ struct GloamDepthDarkening {
     float intensity;  // lambda, per radius of depth
 };
 
-// All samples of one pixel in one frame (GloamEstimate), in pairs.
+// unsharp mask of the depth (METHOD-depth_darkening): `lambda max(D - G * D, 0) / R` [Luft, Colditz and Deussen 2006,
+// CS-R].
+// All samples of one pixel in one frame, in pairs.
 GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                     GloamDepthDarkening settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

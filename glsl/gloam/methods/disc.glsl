@@ -20,9 +20,9 @@ struct GloamDisc {
     float epsilon;  // world units: distance below which a patch counts fully
 };
 
-// crease shading of a pixel by surface points under a disc (TSSAO-2-disc): `mean of epsilon C(p, s_i), s_i under
-// TSSAO-13, i = j + 1 ... j + k` [TSSAO, eqs 2, 4, 12 and 13; Fox and Compton 2008].
-// All samples of one pixel in one frame (GloamEstimate). Error: 2e-6, but for taps within rounding of a pixel's border.
+// crease shading by surface points under a disc (METHOD-disc): `mean of epsilon C(p, s_i), s_i under points of
+// TSSAO-13` [TSSAO, eqs 2 and 12; Fox and Compton 2008].
+// Error: 2e-6, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDisc settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

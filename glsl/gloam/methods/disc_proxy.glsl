@@ -19,11 +19,12 @@ struct GloamDiscProxy {
     float intensity;  // factor of the sum
 };
 
-// All samples of one pixel in one frame (GloamEstimate). The density of taps is 1 / distance from the pixel, because a
-// piece counts by the inverse square of its distance. They are weighted so that their mean is the sum over all pixels
-// of the disc but the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where
-// many pieces lie behind one another it is too large. Error: 2e-6 of each tap's share of the sum, but for taps within
-// rounding of a pixel's border.
+// pixels around as discs of their surface (METHOD-disc_proxy): `intensity times the sum of 2 rho_i M A / (A + pi D^2)
+// cos cos` [Bunnell 2005, CS-S].
+// The density of taps is 1 / distance from the pixel, because a piece counts by the inverse square of its distance.
+// They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity.
+// Pieces behind one another all count. The sum is clamped; where many pieces lie behind one another it is too large.
+// Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_disc_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                GloamDiscProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -20,9 +20,11 @@ GloamKernel gloam_disc_pass_kernel(GloamKernel kernel) {
     return half_of;
 }
 
-// All samples of one pixel in one frame (GloamEstimate), the prepared ones counted; an odd number is taken as the even
-// one above it. gloam_fetch_prepared: the visibility of each pixel's disc, in x.
-// Returns an occlusion no larger than that of gloam_disc_proxy by as many samples. Error: as there.
+// disc_proxy, each disc by its own visibility (METHOD-disc_proxy_two): `intensity times the sum of 2 rho_i M v A / (A +
+// pi D^2) cos cos` [Bunnell 2005, CS-S].
+// All samples of one pixel in one frame, the prepared ones counted; an odd number is taken as the even one above it.
+// gloam_fetch_prepared: the visibility of each pixel's disc, in x. Returns an occlusion no larger than that of
+// gloam_disc_proxy by as many samples. Error: as there.
 GloamEstimate gloam_disc_proxy_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                    GloamDiscProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -101,9 +101,11 @@ GloamEstimate gloam_dual_horizons(vec3 position, vec3 normal, GloamCamera camera
     return gloam_estimate(sum, float(slices), slices * 2u * steps);
 }
 
-// All samples of one pixel in one frame (GloamEstimate); where the small image is taken, those of its pixels.
-// gloam_fetch_prepared: (occlusion, normal) of the small image. position: under a pixel's centre. Error: that of
-// gloam_hbao, or 3e-6 of the weights.
+// hbao from half the resolution where that agrees (METHOD-dual_resolution): `the small image interpolated, or
+// gloam_hbao over all layers` [Bavoil and Sainz 2009, CS-E].
+// All samples of one pixel in one frame; where the small image is taken, those of its pixels. gloam_fetch_prepared:
+// (occlusion, normal) of the small image. position: under a pixel's centre. Error: that of gloam_hbao, or 3e-6 of the
+// weights.
 GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                     GloamDualResolution settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -19,9 +19,8 @@ struct GloamGtao {
     uint steps;  // taps along each half of a slice, at least 1
 };
 
-// occlusion of a pixel by horizon slices (GTAO-gather): `weighted mean over slices` [GTAO (Jimenez et al. 2016)].
-// All samples of one pixel in one frame (GloamEstimate). Error: 3e-6, 6e-5 where a slice nearly lies in the tangent
-// plane, but for taps within rounding of a pixel's border.
+// occlusion by horizon slices (METHOD-gtao): `weighted mean over slices` [Jimenez et al. 2016].
+// Error: 3e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamGtao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -32,8 +32,9 @@ vec2 gloam_hbao_tap(vec2 march, GloamFootprint footprint, ivec2 at, float depth,
     return counts ? stepped : march;
 }
 
-// All samples of one pixel in one frame (GloamEstimate). Error: 4e-6, 6e-5 where a slice nearly lies in the tangent
-// plane, but for taps within rounding of a pixel's border.
+// occlusion by horizons above the image plane (METHOD-hbao): `mean of the sum of W(v_k) (sin h_k - sin h_(k-1)), over
+// what the bias leaves` [Bavoil and Sainz 2008, CS-3.2 to 3.4].
+// Error: 4e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHbao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -76,8 +77,9 @@ struct GloamHbaoStudy {
     uint steps;        // taps along each half of a slice, at least 1
 };
 
-// All samples of one pixel in one frame (GloamEstimate). Error: 4e-6, 6e-5 where a slice nearly lies in the tangent
-// plane, but for taps within rounding of a pixel's border.
+// hbao as the comparative study has it (METHOD-hbao_study): `mean of the sum of W(v_k) (sin h_k - sin h_(k-1))` [Aalund
+// and Baerentzen 2013, CS-3.2 to 3.4].
+// Error: 4e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                GloamHbaoStudy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
@@ -119,7 +121,9 @@ struct GloamHsao {
     uint steps;        // of a ray, at least 1
 };
 
-// All samples of one pixel in one frame (GloamEstimate), by rays.
+// hbao by rays in eye space (METHOD-hsao): `mean of the sum of W(v_k) (sin h_k - sin h_(k-1)), over what the bias
+// leaves` [Dimitrov, Bavoil and Sainz 2008, CS-C2].
+// All samples of one pixel in one frame, by rays.
 GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHsao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

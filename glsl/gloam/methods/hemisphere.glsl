@@ -22,9 +22,9 @@ struct GloamHemisphere {
     int layers;   // of depth that the points see, 1 to 4
 };
 
-// occlusion of a pixel by points of the half ball (TSSAO-2-hemisphere): `mean of V(p, s_i), s_i of TSSAO-14, i = j + 1
-// ... j + k` [TSSAO, eqs 2 to 4 and 14; Ritschel et al. 2009].
-// All samples of one pixel in one frame (GloamEstimate), by points.
+// occlusion by points of the half ball (METHOD-hemisphere): `mean of V(p, s_i), s_i of TSSAO-14, i = j + 1 ... j + k`
+// [TSSAO, eqs 2 to 4 and 14; Ritschel et al. 2009].
+// All samples of one pixel in one frame, by points.
 GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                GloamHemisphere settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
@@ -58,7 +58,9 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
 // surface further in front of a point than the radius blocks less, by radius / distance. Directions are uniform: a
 // wall gives 1/2, as with cosine weights, and a bowl more.
 
-// All samples of one pixel in one frame (GloamEstimate), by points.
+// occlusion by uniform points of the half ball (METHOD-filion): `mean of min(R / (d - d_b), 1) where d_b < d` [Filion
+// and McNaughton 2008, CS-B].
+// All samples of one pixel in one frame, by points.
 GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));
@@ -85,7 +87,8 @@ GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, Gloam
 // a = 0.5 of the remap subtracts it. A point counts as open if it is behind the surface by less than the bias. With a
 // bias of 0, opposite points of a plane differ.
 
-// All samples of one pixel in one frame (GloamEstimate), by points.
+// occlusion by points of a whole ball (METHOD-crytek): `mean of V(p, s_i), s_i and -s_i` [Mittring 2007, CS-3.1].
+// All samples of one pixel in one frame, by points.
 GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));

@@ -21,7 +21,9 @@ struct GloamIssao {
 const bool GLOAM_EVERY_TAP = false;
 const bool GLOAM_DISTINCT_TAPS = true;  // several taps in one pixel count once (gloam_distinct_add)
 
-// All samples of one pixel in one frame (GloamEstimate); its samples are the taps that counted.
+// occlusion by surface points under the covering circle (METHOD-issao): `mean of phi max(v . n - psi, 0) / (v . v +
+// sigma), |v| < R` [ISSAO, eqs 1 and 6].
+// All samples of one pixel in one frame; its samples are the taps that counted.
 GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamIssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -54,7 +56,7 @@ struct GloamIssaoAttenuated {
     float intensity;  // phi as a share of the radius
 };
 
-// All samples of one pixel in one frame (GloamEstimate).
+// issao by cosine and attenuation (METHOD-issao_attenuated): `mean of Q(|v|) cos(v, n), |v| < R` [ISSAO, eqs 4 and 5].
 GloamEstimate gloam_issao_attenuated(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                      GloamIssaoAttenuated settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
@@ -80,6 +82,8 @@ GloamEstimate gloam_issao_attenuated(vec3 position, vec3 normal, GloamCamera cam
 // small in the image. The result is a mean over pixels, less dense near the point. A device that runs both sides of a
 // branch saves no time.
 
+// issao, taps in one pixel counted once (METHOD-issao_distinct): `mean over pixels of phi max(v . n - psi, 0) / (v . v
+// + sigma)` [ISSAO, section 5 (1)].
 // All samples of one pixel in one frame. Parameters and result are those of gloam_issao; settings.distinct is to be
 // GLOAM_DISTINCT_TAPS, and the samples are the taps in different pixels.
 GloamEstimate gloam_issao_distinct(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
@@ -91,7 +95,7 @@ GloamEstimate gloam_issao_distinct(vec3 position, vec3 normal, GloamCamera camer
 // the radius counts its cosine, whatever its distance. The mean stands for the integral in the same way as in issao,
 // and as in gloam_issao_attenuated what is no higher than the bias counts 0, where print counts all sample points.
 
-// All samples of one pixel in one frame (GloamEstimate).
+// issao by cosine alone (METHOD-issao_basic): `mean of cos(v, n), |v| < R` [ISSAO, eq 3].
 GloamEstimate gloam_issao_basic(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -136,7 +136,9 @@ GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera ca
     return GloamLevels(max(reach.z * own, coarser.largest), clamp(mean, 0.0, 1.0), count);
 }
 
-// All samples of one pixel in one frame (GloamEstimate): kernel.count at every resolution. Error: that of the levels.
+// surface points under discs at several resolutions (METHOD-mssao): `1 - (1 - max) (1 - mean) of the resolutions`
+// [Hoang and Low 2012, CS-F].
+// All samples of one pixel in one frame: kernel.count at every resolution. Error: that of the levels.
 GloamEstimate gloam_mssao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -25,9 +25,9 @@ struct GloamPoisson {
 
 const uint GLOAM_POISSON_POINTS = 64u;  // of the disc
 
-// occlusion of a pixel by rays of a lifted Poisson disc (RAY-gather): `share of the rays that are blocked` [Sourimant
-// et al. 2011, CS-J].
-// All samples of one pixel in one frame (GloamEstimate), by rays.
+// blocked rays of a lifted Poisson disc (METHOD-poisson): `share of the rays that are blocked` [Sourimant et al. 2011,
+// CS-J].
+// All samples of one pixel in one frame, by rays.
 GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamPoisson settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));

@@ -36,7 +36,8 @@ float gloam_sao_contribution(vec3 offset, vec3 normal, GloamKernel kernel, Gloam
                                   5.0 * settings.intensity * kernel.radius);
 }
 
-// All samples of one pixel in one frame (GloamEstimate).
+// occlusion by surface points on a spiral (METHOD-sao): `mean of 5 sigma (1 - v . v / R^2)^3 max(v . n - beta, 0) / (v
+// . v + epsilon)` [McGuire, Mara and Luebke 2012, CS-Q].
 GloamEstimate gloam_sao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

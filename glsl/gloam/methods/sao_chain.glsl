@@ -18,8 +18,9 @@ ivec2 gloam_chain_texel(ivec2 texel, int level, ivec2 size) {
     return at;
 }
 
-// All samples of one pixel in one frame (GloamEstimate). gloam_fetch_prepared: levels 1 to 5 of the chain, in x
-// (gloam_chain_texel).
+// sao, far taps from an image of the depth chain (METHOD-sao_chain): `as gloam_sao` [McGuire, Mara and Luebke 2012,
+// CS-Q].
+// gloam_fetch_prepared: levels 1 to 5 of the chain, in x (gloam_chain_texel).
 GloamEstimate gloam_sao_chain(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -77,8 +77,10 @@ float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, Gl
     return gloam_weighted_mean_value(mean, own);
 }
 
-// All samples of one pixel in one frame (GloamEstimate), the prepared ones counted. gloam_fetch_prepared: occlusion
-// along the first direction, in x. Error: that of gloam_gtao, and 3e-6 of the mean.
+// slices in two directions (METHOD-separable): `(mean of the first along the second + the second) / 2` [Huang et al.
+// 2011, CS-O].
+// All samples of one pixel in one frame, the prepared ones counted. gloam_fetch_prepared: occlusion along the first
+// direction, in x. Error: that of gloam_gtao, and 3e-6 of the mean.
 GloamEstimate gloam_separable(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                               GloamSeparable settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -29,10 +29,9 @@ struct GloamSphereProxy {
     float intensity;  // factor of the sum
 };
 
-// occlusion of a pixel by its surroundings as balls (PROXY-gather): `intensity times the sum of 2 rho_i M C(p, s_i), M
-// the pixels of the disc, rho_i uniform` [Shanmugam and Arikan 2007, CS-H].
-// All samples of one pixel in one frame (GloamEstimate). Error: 2e-6 of each tap's share of the sum, but for taps
-// within rounding of a pixel's border.
+// pixels around as balls (METHOD-sphere_proxy): `intensity times the sum of 2 rho_i M C(p, s_i), M pixels in the disc`
+// [Shanmugam and Arikan 2007, CS-H].
+// Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                  GloamSphereProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
@@ -77,8 +76,9 @@ float gloam_mixture_horizon(vec3 offset, vec3 normal, vec2 bias) {
     return elevation.y / max(elevation.x, 1e-6);
 }
 
-// All samples of one pixel in one frame (GloamEstimate). Error: 2e-6 of each tap's share of the sum, but for taps
-// within rounding of a pixel's border.
+// pixels around as balls above the biased tangent plane (METHOD-mixture): `intensity times the sum of 2 rho_i M H(v) (1
+// - |v| / R) C(p, s_i)` [Song 2010, CS-3.2.8].
+// Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMixture settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

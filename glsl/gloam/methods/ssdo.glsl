@@ -25,7 +25,9 @@ struct GloamSsdo {
     int layers;   // of depth that the steps see, 1 to 4
 };
 
-// All samples of one pixel in one frame (GloamEstimate), by rays.
+// light from everywhere that does not arrive (METHOD-ssdo): `mean of 2 cos(w, n) over blocked rays` [Ritschel, Grosch
+// and Seidel 2009, CS-D].
+// All samples of one pixel in one frame, by rays.
 GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSsdo settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));

@@ -19,7 +19,9 @@ struct GloamUnreal {
     uint steps;       // of a side, at least 1
 };
 
-// All samples of one pixel in one frame (GloamEstimate), by rays.
+// what blocks most on each of the rays along the image (METHOD-unreal): `intensity times the mean of 1 - (1 - max of
+// C(v_k))^2` [a later shader of Unreal Engine 4].
+// All samples of one pixel in one frame, by rays.
 GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamUnreal settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

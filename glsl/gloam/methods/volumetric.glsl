@@ -19,9 +19,9 @@
 // partner, so objects in front have no halo. But a one-sided groove of angle b gives 1/2 + sin(2 b) / (4 pi), 0.580
 // at 45 degrees, instead of the ball's 1/2 + b / (2 pi).
 
-// solid share of the ball around a pixel, by paired lines (CS-I-gather): `mean of q_i weighted by h_i` [volumetric
-// obscurance (Loos and Sloan 2010), CS-3.5].
-// All samples of one pixel in one frame (GloamEstimate), in pairs.
+// solid share of the ball around a pixel, by paired lines (METHOD-volumetric): `mean of q_i weighted by h_i` [Loos and
+// Sloan 2010, CS-3.5].
+// All samples of one pixel in one frame, in pairs.
 GloamEstimate gloam_volumetric(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -48,6 +48,8 @@ const float GLOAM_FINE_BALL = 0.25;
 // A pair at both radii.
 const uint GLOAM_TWO_BALLS_UNIT = 4u;
 
+// volumetric in two balls (METHOD-volumetric_two): `1/2 + (VO(R / 4) - 1/2) + (VO(R) - 1/2)` [Loos and Sloan 2010,
+// CS-I].
 // All samples of one pixel in one frame, as many at both radii: whole fours, at least one. Parameters and result are
 // those of gloam_volumetric.
 GloamEstimate gloam_volumetric_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
@@ -76,6 +78,8 @@ vec2 gloam_line_spiral_turn(GloamKernel kernel) {
     return gloam_sincos_turns(gloam_turns(kernel.angle) + 0.5 * gloam_radical_inverse_base2(frame));
 }
 
+// volumetric by pairs on a spiral (METHOD-volumetric_spiral): `mean of q_i weighted by h_i rho_i` [Ownby, Hall and Hall
+// 2010, CS-I].
 // All samples of one pixel in one frame; an odd number is taken as the even one above it. Parameters and result are
 // those of gloam_volumetric.
 GloamEstimate gloam_volumetric_spiral(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
@@ -100,7 +104,9 @@ GloamEstimate gloam_volumetric_spiral(vec3 position, vec3 normal, GloamCamera ca
 // 2009). A plane leaves it empty. Chords lie along the view vector. Along the axis of a perspective view, a floor
 // seen from a camera that looks up would lie in front of its own ball.
 
-// All samples of one pixel in one frame (GloamEstimate), in pairs.
+// solid share of the ball that touches the surface (METHOD-tangent_sphere): `mean of q_i weighted by h_i`
+// [Szirmay-Kalos et al. 2009].
+// All samples of one pixel in one frame, in pairs.
 GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -117,8 +123,9 @@ GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camer
         vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
         float first = gloam_pair_height(footprint, tap, aim, position, n, facing, kernel.radius);
         float second = gloam_pair_height(footprint, -tap, -aim, position, n, facing, kernel.radius);
-        vec3 one = (aim + first * view) * toward_eye;
-        vec3 other = (second * view - aim) * toward_eye;
+        // Turned before the heights are added: a far background would round the place of the chord.
+        vec3 one = aim * toward_eye + vec3(0.0, 0.0, first);
+        vec3 other = vec3(0.0, 0.0, second) - aim * toward_eye;
         float one_chord = gloam_tangent_sphere_half_height(one, facing_eye, kernel.radius);
         float other_chord = gloam_tangent_sphere_half_height(other, facing_eye, kernel.radius);
         float solid = one_chord * gloam_tangent_sphere_occlusion(one, facing_eye, kernel.radius) +

@@ -63,9 +63,11 @@ float gloam_area_solid(GloamLinePoint point, vec2 tap, float radius, int level, 
     return share * gloam_area_occlusion(height, half_width, gloam_chord_half_height(tap, radius));
 }
 
-// All samples of one pixel in one frame (GloamEstimate), in pairs.
-// gloam_fetch_prepared: mean and weight, variance, covariance of blocks (gloam_area_moments). Error: that of the
-// moments and of gloam_area_occlusion, but for taps within rounding of a block's border.
+// volumetric by the moments of blocks (METHOD-volumetric_area): `mean of the solid share of blocks weighted by h_i`
+// [Loos and Sloan 2010, CS-I].
+// All samples of one pixel in one frame, in pairs. gloam_fetch_prepared: mean and weight, variance, covariance of
+// blocks (gloam_area_moments). Error: that of the moments and of gloam_area_occlusion, but for taps within rounding of
+// a block's border.
 GloamEstimate gloam_volumetric_area(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -14,14 +14,14 @@
 // s - (s . n) n where s . n < 0` [Mittring 2012; Aalund and Baerentzen 2013].
 // offset: v = s - p, view space, world units. normal: n, unit. view: from the point to the eye, unit.
 // Returns a cosine in [-1, 1]; 0 (a sample in the image plane) for a zero or non-finite offset, one along -n within
-// 1e-5, and NaN.
+// 1e-3, and NaN.
 // Error: 5e-7; 1e-6 over the distance of v / |v| from -n below the tangent plane.
 float gloam_lifted_cosine(vec3 offset, vec3 normal, vec3 view) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float above = dot(direction, normal);
     vec3 lifted = above < 0.0 ? direction - above * normal : direction;
     float squared = dot(lifted, lifted);
-    if (!(squared > 1e-10)) return 0.0;
+    if (!(squared > 1e-6)) return 0.0;
     float cosine = dot(view, lifted) * inversesqrt(squared);
     return abs(cosine) <= 1.0 ? cosine : (cosine > 1.0 ? 1.0 : (cosine < -1.0 ? -1.0 : 0.0));
 }

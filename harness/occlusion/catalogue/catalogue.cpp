@@ -96,6 +96,7 @@ Entries all_entries(const std::filesystem::path& glsl) {
     append_occlusion_slices(entries);
     append_occlusion_volumes(entries);
     append_occlusion_gathers(entries);
+    append_methods(entries);
     append_occlusion_scalable(entries);
     append_temporal(entries);
     append_filter(entries);

@@ -102,6 +102,7 @@ void append_occlusion(Entries& entries);
 void append_occlusion_slices(Entries& entries);
 void append_occlusion_volumes(Entries& entries);
 void append_occlusion_gathers(Entries& entries);
+void append_methods(Entries& entries);
 void append_occlusion_scalable(Entries& entries);
 void append_temporal(Entries& entries);
 void append_filter(Entries& entries);

@@ -128,7 +128,7 @@ inline double gloam_lifted_cosine(dvec3 offset, dvec3 normal, dvec3 view) {
     dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
     if (dot(direction, normal) < 0.0) direction -= dot(direction, normal) * normal;
     const double left = length(direction);
-    return left > 1e-5 ? cosine_in_range(dot(view, direction) / left) : 0.0;
+    return left > 1e-3 ? cosine_in_range(dot(view, direction) / left) : 0.0;
 }
 
 inline bool gloam_sample_near(dvec3 offset, double range) {

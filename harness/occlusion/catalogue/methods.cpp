@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// The methods: each a function of a shaded point in one of the views below.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "catalogue/inputs.hpp"
+#include "reference/methods.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+using numeric::Random;
+
+using Camera = reference::GloamCamera;
+using Kernel = reference::GloamKernel;
+using Estimate = reference::GloamEstimate;
+using reference::ShadedPoint;
+
+// Views in closed form, each of a size of its own, by which an input knows its view. `depth`: at a place in
+// [-1, 1], y down as in the image.
+struct View {
+    const char* name;
+    glm::ivec2 size;
+    double (*depth)(glm::dvec2 at);
+};
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+const View views[] = {
+    {"plane", {17, 13}, [](glm::dvec2 at) { return 2.0 / (1.0 + 0.3 * at.x - 0.2 * at.y); }},
+    {"step", {19, 13}, [](glm::dvec2 at) { return at.x + 0.3 * at.y < 0.15 ? 1.7 : 2.2; }},
+    {"corner",
+     {17, 15},
+     [](glm::dvec2 at) {
+         const double walls = std::max(0.3 + 0.4 * at.x, 0.28 - 0.3 * at.x);
+         return 1.0 / std::max(walls, 0.35 + 0.35 * at.y);
+     }},
+    {"sphere before a plane",
+     {21, 13},
+     [](glm::dvec2 at) {
+         const double squared = glm::dot(at - 0.1, at - 0.1) / 0.36;
+         return squared < 1.0 ? 2.6 - 0.9 * std::sqrt(1.0 - squared) : 2.4 + 0.3 * at.y;
+     }},
+    {"thin bars",
+     {23, 15},
+     [](glm::dvec2 at) { return std::fmod(at.x + 1.0, 0.5) < 0.12 ? 1.5 : 2.0 - 0.2 * at.x; }},
+    {"edges of the image and background",
+     {21, 15},
+     [](glm::dvec2 at) { return at.y < -0.3 ? none : 1.8 + 0.5 * at.x * at.y; }},
+};
+
+glm::dvec2 place_of(glm::ivec2 pixel, glm::ivec2 size) {
+    return (2.0 * glm::dvec2(pixel) + 1.0) / glm::dvec2(size) - 1.0;
+}
+
+glm::dvec3 surface_at(const View& view, glm::dvec2 at, const Camera& camera) {
+    const double depth = view.depth(at);
+    const glm::dvec2 side = at / camera.p00_p11;
+    return {camera.orthographic ? side : side * depth, -depth};
+}
+
+// Towards the eye, by the differences of the closed form.
+glm::dvec3 normal_at(const View& view, glm::dvec2 at, const Camera& camera) {
+    constexpr double step = 1e-4;
+    const auto along = [&](glm::dvec2 axis) {
+        return surface_at(view, at + step * axis, camera) - surface_at(view, at - step * axis, camera);
+    };
+    const glm::dvec3 normal = glm::cross(along({1, 0}), along({0, 1}));
+    return glm::normalize(normal.z < 0.0 ? -normal : normal);
+}
+
+// Places half of the points on the surface under the middle of a pixel, with its normal, half anywhere before
+// the camera: a position is drawn as (place, depth in [1, 4]), those nearer than 2.5 lie on the surface if
+// there is a bias.
+void place_in_view(std::span<Word> row) {
+    constexpr std::size_t normal = 3, camera_word = 6;
+    std::span<const Word> rest = row.subspan(camera_word);
+    const auto camera = take_words<Camera>(rest);
+    const auto view = std::ranges::find(views, camera.size, &View::size);
+    const auto number = [&](std::size_t i) { return from_word<double>(row[i]); };
+    const glm::dvec2 at(number(0), number(1));
+    const bool biased = number(camera_word + 6) >= 1e-4;
+    const bool drawn =
+        biased && glm::all(glm::lessThanEqual(glm::abs(at), glm::dvec2(1.0))) && number(2) >= 1.0;
+    if (!drawn || view == std::end(views) || number(2) > 2.5) return place_before_camera(0, camera_word)(row);
+    const glm::dvec2 middle = place_of(glm::ivec2((at + 1.0) / 2.0 * glm::dvec2(view->size)), view->size);
+    const glm::dvec3 position = surface_at(*view, middle, camera);
+    const glm::dvec3 facing = normal_at(*view, middle, camera);
+    for (int i = 0; i < 3; ++i) {
+        row[i] = to_word(position[i]);
+        row[normal + i] = to_word(facing[i]);
+    }
+}
+
+// The same, with normals that face the eye: heights along the view vector grow as one over that cosine.
+void place_facing(std::span<Word> row) {
+    place_in_view(row);
+    glm::vec3 position, normal;
+    for (int i = 0; i < 3; ++i) {
+        position[i] = from_word<float>(row[i]);
+        normal[i] = from_word<float>(row[3 + i]);
+    }
+    const glm::vec3 view = row[10] != 0U ? glm::vec3(0, 0, 1) : -glm::normalize(position);
+    const float lacking = 0.3F - glm::dot(view, normal);
+    if (lacking > 0.0F && lacking < 2.0F) normal = glm::normalize(normal + lacking * view);
+    for (int i = 0; i < 3; ++i) row[3 + i] = to_word(normal[i]);
+}
+
+// What preparation passes write: for each method another image, of random contents in their ranges.
+using Prepared = glm::vec4 (*)(glm::ivec2 texel, glm::ivec2 size, Random& random);
+
+ImageSet images_of(const View& view, Prepared prepared, Random& random) {
+    const Camera camera{glm::dvec2(1.2, -1.6), view.size, false};
+    const auto layer = [&](double first) {
+        const double depth = first + random.uniform(0.0, 1.0);
+        return static_cast<float>(std::array{0.0, -depth, depth, depth}.at(random.below(4)));
+    };
+    ImageSet images;
+    images.emplace(depth_prototype, make_image<float>(view.size, [&](glm::ivec2 pixel) {
+                       return static_cast<float>(view.depth(place_of(pixel, view.size)));
+                   }));
+    images.emplace("gloam_fetch_normal", make_image<glm::vec3>(view.size, [&](glm::ivec2 pixel) {
+                       const glm::dvec2 at = place_of(pixel, view.size);
+                       return std::isfinite(view.depth(at)) ? glm::vec3(2.0 * normal_at(view, at, camera))
+                                                            : glm::vec3(0);
+                   }));
+    images.emplace("gloam_fetch_layers", make_image<glm::vec3>(view.size, [&](glm::ivec2 pixel) {
+                       const double first = std::min(view.depth(place_of(pixel, view.size)), 4.0);
+                       return glm::vec3(layer(first), layer(first), layer(first));
+                   }));
+    images.emplace("gloam_fetch_prepared", make_image<glm::vec4>(view.size + 16, [&](glm::ivec2 texel) {
+                       return prepared(texel, view.size, random);
+                   }));
+    return images;
+}
+
+std::vector<ImageScenario> view_scenarios(Prepared prepared) {
+    std::vector<ImageScenario> scenarios;
+    for (const View& view : views)
+        scenarios.push_back(
+            {.name = view.name, .size = view.size, .make = [&view, prepared](glm::ivec2, Random& random) {
+                 return images_of(view, prepared, random);
+             }});
+    return scenarios;
+}
+
+float part(Random& random, double most = 1.0) {
+    return static_cast<float>(random.uniform(0.0, most));
+}
+
+// Results in [0, 1], then a normal.
+glm::vec4 results(glm::ivec2, glm::ivec2, Random& random) {
+    return {part(random), glm::vec3(part(random) - 0.5F, part(random) - 0.5F, 0.7F)};
+}
+
+glm::vec4 depths(glm::ivec2, glm::ivec2, Random& random) {
+    return glm::vec4(random.below(8) == 0 ? 0.0F : 1.0F + part(random, 2.0));
+}
+
+// Which of three kinds of values a texel of the first level has (gloam/gather/pixels.glsl).
+int kind_of(glm::ivec2 texel, glm::ivec2 size) {
+    const glm::ivec2 first = (size + 1) / 2;
+    return (texel.x >= first.x ? 1 : 0) + (texel.y >= first.y ? 2 : 0);
+}
+
+// Positions, normals and results (largest, mean, levels).
+glm::vec4 resolutions(glm::ivec2 texel, glm::ivec2 size, Random& random) {
+    const int kind = kind_of(texel, size);
+    if (kind == 0)
+        return {part(random, 3.0) - 1.5F, part(random, 2.0) - 1.0F, -1.0F - part(random, 2.0), 0.0F};
+    if (kind == 1) return {glm::normalize(glm::vec3(part(random) - 0.5F, part(random) - 0.5F, 0.5F)), 0.0F};
+    return {part(random), part(random), part(random), 0.0F};
+}
+
+// Means with weights, variances, covariances.
+glm::vec4 moments(glm::ivec2 texel, glm::ivec2 size, Random& random) {
+    const int kind = kind_of(texel, size);
+    if (kind == 0)
+        return {part(random, 3.0) - 1.5F, part(random, 2.0) - 1.0F, -1.0F - part(random, 2.0),
+                static_cast<float>(random.below(5))};
+    if (kind == 1)
+        return {0.02F + part(random, 0.1), 0.02F + part(random, 0.1), 0.02F + part(random, 0.1), 0.0F};
+    return glm::vec4(part(random, 0.02) - 0.01F);
+}
+
+// Whether the accuracy is promised: the camera is one, no product overflows, the angle is known to a
+// millionth of a turn, and the bias is above the rounding of the surface that the point lies on.
+bool usual(const glm::vec3& position, const glm::vec3& normal, const Camera& camera, const Kernel& kernel) {
+    const bool seen = moderate(0.01, 100, camera.p00_p11) && moderate(1e-9, 100, position) &&
+                      !(-position.z < 0.05F * glm::length(position));
+    return seen && moderate(0.01, 1e9, kernel.radius) && moderate(1e-9, 1e9, normal, kernel.bias) &&
+           !(std::abs(kernel.angle) > 64.0F) && !(kernel.bias < 1e-5 * std::max(-position.z, 1.0F));
+}
+
+// Slices of a surface seen edge-on are nearly parallel to its tangent plane.
+bool seen_from_above(const glm::vec3& p, const glm::vec3& n, const Camera& camera, const Kernel& kernel) {
+    const glm::vec3 view = camera.orthographic ? glm::vec3(0, 0, 1) : -glm::normalize(p);
+    return usual(p, n, camera, kernel) && std::abs(glm::dot(glm::normalize(n), view)) > 0.2F;
+}
+
+Values points() {
+    return vector({uniform(-1, 1), uniform(-1, 1), uniform(1, 4)}).and_special();
+}
+
+Values kernels() {
+    return vector({log_uniform(0.05, 2).and_special(), log_uniform(1e-3, 0.1).and_special(),
+                   uniform(0, 6.2831853).and_special(), log_integers(16777216).and_near_integers({16777216}),
+                   integers(0, 8), either(constant(1e18F), uniform(-0.5, 2)).and_special()});
+}
+
+Values lengths() {
+    return log_uniform(0.01, 4);
+}
+
+constexpr double most_samples = 64;
+using Promised = bool (*)(const glm::vec3&, const glm::vec3&, const Camera&, const Kernel&);
+
+// What a person decides of a method beside its settings.
+struct Stated {
+    Budget budget;
+    Promised promised = usual;
+    Prepared prepared = results;
+    void (*place)(std::span<Word> row) = place_in_view;
+};
+
+// A sample near the border of two pixels, or near the depth at which it is blocked, may fall to either side.
+// Then its whole contribution differs, so budgets include inputs that are moved by a few ULP.
+template <class... Own, class Method>
+void add_gather(Entries& entries, const std::string& name, Method method, const Stated& stated,
+                const std::vector<Values>& own) {
+    std::vector<Values> all{points(), unit_vector(3).and_special(), cameras(), kernels()};
+    all.insert(all.end(), own.begin(), own.end());
+    add(
+        entries, "METHOD-" + name,
+        [method](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const Camera& camera,
+                 const Kernel& kernel, const Own&... settings) {
+            const auto reader = [&]<class T>(const char* prototype, T) -> reference::Fetch<T> {
+                return [&image = images.at(prototype)](glm::ivec2 pixel) { return image.at<T>(pixel); };
+            };
+            const reference::MethodImages read{
+                reader(depth_prototype, 0.0), reader("gloam_fetch_normal", glm::dvec3()),
+                reader("gloam_fetch_layers", glm::dvec3()), reader("gloam_fetch_prepared", glm::dvec4())};
+            const ShadedPoint at(read, position, normal, camera, kernel);
+            return at.gathers ? method(at, settings...) : Estimate{};
+        },
+        Domain(all).adjusted(stated.place), stated.budget, {0, most_samples},
+        [promised = stated.promised](const glm::vec3& p, const glm::vec3& n, const Camera& camera,
+                                     const Kernel& kernel,
+                                     const Own&...) { return promised(p, n, camera, kernel); },
+        view_scenarios(stated.prepared));
+}
+template <class Own>
+void add_method(Entries& entries, const std::string& name, Estimate (*method)(const ShadedPoint&, const Own&),
+                const std::vector<Values>& own, const Stated& stated) {
+    add_gather<Own>(entries, name, method, stated, {vector(own).only_as_drawn()});
+}
+void add_method(Entries& entries, const std::string& name, Estimate (*method)(const ShadedPoint&),
+                const Stated& stated) {
+    add_gather<>(entries, name, method, stated, {});
+}
+
+// Budget of means of contributions, beside taps within rounding of a border.
+Stated within(double absolute, Promised promised = usual, Prepared prepared = results) {
+    return {{.absolute = absolute, .backward_ulp = 8}, promised, prepared};
+}
+Stated facing_within(double absolute, Prepared prepared = results) {
+    return {{.absolute = absolute, .backward_ulp = 8}, usual, prepared, place_facing};
+}
+
+void append_points(Entries& e) {
+    const Values layers = integers(1, 4);
+    const Values steps = integers(1, 4);
+    add_method(e, "hemisphere", reference::gloam_hemisphere, {lengths(), layers}, within(1e-7));
+    add_method(e, "filion", reference::gloam_filion, within(1e-5, seen_from_above));
+    add_method(e, "crytek", reference::gloam_crytek, within(1e-7));
+    add_method(e, "poisson", reference::gloam_poisson, {lengths(), steps}, within(1e-7));
+    add_method(e, "ssdo", reference::gloam_ssdo, {lengths(), steps, layers}, within(1.5e-6));
+    add_method(e, "unreal", reference::gloam_unreal, {lengths(), uniform(0, 2), steps}, within(4e-6));
+}
+
+void append_discs(Entries& e) {
+    const Values share = uniform(0, 2);
+    const Values mip = either(constant(0.0F), log_uniform(1, 64));
+    add_method(e, "disc", reference::gloam_disc, {lengths()}, within(2e-6));
+    add_method(e, "alchemy", reference::gloam_alchemy, {lengths(), share}, within(4e-6));
+    add_method(e, "sao", reference::gloam_sao, {lengths(), share, mip}, within(4e-6));
+    add_method(e, "sao_chain", reference::gloam_sao_chain, {lengths(), share, mip},
+               within(1e-5, usual, depths));
+    add_method(e, "issao", reference::gloam_issao, {lengths(), share, booleans()}, within(1.8e-6));
+    add_method(e, "issao_distinct", reference::gloam_issao_distinct, {lengths(), share, booleans()},
+               within(2.5e-6));
+    add_method(e, "issao_attenuated", reference::gloam_issao_attenuated, {lengths(), share}, within(3e-6));
+    add_method(e, "issao_basic", reference::gloam_issao_basic, within(3e-6));
+    add_method(e, "aksoy_phaneuf", reference::gloam_aksoy_phaneuf, within(1.5e-6));
+    add_method(e, "aksoy_phaneuf_two", reference::gloam_aksoy_phaneuf_two, within(3e-6));
+    add_method(e, "mssao", reference::gloam_mssao, {integers(0, 9)}, within(3e-5, usual, resolutions));
+}
+
+void append_pairs(Entries& e) {
+    add_method(e, "volumetric", reference::gloam_volumetric, facing_within(6e-6));
+    add_method(e, "volumetric_two", reference::gloam_volumetric_two, facing_within(3e-5));
+    add_method(e, "volumetric_spiral", reference::gloam_volumetric_spiral, facing_within(5e-6));
+    add_method(e, "volumetric_area", reference::gloam_volumetric_area, facing_within(4e-5, moments));
+    add_method(e, "tangent_sphere", reference::gloam_tangent_sphere, facing_within(2e-5));
+    add_method(e, "angle", reference::gloam_angle, {lengths(), uniform(0, 0.5)}, facing_within(2e-4));
+    add_method(e, "depth_darkening", reference::gloam_depth_darkening, {lengths(), uniform(0, 4)},
+               facing_within(5e-6));
+    add_method(e, "curvature", reference::gloam_curvature, {lengths()}, within(2e-3));
+}
+
+void append_slices(Entries& e) {
+    const Values steps = integers(1, 4);
+    const Values bias = uniform(0, 0.6);
+    const Values contrast = uniform(0, 2);
+    add_method(e, "hbao", reference::gloam_hbao, {bias, contrast, steps}, within(5e-6, seen_from_above));
+    add_method(e, "hbao_study", reference::gloam_hbao_study, {bias, contrast, steps},
+               within(8e-6, seen_from_above));
+    add_method(e, "hsao", reference::gloam_hsao, {bias, contrast, steps}, within(1e-5, seen_from_above));
+    add_method(e, "dual_resolution", reference::gloam_dual_resolution,
+               {bias, contrast, steps, uniform(0, 1), integers(1, 4)}, within(2e-5, seen_from_above));
+    add_method(e, "gtao", reference::gloam_gtao, {steps}, within(5e-6, seen_from_above));
+    add_method(e, "sweep", reference::gloam_sweep, {steps, uniform(0, 3).and_value(1e18F), integers(0, 3)},
+               within(8e-6, seen_from_above));
+    add_method(e, "bitmask", reference::gloam_bitmask, {lengths(), steps}, within(6e-6));
+    add_method(e, "separable", reference::gloam_separable, {lengths()}, within(4e-6, seen_from_above));
+}
+
+void append_proxies(Entries& e) {
+    const Values intensity = uniform(0, 2);
+    add_method(e, "sphere_proxy", reference::gloam_sphere_proxy, {intensity}, within(4e-6));
+    add_method(e, "mixture", reference::gloam_mixture, {uniform(0, 0.6), intensity}, within(6e-6));
+    add_method(e, "disc_proxy", reference::gloam_disc_proxy, {intensity}, within(1e-5));
+    add_method(e, "disc_proxy_two", reference::gloam_disc_proxy_two, {intensity}, within(4e-6));
+}
+
+}  // namespace
+
+void append_methods(Entries& entries) {
+    append_points(entries);
+    append_discs(entries);
+    append_pairs(entries);
+    append_slices(entries);
+    append_proxies(entries);
+}
+
+}  // namespace gloam::catalogue
