@@ -23,8 +23,7 @@ std::set<std::string> functions_of(const std::string& file) {
     return names;
 }
 
-// Methods, and what their loops share, are judged whole: each has a descriptor, by which
-// tests/glsl/method_gathers_test.cpp and the tests of the effect try it.
+// But for the parts of methods, which the methods' own entries judge.
 TEST(Catalogue, EveryPublicFunctionOfTheLibraryHasAnEntry) {
     std::set<std::string> known;
     for (const Entry& entry : all_entries(GLOAM_GLSL_DIR)) known.insert(entry.description.function);

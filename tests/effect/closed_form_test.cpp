@@ -2,6 +2,7 @@
 // What every method makes of views in closed form, by the passes: it converges to the method's own value.
 #include <fmt/format.h>
 
+#include "catalogue/entry.hpp"
 #include "effect/study/closed_form.hpp"
 #include "on_device.hpp"
 #include "scene/analytic_scene.hpp"
@@ -9,47 +10,9 @@
 
 namespace gloam::effect::closed_form_test {
 
-// What a method converges to, as methods.txt says.
-struct Known {
-    std::map<std::string, double> values;  // by column_of()
-    std::string none;                      // why no value is known
-};
-
-std::string column_of(const std::string& projection, std::string view) {
-    std::ranges::replace(view, ' ', '_');
-    return projection + ' ' + view;
-}
-
-// A table of methods.txt has a row of views, which begins with the projection, and rows of methods below it.
-Known known_of(const std::string& method) {
-    std::ifstream file(KNOWN_METHODS);
-    std::vector<std::string> columns;
-    Known known;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line);
-        std::string first;
-        words >> first;
-        if (first == "perspective" || first == "orthographic" || first == "none") {
-            columns.clear();
-            for (std::string view; words >> view;) columns.push_back(column_of(first, view));
-        } else if (first == method && columns.empty()) {
-            std::getline(words >> std::ws, known.none);
-        } else if (first == method) {
-            for (const std::string& column : columns)
-                if (!(words >> known.values[column]))
-                    throw std::runtime_error(
-                        fmt::format("methods.txt: {} of {}: expected a number", column, method));
-        }
-    }
-    if (known.values.empty() && known.none.empty())
-        throw std::runtime_error(
-            fmt::format("methods.txt: expected a row of {}, its values or why it has none", method));
-    return known;
-}
-
 class ClosedForm : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
-    const Known known_ = known_of(GetParam());
+    const catalogue::KnownResults known_ = catalogue::known_results(GetParam());
 };
 
 // Five standard errors of both numbers, and what single precision takes from the sum of a thousand
@@ -58,19 +21,19 @@ double bound_of(double error, double other) {
     return 5.0 * std::hypot(error, other) + 2e-4;
 }
 
-constexpr double known_error = 5e-5;  // methods.txt has four digits
+constexpr double known_error = 5e-5;  // of four digits
 
 TEST_P(ClosedForm, ConvergesToItsOwnValue) {
     if (!known_.none.empty()) GTEST_SKIP() << known_.none;
     ClosedFormStudy study(device_, passes_, 129);
     Settings settings = with_method(Settings{}, GetParam());
-    settings.own.mip_distance = 0.0F;  // whose taps lie elsewhere; see method_gathers_test
+    settings.own.mip_distance = 0.0F;  // whose taps lie elsewhere; the entry of sao has them
     for (const auto& [projection, name] : {std::pair(scene::Projection::perspective, "perspective"),
                                            {scene::Projection::orthographic, "orthographic"}}) {
         for (const scene::ClosedFormView& view : scene::closed_form_views(projection)) {
             const std::string& at = view.scene.name;
             const double own = at.starts_with("plane") ? method_named(GetParam()).on_a_plane
-                                                       : known_.values.at(column_of(name, at));
+                                                       : known_.values.at(std::string(name) + ' ' + at);
             const Estimate measured = study.measure(view, settings, 8);
             EXPECT_NEAR(measured.value, own, bound_of(known_error, measured.error)) << name << ' ' << at;
             RecordProperty(at, fmt::format("{:.4f} of {:.4f}", measured.value, own));

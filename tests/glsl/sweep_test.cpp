@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The horizon sweep on a wall, whose occlusion is known in closed form for every falloff.
-#include "gathers.hpp"
+#include "effect/method_functions.hpp"
+#include "support/lab.hpp"
 
 namespace gloam::sweep_test {
+
+using Camera = effect::GatherCamera;
 
 // As in gloam/occlusion/gather_kernel.glsl and gloam/methods/sweep.glsl.
 struct SweepKernel {

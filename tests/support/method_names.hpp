@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "effect/method_functions.hpp"
 #include "effect/methods.hpp"
-#include "support/lab.hpp"
 
 namespace gloam::test {
 
@@ -26,13 +24,5 @@ inline std::vector<std::string> method_names() {
 inline std::string parameter_name(const testing::TestParamInfo<std::string>& info) {
     return info.param;
 }
-
-// With a lab that finds them.
-class MethodFunctions : public effect::MethodFunctions {
-  public:
-    using effect::MethodFunctions::MethodFunctions;
-
-    [[nodiscard]] check::Lab lab() const { return make_lab(folder()); }
-};
 
 }  // namespace gloam::test

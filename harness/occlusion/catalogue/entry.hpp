@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -26,9 +27,16 @@
 // check::ImageSet&, arguments...).
 namespace gloam::catalogue {
 
+// What a method converges to, before the remap.
+struct KnownResults {
+    std::map<std::string, double> values;  // by projection and view: "perspective wall 0.25"
+    std::string none;                      // why no value is known
+};
+
 struct Entry {
     Description description;
     check::Question question;
+    KnownResults known{};  // of methods
 };
 
 using Entries = std::vector<Entry>;
@@ -110,6 +118,9 @@ void append_filter_edges(Entries& entries);
 void append_shading(Entries& entries);
 void append_frame(Entries& entries);
 void append_builtins(Entries& entries);
+
+// The results of a method by name. Throws std::logic_error for one that the table lacks.
+[[nodiscard]] KnownResults known_results(const std::string& method);
 
 // Adds the inputs with the largest errors that a search has found to the domains of their equations. Throws
 // std::logic_error for an input whose equation is not among the entries.

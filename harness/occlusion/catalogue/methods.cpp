@@ -250,6 +250,7 @@ void add_gather(Entries& entries, const std::string& name, Method method, const 
                                      const Kernel& kernel,
                                      const Own&...) { return promised(p, n, camera, kernel); },
         view_scenarios(stated.prepared));
+    entries.back().known = known_results(name);
 }
 template <class Own>
 void add_method(Entries& entries, const std::string& name, Estimate (*method)(const ShadedPoint&, const Own&),

@@ -30,7 +30,7 @@ std::vector<PrintedEquation> temporal() {
     const std::string mean = "the mean of TSSAO-2 over the k samples of a frame: the same function";
     return {
         {"TSSAO-1", "ambient occlusion", {"TSSAO-1-cos", "FALLOFF-step", "FALLOFF-linear"}, integral},
-        {"TSSAO-2", "estimate by n samples", {"TSSAO-2", "TSSAO-2-add", "TSSAO-2-hemisphere"}, ""},
+        {"TSSAO-2", "estimate by n samples", {"TSSAO-2", "TSSAO-2-add", "METHOD-hemisphere"}, ""},
         {"TSSAO-3", "contribution of a sample point", {"TSSAO-3", "TSSAO-3-V", "TSSAO-3-uniform"}, ""},
         {"TSSAO-4", "contribution of a frame", {"TSSAO-2", "TSSAO-2-add"}, mean},
         {"TSSAO-5", "blend with the history", {"TSSAO-5", "TSSAO-5-weight"}, ""},
@@ -43,7 +43,7 @@ std::vector<PrintedEquation> temporal() {
          ""},
         {"TSSAO-10", "filter", {"TSSAO-10", "TSSAO-10-weight", "TSSAO-10-g"}, ""},
         {"TSSAO-11", "shrink factor", {"TSSAO-11", "TSSAO-11-window"}, ""},
-        {"TSSAO-12", "contribution of a patch", {"TSSAO-12", "TSSAO-12-unscaled", "TSSAO-2-disc"}, ""},
+        {"TSSAO-12", "contribution of a patch", {"TSSAO-12", "TSSAO-12-unscaled", "METHOD-disc"}, ""},
         {"TSSAO-13", "kernel on a disc", {"TSSAO-13", "POINTS-disc"}, ""},
         {"TSSAO-14", "kernel in a half ball", {"TSSAO-14", "TSSAO-14-uniform"}, ""},
         {"CGF-1", "ambient occlusion", {"TSSAO-1-cos", "FALLOFF-step"}, integral},
@@ -103,7 +103,7 @@ std::vector<PrintedEquation> study() {
         {"CS-3.4", "HBAO, the estimate", {"CS-C", "CS-C-start-slope", "CS-C-visibility"}, ""},
         {"CS-3.5",
          "volumetric obscurance",
-         {"CS-I", "CS-I-chord", "CS-I-ratio", "CS-I-pair", "CS-I-gather"},
+         {"CS-I", "CS-I-chord", "CS-I-ratio", "CS-I-pair", "METHOD-volumetric"},
          ""},
         {"CS-3.6", "Alchemy, the obscurance", {"FALLOFF-alchemy", "CS-M"}, derived},
         {"CS-3.7", "Alchemy, both together", {"FALLOFF-alchemy", "CS-M"}, derived},

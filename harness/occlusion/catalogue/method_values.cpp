@@ -1,15 +1,26 @@
-# SPDX-License-Identifier: MIT
-# What each method converges to at the point of the views in closed form (scene/analytic_scene.hpp): the integral of its
-# contribution over the continuous distribution of its samples, before the remap. closed_form_tests holds the passes to
-# them. A new method needs a row from its author, or a row below `none` that says why there is none.
-#
-# Quadratures in double at commit 4b6f041e, by none of the shaders' code and none of their sequences: the mean over
-# shifted lattices of 2^14 to 2^20 points. Standard errors are below 2e-4 for 748 of 800 values and below 1e-3 for all
-# but the groove of mixture (2e-3) and of sphere_proxy, orthographic (4e-3). Without pixels and with idealised settings
-# they agreed with the closed form of every measure that has one.
-# Settings: effect::with_method(Settings{}, NAME), so a radius of 1, and mip_distance = 0. The image has 129 x 129
-# pixels. On bare planes each value is MethodInfo::on_a_plane.
+// SPDX-License-Identifier: MIT
+// What each method converges to at the point of the views in closed form (scene/analytic_scene.hpp): the integral of
+// its contribution over the continuous distribution of its samples, before the remap. A new method needs a row from its
+// author, or a row below `none` that says why there is none.
+//
+// Quadratures in double, by none of the shaders' code and none of their sequences: the mean over shifted lattices of
+// 2^14 to 2^20 points. Standard errors are below 2e-4 for 748 of 800 values and below 1e-3 for all but the groove of
+// mixture (2e-3) and of sphere_proxy, orthographic (4e-3). Without pixels and with idealised settings they agreed with
+// the closed form of every measure that has one.
+// Settings: effect::with_method(Settings{}, NAME), so a radius of 1, and mip_distance = 0. The image has 129 x 129
+// pixels. On bare planes each value is MethodInfo::on_a_plane.
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "catalogue/entry.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+constexpr const char* table = R"(
 perspective       wall_0.25 wall_0.5 wall_0.75 ceiling  groove  valley     pit  sphere    step   plate
 hemisphere           0.1677   0.0518    0.0082  0.2499  0.1438  0.2876  0.4916  0.0824  0.0519  0.1645
 crytek               0.6009   0.5384    0.5086  0.5768  0.6236  0.7471  0.8488  0.6251  0.5384  0.5981
@@ -84,3 +95,33 @@ separable         half of a pixel's result is that of the pixels beside it
 mssao             most of its samples lie in images of other resolutions, made of the depths' medians
 volumetric_area   its samples are blocks of pixels, larger the fewer there are
 disc_proxy_two    its discs count by what other pixels see
+)";
+
+}  // namespace
+
+KnownResults known_results(const std::string& method) {
+    std::istringstream lines(table);
+    std::vector<std::string> columns;
+    KnownResults known;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string first;
+        words >> first;
+        if (first == "perspective" || first == "orthographic" || first == "none") {
+            columns.clear();
+            for (std::string view; words >> view;) {
+                std::ranges::replace(view, '_', ' ');
+                columns.push_back(first + ' ' + view);
+            }
+        } else if (first == method && columns.empty()) {
+            std::getline(words >> std::ws, known.none);
+        } else if (first == method) {
+            for (const std::string& column : columns) words >> known.values[column];
+        }
+    }
+    if (known.values.empty() && known.none.empty())
+        throw std::logic_error(fmt::format("{} has no known values, nor a reason why", method));
+    return known;
+}
+
+}  // namespace gloam::catalogue
