@@ -88,34 +88,49 @@ TEST(Catalogue, NumbersOfPapersLeadToFunctions) {
                                                         {"TSSAO-5", "gloam_blend"},
                                                         {"TSSAO-14", "gloam_hemisphere_cosine"},
                                                         {"CGF-4", "gloam_previous_clip_static"},
-                                                        {"CGF-6", "gloam_blend"},
-                                                        {"Mattausch 6", "gloam_blend"},
+                                                        {"Mattausch (6)", "gloam_blend"},
                                                         {"TSSAO eq. 12", "gloam_contribution_fox_compton"},
                                                         {"issao-7", "gloam_bilateral_filter"},
+                                                        {"Qiu 6", "gloam_contribution_issao"},
                                                         {"CS-2.1", "gloam_ambient_light"},
                                                         {"CS-2.4", "gloam_sample_cosine"},
                                                         {"cs 3.1", "gloam_contribution_crytek"},
-                                                        {"CS-3.5", "gloam_line_occlusion"},
+                                                        {"eq 3.4", "gloam_hbao_step"},
+                                                        {"study 3.5", "gloam_line_occlusion"},
                                                         {"CS-3.7", "gloam_falloff_alchemy"},
-                                                        {"CS-3.10", "gloam_contribution_alchemy"}};
-    for (const auto& [number, function] : rows) EXPECT_EQ(found_by(number).front(), function) << number;
+                                                        {"Aalund 3.10", "gloam_contribution_alchemy"},
+                                                        {"section 3.2.12", "gloam_bent_add"},
+                                                        {"figure 2 of ISSAO", "gloam_issao_attenuation"},
+                                                        {"guard band", "gloam_guard_band_border"},
+                                                        {"headed", "gloam_volumetric"},  // a part of a phrase
+                                                        {"hemisphere", "gloam_hemisphere"},
+                                                        {"*Gears*", "gloam_radius_cap"}};
+    for (const auto& [name, function] : rows) EXPECT_EQ(found_by(name).front(), function) << name;
     EXPECT_GT(found_by("CS-3.*").size(), 8U);
     for (const char* none : {"TSSAO-15", "CS-3.11", "CS-3", "ISSAO-0"})
         EXPECT_THROW((void)found_by(none), std::invalid_argument) << none;
 }
 
-TEST(Catalogue, EveryNumberHasAFunctionOrSaysWhatStandsForIt) {
-    for (const PrintedEquation& printed : printed_equations()) {
-        const Found found = find(test::entries(), {printed.number});
-        EXPECT_FALSE(found.entries.empty()) << printed.number;
-        EXPECT_EQ(found.notes.empty(), printed.note.empty()) << printed.number;
+TEST(Catalogue, ANameOfSeveralRowsOrOfNoFunctionIsSaidToBeThat) {
+    for (const auto& [name, rows] : {std::pair("eq 6", 2U), std::pair("table 1", 2U), std::pair("4.2", 2U)}) {
+        const Found found = find(test::entries(), {name});
+        EXPECT_EQ(found.several, name);
+        EXPECT_GE(found.rows.size(), rows) << name;
+        EXPECT_THAT(found.entries, testing::IsEmpty()) << name;
     }
+    for (const char* name :
+         {"k_1", "depth peeling", "table 4", "Mattausch 8", "prefixes tc, ec, wc, cc, ndc, sc"})
+        EXPECT_EQ(find(test::entries(), {"TSSAO-5", name}).lacking, name);
 }
 
-TEST(Catalogue, ThePageOfNumbersHasARowForEach) {
-    const std::string page = printed_page(test::entries());
-    for (const PrintedEquation& printed : printed_equations())
-        EXPECT_THAT(page, testing::HasSubstr("| " + printed.number + " | " + printed.title));
+TEST(Catalogue, EveryPlaceAndPhraseOfARowLeadsToIt) {
+    for (const PrintedRow& row : printed_rows()) {
+        std::vector<std::string> names = row.places;
+        names.insert(names.end(), row.phrases.begin(), row.phrases.end());
+        for (const std::string& name : names)
+            EXPECT_THAT(rows_named(name), testing::Contains(testing::Field(&PrintedRow::says, row.says)))
+                << name;
+    }
 }
 
 // A shader library of one file, in a folder of its own.

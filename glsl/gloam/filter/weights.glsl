@@ -6,6 +6,9 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
+// By paper: TSSAO-10 and 11 all down to `convergence_weight`; ISSAO-7 `bilateral_weight`; the comparative study
+// (CS 5.3) `geometry_weight`; SAO `sao_blur_weight`.
+
 // scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO, eq 10].
 // For gloam_gaussian_scaled, a factor that all neighbours of a pixel share. It is not squared, because the square could
 // overflow or underflow.

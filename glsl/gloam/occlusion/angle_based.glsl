@@ -9,6 +9,7 @@
 // Angle-based occlusion of opposite pairs of samples, as in Unreal Engine 4 (Mittring 2012; CS-P): the angle between
 // both samples of a pair, over pi, is what is open. Neither cosine-weighted nor uniform: a groove of 45 degrees is
 // 0.829 open (0.854 and 0.75 would be).
+// By paper: Mittring 2012 (CS 3.2.15) `lifted_cosine` to `angle_pair`; the pass of Unreal Engine 4 has the rest.
 
 // cosine of a sample's angle to the view vector, no lower than the tangent plane (CS-P-lifted): `view . s, s lifted to
 // s - (s . n) n where s . n < 0` [Mittring 2012; Aalund and Baerentzen 2013].

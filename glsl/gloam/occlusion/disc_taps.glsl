@@ -8,6 +8,9 @@
 #include "gloam/occlusion/falloff.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
+// By paper: Fox and Compton (TSSAO-12) `..._fox_compton`, `..._unscaled`; ISSAO-3 to 6 `..._issao...`; Alchemy
+// (CS-3.10) `..._alchemy`; SAO `..._sao`; Aksoy and Phaneuf `..._phaneuf`, `two_radii_sum`; MSSAO `..._mssao...`.
+
 // Contribution of the surface patch seen at a tap, after Fox and Compton's crease shading: no visibility test, the
 // patch itself is what blocks.
 

@@ -10,6 +10,8 @@
 // A ball that replaces the surface at a tap (Shanmugam and Arikan 2007; mixture sampling, Song 2010). Its radius r is
 // half the width of the tap's pixel in the world: gloam_filter_sigma with half a pixel. Overlapping balls count twice,
 // so clamp the sum.
+// By paper: Shanmugam and Arikan (CS 3.2.3) `sphere_...`, `..._sphere...`; Song (CS 3.2.8) `above_horizon`; Bunnell
+// (CS 3.2.1) `disc_...`, `..._disc_proxy_cosine`.
 
 // part of the half space that a ball takes up (CS-H-fraction): `1 - sqrt(1 - (r / D)^2)` [solid angle of a ball].
 // By solid angle, seen from outside.

@@ -13,6 +13,7 @@
 // The volume is the mean of the parts weighted by chord, calculated by gloam_weighted_mean_add. The published shader
 // uses the plain mean, which is too large in grooves (0.647 instead of 0.625 at 45 degrees), and starts it with (0.5,
 // 1), a prior for few samples.
+// By paper: Loos and Sloan (CS 3.2.9) all but Szirmay-Kalos' `tangent_sphere_...`.
 
 // half the chord of the sphere at a tap (CS-I-chord): `h = r (1 - |xi|^2)^(1/2)` [Loos and Sloan 2010; Aalund and
 // Baerentzen 2013, eq 3.5].

@@ -7,6 +7,9 @@
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
+// By paper: TSSAO-13 `disc_sample`, `disc_point`; SAO and Toy Story 3 `spiral_point`; ISSAO-1 `issao_offset_...`;
+// Sourimant et al. 2011 `poisson_disc`.
+
 // point of the unit circle at a part of a turn (CIRCLE): `(cos 2 pi t, sin 2 pi t)` [definition].
 // turn: t in [0, 1], counter-clockwise; taken to the nearer end outside, 0 for NaN.
 // Returns a vector of length 1. Error: 2e-7.

@@ -8,6 +8,9 @@
 #include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/halton.glsl"
 
+// By paper: TSSAO-14 `hemisphere_cosine...`, `hemisphere_uniform...`; Filion `hemisphere_flip`; Crytek
+// `reflect_sample`; Sourimant et al. 2011 (CS 3.2.10) `poisson_accepts`, `hemisphere_lift`.
+
 // point of the half ball: cosine-weighted direction, uniform radius (TSSAO-14): `a = 2 pi zeta_x, r = zeta_y; s = r
 // (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z))` [TSSAO, eq 14 corrected; Ritschel's kernel].
 // The Ritschel kernel, its misprint mended.

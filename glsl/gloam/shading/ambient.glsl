@@ -6,6 +6,9 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
+// By paper: ISSAO-2 (CS-2.2) `ambient_light`; GTAO `multi_bounce`; the comparative study (CS 4.1.12) `remap`; Luft et
+// al. 2006 (CS 3.2.2) `depth_darkening`.
+
 // ambient light that arrives (ISSAO-2): `I_a = I_0 (1 - A_0)` [ISSAO, eq 2, reconstructed].
 // incident: I_0, any unit. occlusion: A_0 in [0, 1], taken to the nearer end outside, NaN to 0.
 // Returns light in the unit of I_0. Error: 1.5 ULP.

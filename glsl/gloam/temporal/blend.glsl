@@ -5,6 +5,8 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
+// By paper: TSSAO, eqs 5 and 6, adaptive samples, c_rot; Gears of War 2 (CS 3.2.7) has `temporal_smooth`.
+
 // weight of a history value, if it can be one (TSSAO-5-weight): `min(w', w_max) if 0 <= AO' <= 1, else 0` [TSSAO,
 // edges of eq 5].
 // history: AO_(f-1). weight: w_(f-1), in samples. weight_max: w_max, in samples.

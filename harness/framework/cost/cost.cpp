@@ -146,13 +146,18 @@ Cost cost_from(const gpu::RadvReport& report) {
 }
 
 // The work of a process of its own. Nothing that the driver prints is for the user.
-std::string compiled(const shader::Spirv& module, const CostOptions& options, const std::string& chip) {
+std::string compiled(std::span<const shader::Spirv> modules, const CostOptions& options,
+                     const std::string& chip) {
     if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
         dup2(nowhere, STDERR_FILENO);
     const auto validation = options.validation ? gpu::Validation::on : gpu::Validation::off;
-    const Cost cost = cost_from(gpu::compiled_by_radv(program_of(module, options), chip, validation));
+    std::vector<gpu::RadvProgram> programs;
+    for (const shader::Spirv& module : modules) programs.push_back(program_of(module, options));
     nlohmann::json numbers;
-    for (const CostField& field : cost_fields()) numbers.push_back(cost.*field.value);
+    for (const gpu::RadvReport& report : gpu::compiled_by_radv(programs, chip, validation)) {
+        const Cost cost = cost_from(report);
+        for (const CostField& field : cost_fields()) numbers.push_back(cost.*field.value);
+    }
     return numbers.dump();
 }
 
@@ -165,6 +170,10 @@ std::vector<std::string> families() {
 }
 
 Cost cost_of(const shader::Spirv& module, const CostOptions& options) {
+    return costs_of({&module, 1}, options).front();
+}
+
+std::vector<Cost> costs_of(std::span<const shader::Spirv> modules, const CostOptions& options) {
     const auto family = std::ranges::find(family_table(), options.family, &Family::name);
     if (family == family_table().end())
         throw std::invalid_argument(
@@ -172,11 +181,12 @@ Cost cost_of(const shader::Spirv& module, const CostOptions& options) {
     for (std::size_t i = 0;; ++i) {
         try {
             const auto numbers = nlohmann::json::parse(base::run_apart(
-                [&] { return compiled(module, options, family->chips[i]); }, base::compiler_limits));
-            Cost cost;
-            for (std::size_t n = 0; const CostField& field : cost_fields())
-                numbers.at(n++).get_to(cost.*field.value);
-            return cost;
+                [&] { return compiled(modules, options, family->chips[i]); }, base::compiler_limits));
+            std::vector<Cost> costs(modules.size());
+            std::size_t n = 0;
+            for (Cost& cost : costs)
+                for (const CostField& field : cost_fields()) numbers.at(n++).get_to(cost.*field.value);
+            return costs;
         } catch (const base::LimitError& error) {  // RADV ends the process where it does not know the name
             if (i + 1 == family->chips.size())
                 throw base::LimitError(std::string("the compiler of the GPU ") + error.what());

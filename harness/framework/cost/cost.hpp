@@ -51,5 +51,8 @@ struct CostOptions {
 // with those known; base::WorkError, for example gpu::no_radv_message where RADV is not installed;
 // base::LimitError.
 [[nodiscard]] Cost cost_of(const shader::Spirv& module, const CostOptions& options = {});
+// The same of several, in one process.
+[[nodiscard]] std::vector<Cost> costs_of(std::span<const shader::Spirv> modules,
+                                         const CostOptions& options = {});
 
 }  // namespace gloam::cost

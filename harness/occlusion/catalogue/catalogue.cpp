@@ -22,10 +22,12 @@ bool is_glob(std::string_view name) {
     return name.find_first_of("*?") != std::string_view::npos;
 }
 
-// Whether the name is the entry's ID or function, or the file that has it, also by a longer or shorter path.
+// Whether the name is the entry's ID or function, also without "gloam_", or the file that has it, also by a
+// longer or shorter path.
 bool names_entry(const Entry& entry, std::string_view name) {
     const Description& d = entry.description;
     if (matches_glob(d.id, name) || matches_glob(d.function, name) || matches_glob(d.file, name)) return true;
+    if (!is_glob(name) && matches_glob(d.function, "gloam_" + std::string(name))) return true;
     return name.ends_with(".glsl") &&
            (name.ends_with("/" + d.file) || d.file.ends_with("/" + std::string(name)));
 }
@@ -36,30 +38,36 @@ void add_once(Entries& entries, const Entry& entry) {
     if (std::ranges::none_of(entries, same)) entries.push_back(entry);
 }
 
-// What a number stands for. The same number as the ID of an entry means this entry alone.
-bool find_number(const Entries& all, const std::string& name, Found& found) {
+// Rows of the papers. A row leads to the entries of its functions and methods.
+void find_row(const Entries& all, const std::string& name, Found& found) {
+    const std::vector<PrintedRow> rows = rows_named(name);
+    found.rows.insert(found.rows.end(), rows.begin(), rows.end());
+    if (rows.size() > 1 && !is_glob(name)) return found.several = name, void();
     bool any = false;
-    for (const PrintedEquation& printed : printed_equations()) {
-        if (!matches_glob(printed.number, number_from(name))) continue;
-        any = true;
-        for (const std::string& id : printed.ids)
-            for (const Entry& entry : all)
-                if (entry.description.id == id) add_once(found.entries, entry);
-        if (!printed.note.empty() && !is_glob(name))
-            found.notes.push_back(printed.number + ", " + printed.title + ": " + printed.note);
-    }
-    return any;
+    for (const PrintedRow& row : rows)
+        for (const std::string& thing : row.has)
+            for (const Entry& entry : all) {
+                if (entry.description.function != function_of(thing)) continue;
+                any = true;
+                add_once(found.entries, entry);
+            }
+    if (!any && !rows.empty()) found.lacking = name;
 }
 
 void find_one(const Entries& all, const std::string& name, Found& found) {
+    const std::size_t before = found.entries.size() + found.rows.size();
     bool any = false;
     for (const Entry& entry : all) {
         if (!names_entry(entry, name)) continue;
         any = true;
         add_once(found.entries, entry);
     }
-    if (any && !is_glob(name)) return;
-    if (!find_number(all, name, found) && !any)
+    if (any) return;
+    if (is_glob(name))
+        for (const Entry& entry : all)
+            if (matches_glob(entry.description.source, name)) add_once(found.entries, entry);
+    find_row(all, name, found);
+    if (found.entries.size() + found.rows.size() == before)
         throw std::invalid_argument("no equation matches \"" + name +
                                     "\"; `gloam list equations` and `gloam list numbers` name them all");
 }
@@ -120,7 +128,7 @@ bool matches_glob(std::string_view text, std::string_view glob) {
 }
 
 Found find(const Entries& entries, const std::vector<std::string>& names) {
-    if (names.empty()) return {.entries = entries, .notes = {}};
+    if (names.empty()) return {.entries = entries};
     Found found;
     for (const std::string& name : names) find_one(entries, name, found);
     return found;

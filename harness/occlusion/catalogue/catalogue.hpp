@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "catalogue/entry.hpp"
+#include "catalogue/printed.hpp"
 
 namespace gloam::catalogue {
 
@@ -16,13 +18,16 @@ namespace gloam::catalogue {
 
 // What names stand for.
 struct Found {
-    Entries entries;                 // each once, in the order of the names
-    std::vector<std::string> notes;  // of numbers that are no entry's own: what stands for them, and why
+    Entries entries;               // each once, in the order of the names
+    std::vector<PrintedRow> rows;  // of the names that are no entry's own
+    std::string several;           // a name that fits several rows; none of these has its entries here
+    std::string lacking;           // a name whose rows have no function with an entry
 };
 
-// Every command of the command line finds equations by this: by ID, by the number in a paper (printed.hpp),
-// by function, by file of the library ("gloam/filter/weights.glsl") and by shell globs of these (* and ?), in
-// any case; without names all. Throws std::invalid_argument with a name that is none of them.
+// Every command of the command line finds equations by this: by ID, by function ("gloam_blend", "blend"), by
+// file of the library ("gloam/filter/weights.glsl"), by what people call them in the papers (rows_named())
+// and by shell globs of these (* and ?) or of sources, in any case; without names all. Throws
+// std::invalid_argument with a name that is none of them.
 [[nodiscard]] Found find(const Entries& entries, const std::vector<std::string>& names);
 
 // The entries of find().

@@ -4,166 +4,140 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
-#include <stdexcept>
+#include <map>
+#include <ranges>
+
+#include "catalogue/catalogue.hpp"
 
 namespace gloam::catalogue {
 namespace {
 
-struct Paper {
-    std::string_view prefix;
-    std::string_view title;
-    std::string_view remark;
+constexpr std::string_view table =
+#include "catalogue/printed_rows.inc"
+    ;
+
+std::vector<std::string> parts_of(std::string_view text, std::string_view between) {
+    std::vector<std::string> parts;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find(between, at), text.size());
+        std::string_view part = text.substr(at, end - at);
+        while (part.starts_with(' ')) part.remove_prefix(1);
+        while (part.ends_with(' ')) part.remove_suffix(1);
+        if (!part.empty() || between != ";") parts.emplace_back(part);
+        at = end + between.size();
+    }
+    return parts;
+}
+
+struct Table {
+    std::vector<PrintedRow> rows;
+    std::vector<Erratum> errata;
 };
 
-constexpr Paper papers[] = {
-    {"TSSAO-", "TSSAO, in the counting of the paper that restates it", ""},
-    {"CGF-", "TSSAO, in the counting of Mattausch, Scherzer and Wimmer (Computer Graphics Forum 29(8))",
-     "Equations 4, 5 and 7 are counted by their order around the blend, 6; those from 8 on were not at "
-     "hand.\n\n"},
-    {"ISSAO-", "ISSAO (Qiu et al. 2014)", ""},
-    {"CS-", "The comparative study (Aalund and Baerentzen 2013)", ""}};
-
-std::vector<PrintedEquation> temporal() {
-    const std::string integral =
-        "an integral over directions, so no function: TSSAO-2 estimates it, gloam_sample_cosine is its "
-        "cosine, the falloffs are its D";
-    const std::string mean = "the mean of TSSAO-2 over the k samples of a frame: the same function";
-    return {
-        {"TSSAO-1", "ambient occlusion", {"TSSAO-1-cos", "FALLOFF-step", "FALLOFF-linear"}, integral},
-        {"TSSAO-2", "estimate by n samples", {"TSSAO-2", "TSSAO-2-add", "METHOD-hemisphere"}, ""},
-        {"TSSAO-3", "contribution of a sample point", {"TSSAO-3", "TSSAO-3-V", "TSSAO-3-uniform"}, ""},
-        {"TSSAO-4", "contribution of a frame", {"TSSAO-2", "TSSAO-2-add"}, mean},
-        {"TSSAO-5", "blend with the history", {"TSSAO-5", "TSSAO-5-weight"}, ""},
-        {"TSSAO-6", "convergence", {"TSSAO-6"}, ""},
-        {"TSSAO-7", "centre of a pixel", {"TSSAO-7", "TSSAO-7-index", "TSSAO-7-pixel"}, ""},
-        {"TSSAO-8", "disocclusion", {"TSSAO-8"}, ""},
-        {"TSSAO-9",
-         "change of the neighbourhood",
-         {"TSSAO-9", "TSSAO-9-test", "TSSAO-9-probe", "TSSAO-9-reach"},
-         ""},
-        {"TSSAO-10", "filter", {"TSSAO-10", "TSSAO-10-weight", "TSSAO-10-g"}, ""},
-        {"TSSAO-11", "shrink factor", {"TSSAO-11", "TSSAO-11-window"}, ""},
-        {"TSSAO-12", "contribution of a patch", {"TSSAO-12", "TSSAO-12-unscaled", "METHOD-disc"}, ""},
-        {"TSSAO-13", "kernel on a disc", {"TSSAO-13", "POINTS-disc"}, ""},
-        {"TSSAO-14", "kernel in a half ball", {"TSSAO-14", "TSSAO-14-uniform"}, ""},
-        {"CGF-1", "ambient occlusion", {"TSSAO-1-cos", "FALLOFF-step"}, integral},
-        {"CGF-2", "estimate by n samples", {"TSSAO-2", "TSSAO-2-add"}, ""},
-        {"CGF-3", "contribution of a sample point", {"TSSAO-3", "TSSAO-3-V", "FALLOFF-exponential"}, ""},
-        {"CGF-4", "reprojection", {"TSSAO-RP-static", "TSSAO-RP", "TSSAO-RP-moving", "TSSAO-RP-world"}, ""},
-        {"CGF-5", "contribution of a frame", {"TSSAO-2", "TSSAO-2-add"}, mean},
-        {"CGF-6", "blend with the history", {"TSSAO-5"}, ""},
-        {"CGF-7",
-         "weight of the history",
-         {"TSSAO-5", "TSSAO-5-weight"},
-         "the second component of the result"}};
+Table read() {
+    Table all;
+    std::string paper;
+    for (const std::string& line : parts_of(table, "\n")) {
+        if (line.starts_with("# ")) paper = line.substr(2);
+        const std::vector<std::string> fields = parts_of(line, "|");
+        if (line.starts_with("! "))
+            all.errata.emplace_back(fields.at(0).substr(2), fields.at(1), fields.at(2));
+        else if (fields.size() == 4)
+            all.rows.emplace_back(paper, parts_of(fields[0], ";"), parts_of(fields[1], ";"), fields[2],
+                                  parts_of(fields[3], ";"));
+    }
+    return all;
 }
 
-std::vector<PrintedEquation> improved() {
-    return {{"ISSAO-1", "offsets of the samples", {"ISSAO-1", "ISSAO-1-printed"}, ""},
-            {"ISSAO-2", "ambient light", {"ISSAO-2"}, ""},
-            {"ISSAO-3", "occlusion factor without attenuation", {"ISSAO-3"}, ""},
-            {"ISSAO-4", "occlusion factor with attenuation", {"ISSAO-4"}, ""},
-            {"ISSAO-5", "attenuation", {"ISSAO-5"}, ""},
-            {"ISSAO-6", "occlusion factor of the samples", {"ISSAO-6", "ISSAO-6-mean"}, ""},
-            {"ISSAO-7", "bilateral filter", {"ISSAO-7", "ISSAO-7-weight"}, ""}};
+const Table& all() {
+    static const Table all = read();
+    return all;
 }
 
-std::vector<PrintedEquation> study() {
-    const std::vector<std::string> alchemy{"CS-M", "FALLOFF-alchemy"};
-    const std::string derived =
-        "a step from the obscurance with rho = u d / max(u, d)^2 to the estimate: gloam_falloff_alchemy is "
-        "rho, "
-        "gloam_contribution_alchemy what is averaged";
-    const std::string open =
-        "an integral over directions, so no function: TSSAO-2 and TSSAO-3-uniform estimate it";
-    return {
-        {"CS-2.1",
-         "rendering equation",
-         {"ISSAO-2", "CS-D"},
-         "no function solves it: with constant light it is CS-2.2, with light by direction CS-D is a term"},
-        {"CS-2.2",
-         "constant ambient light",
-         {"ISSAO-2"},
-         "albedo times light times 1 - AO: gloam_ambient_light"},
-        {"CS-2.3", "ambient occlusion", {"TSSAO-1-cos", "TSSAO-2", "TSSAO-3-uniform"}, open},
-        {"CS-2.4",
-         "ambient occlusion by visibility",
-         {"TSSAO-1-cos", "TSSAO-3-uniform", "TSSAO-2"},
-         open + "; the sum behind it, without a number, lacks the factor 2 of uniform directions"},
-        {"CS-2.5",
-         "ambient obscurance",
-         {"FALLOFF-linear", "FALLOFF-quadratic", "FALLOFF-alchemy", "FALLOFF-step"},
-         "CS-2.4 with rho = 1 - D of the distance for V: the falloffs are the D"},
-        {"CS-3.1", "Crytek", {"CS-A", "CS-A-buffer", "CS-A-sample"}, ""},
-        {"CS-3.2",
-         "HBAO, the integral",
-         {"CS-C", "CS-C-horizon", "CS-C-slope", "CS-C-derivatives"},
-         "gloam_hbao_step adds what a sample uncovers of the inner integral"},
-        {"CS-3.3", "HBAO, the inner integral", {"CS-C", "CS-C-sine"}, "its sin h - sin t, sample by sample"},
-        {"CS-3.4", "HBAO, the estimate", {"CS-C", "CS-C-start-slope", "CS-C-visibility"}, ""},
-        {"CS-3.5",
-         "volumetric obscurance",
-         {"CS-I", "CS-I-chord", "CS-I-ratio", "CS-I-pair", "METHOD-volumetric"},
-         ""},
-        {"CS-3.6", "Alchemy, the obscurance", {"FALLOFF-alchemy", "CS-M"}, derived},
-        {"CS-3.7", "Alchemy, both together", {"FALLOFF-alchemy", "CS-M"}, derived},
-        {"CS-3.8", "Alchemy, by vectors", alchemy, derived},
-        {"CS-3.9", "Alchemy, squares in the divisor", alchemy, derived},
-        {"CS-3.10", "Alchemy, the estimate", alchemy, "printed without the factor 2 sigma"}};
+// Lower case without signs, but for dots in numbers, brackets of references and globs; the source first, by
+// its ID: "figure 3 of ISSAO" is "issao figure 3", "Mattausch (6)" is "cgf 6".
+std::string plain(std::string_view text) {
+    static const std::map<std::string, std::string> synonyms{
+        {"mattausch", "cgf"}, {"aalund", "cs"}, {"study", "cs"},    {"qiu", "issao"}, {"equation", "eq"},
+        {"equations", "eq"},  {"eqs", "eq"},    {"sec", "section"}, {"fig", "figure"}};
+    std::string source;
+    std::vector<std::string> words(1);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto is = [&](std::size_t at, std::string_view signs) {
+            return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 ||
+                                        signs.find(text[at]) != std::string_view::npos);
+        };
+        if (is(i, "[*?") || (is(i, ".") && i > 0 && is(i - 1, "") && is(i + 1, "*?")))
+            words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+        else if (text[i] != '_' && !words.back().empty())
+            words.emplace_back();
+    }
+    for (std::string& word : words) {
+        if (const auto known = synonyms.find(word); known != synonyms.end()) word = known->second;
+        if (source.empty() && (word == "tssao" || word == "cgf" || word == "issao" || word == "cs"))
+            source = std::exchange(word, "");
+    }
+    std::string joined = source;
+    for (const std::string& word : words)
+        if (!word.empty() && word != "of" && (word != "eq" || source.empty()))
+            joined += (joined.empty() ? "" : " ") + word;
+    return joined;
 }
 
-const Description& described(const Entries& entries, const PrintedEquation& printed, const std::string& id) {
-    for (const Entry& entry : entries)
-        if (entry.description.id == id) return entry.description;
-    throw std::logic_error(printed.number + ": the catalogue has no " + id);
+struct Keys {
+    std::vector<std::string> numbers, others;
+};
+
+Keys keys_of(const PrintedRow& row) {
+    Keys keys;
+    for (const std::string& place : row.places) {
+        const std::size_t end = std::min(place.find_first_of(" -,"), place.size());
+        const std::string rest = place.substr(std::min(end + 1, place.size()));
+        const bool counted = !rest.empty() && std::isdigit(static_cast<unsigned char>(rest.front())) != 0;
+        const bool number =
+            counted && place[end] == '-' && rest.find_first_not_of("0123456789.") == std::string::npos;
+        (number ? keys.numbers : keys.others).push_back(plain(place));
+        if (number) keys.numbers.push_back(plain("eq " + rest));
+        keys.others.push_back(plain(rest));
+        for (const std::string& half : parts_of(place, ": "))
+            for (const std::string& part : parts_of(half, ", "))
+                if (!place.starts_with(part)) keys.others.push_back(plain(part));
+        if (counted && !number)
+            for (const std::string& source : {std::string(), place.substr(0, end)})
+                keys.others.push_back(plain(source + " section " + rest));
+    }
+    for (const std::string& phrase : row.phrases) keys.others.push_back(plain(phrase));
+    return keys;
 }
 
 }  // namespace
 
-const std::vector<PrintedEquation>& printed_equations() {
-    static const std::vector<PrintedEquation> all = [] {
-        std::vector<PrintedEquation> rows = temporal();
-        for (const auto& more : {improved(), study()}) rows.insert(rows.end(), more.begin(), more.end());
-        return rows;
-    }();
-    return all;
+const std::vector<PrintedRow>& printed_rows() {
+    return all().rows;
 }
 
-std::string number_from(std::string_view text) {
-    std::string lower;
-    for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    std::string words;  // joined by hyphens, without "eq"
-    for (std::size_t i = 0; i < lower.size();) {
-        const std::size_t end = std::min(lower.find_first_of(" -()", i), lower.size());
-        std::string word = lower.substr(i, end - i);
-        if (word == "mattausch") word = "cgf";
-        if (!word.empty() && word != "eq" && word != "eq.") words += (words.empty() ? "" : "-") + word;
-        i = end + 1;
-    }
-    return words;
+const std::vector<Erratum>& errata() {
+    return all().errata;
 }
 
-std::string printed_page(const Entries& entries) {
-    std::string text =
-        "# Equations by their numbers in the papers\n\n"
-        "`gloam list numbers --markdown` prints this page. `gloam list equations`, `check`, `explain` and "
-        "`pack` take "
-        "each\nnumber: `gloam explain CS-3.1 2 1`, `gloam list equations 'CGF-*'`.\n";
-    for (const Paper& paper : papers) {
-        text += fmt::format("\n## {}\n\n{}| number | equation | functions |\n| --- | --- | --- |\n",
-                            paper.title, paper.remark);
-        for (const PrintedEquation& printed : printed_equations()) {
-            if (!printed.number.starts_with(paper.prefix)) continue;
-            std::string functions;
-            for (const std::string& id : printed.ids) {
-                const Description& d = described(entries, printed, id);
-                functions += fmt::format("{}`{}` ({})", functions.empty() ? "" : ", ", d.function, d.id);
-            }
-            const std::string note = printed.note.empty() ? "" : ": " + printed.note;
-            text += fmt::format("| {} | {}{} | {} |\n", printed.number, printed.title, note, functions);
-        }
+std::vector<PrintedRow> rows_named(std::string_view name) {
+    const std::string asked = plain(name);
+    std::vector<PrintedRow> numbers, others, parts;
+    const auto fits = [&](const std::string& key) { return matches_glob(key, asked); };
+    for (const PrintedRow& row : printed_rows()) {
+        const Keys keys = keys_of(row);
+        if (std::ranges::any_of(keys.numbers, fits)) numbers.push_back(row);
+        if (std::ranges::any_of(keys.others, fits)) others.push_back(row);
+        std::string text = " " + plain(row.says);
+        for (const std::string& key : keys.others) text += " . " + key;
+        if ((text + " ").find(" " + asked + " ") != std::string::npos) parts.push_back(row);
     }
-    return text;
+    return !numbers.empty() ? numbers : !others.empty() ? others : parts;
+}
+
+std::string function_of(const std::string& thing) {
+    if (thing.starts_with("method ")) return "gloam_" + thing.substr(7);
+    return thing.starts_with("gloam_") ? thing : "";
 }
 
 }  // namespace gloam::catalogue

@@ -77,13 +77,6 @@ std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::files
     return {{file.filename().string(), cost_of(module, command.options)}};
 }
 
-// The kernel that `gloam check` makes, but for what it declares of NaN.
-shader::Spirv kernel_of(const check::Lab& lab, const std::string& file, const check::OwnFunction& own) {
-    check::KernelSource source = lab.source(file, own.function.name, own.signature());
-    source.preserve_nan = false;
-    return lab.compile_kernel({"kernel of " + own.name, kernel_code(source)}, source.images);
-}
-
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
     OwnFile own = own_file(file.string(), command.functions, {}, command.includes, command.defines);
     std::vector<check::LeftOut>& left_out = own.functions.left_out;
@@ -99,9 +92,12 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
         fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
     const check::Lab lab =
         lab_of_file(file, command.includes, command.defines, std::string(check::interpreter_name));
-    std::vector<CostRow> rows;
+    std::vector<shader::Spirv> kernels;
     for (const check::OwnFunction& one : own.functions.found)
-        rows.push_back({one.name, cost_of(kernel_of(lab, file.filename().string(), one), command.options)});
+        kernels.push_back(cost_kernel(lab, file.filename().string(), one.function.name, one.signature()));
+    std::vector<CostRow> rows;
+    for (const cost::Cost& one : costs_of(kernels, command.options))
+        rows.push_back({own.functions.found[rows.size()].name, one});
     return rows;
 }
 
@@ -222,6 +218,13 @@ int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of)
 }
 
 }  // namespace
+
+shader::Spirv cost_kernel(const check::Lab& lab, const std::string& file, const std::string& function,
+                          const check::Signature& signature) {
+    check::KernelSource source = lab.source(file, function, signature);
+    source.preserve_nan = false;
+    return lab.compile_kernel({"kernel of " + function, kernel_code(source)}, source.images);
+}
 
 void add_cost(CLI::App& app, EquationsNamed* equations, FrameOf* frame, int& status) {
     auto command = std::make_shared<CostCommand>();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "check/lab.hpp"
 #include "cost/cost.hpp"
 
 namespace gloam::cli {
@@ -23,5 +24,9 @@ struct PresetFrame {
     std::vector<FramePass> passes;
     double memory = 0.0;  // bytes of its images and buffers beside those of the engine
 };
+
+// The kernel that `gloam check` makes of a function, but for what it declares of NaN: what is counted.
+[[nodiscard]] shader::Spirv cost_kernel(const check::Lab& lab, const std::string& file,
+                                        const std::string& function, const check::Signature& signature);
 
 }  // namespace gloam::cli

@@ -14,7 +14,6 @@
 
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
-#include "catalogue/printed.hpp"
 #include "check/lab.hpp"
 #include "cli/environment.hpp"
 #include "cli/occlusion/names.hpp"
@@ -52,9 +51,14 @@ std::vector<Named> variant_names() {
 using Kinds = std::vector<std::pair<std::string, std::function<std::vector<Named>()>>>;
 
 Kinds all_kinds() {
-    return {{"equations", equation_names}, {"methods", method_names}, {"numbers", number_names},
-            {"presets", preset_names},     {"scenes", scene_names},   {"settings", setting_names},
-            {"variants", variant_names},   {"views", view_names}};
+    return {{"equations", equation_names},
+            {"methods", method_names},
+            {"numbers", [] { return names_of(catalogue::printed_rows()); }},
+            {"presets", preset_names},
+            {"scenes", scene_names},
+            {"settings", setting_names},
+            {"variants", variant_names},
+            {"views", view_names}};
 }
 
 nlohmann::ordered_json named_json(const Named& named) {
@@ -125,8 +129,10 @@ nlohmann::ordered_json method_json(const Named& named) {
 nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
     auto json = nlohmann::ordered_json::array();
     Declarations declarations;
-    for (const catalogue::Entry& entry : entries_named(names))
-        json.push_back(equation_json(entry, declarations));
+    const catalogue::Found found = found_named(names);
+    for (const auto& [name, says] : names_of(found.rows))
+        json.push_back({{"name", name}, {"description", says}});
+    for (const catalogue::Entry& entry : found.entries) json.push_back(equation_json(entry, declarations));
     return json;
 }
 
@@ -205,6 +211,7 @@ void list_kind(const std::string& kind, const std::vector<Named>& all, const Lis
 // What is no kind may be a name of equations: `gloam list CS-3.1`.
 ListOptions with_kind(ListOptions options) {
     const Kinds kinds = all_kinds();
+    if (options.kind == "numbers" && !options.names.empty()) options.kind = "equations";
     if (options.kind.empty() || std::ranges::count(kinds, options.kind, &Kinds::value_type::first) > 0)
         return options;
     std::vector<std::string> known;
@@ -225,7 +232,7 @@ void run_list(const ListOptions& given) {
     if (options.markdown) {
         if (options.kind != "numbers")
             throw std::invalid_argument("--markdown goes with `gloam list numbers`");
-        return fmt::print("{}", catalogue::printed_page(catalogue::all_entries(glsl_directory())));
+        return fmt::print("{}", numbers_page());
     }
     nlohmann::ordered_json json{{"gloam", base::version()}};
     for (const auto& [kind, names] : all_kinds()) {

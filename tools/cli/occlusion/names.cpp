@@ -2,7 +2,6 @@
 #include "cli/occlusion/names.hpp"
 
 #include <fmt/format.h>
-
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include <utility>
 
 #include "catalogue/catalogue.hpp"
-#include "catalogue/printed.hpp"
 #include "cli/environment.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "effect/methods.hpp"
@@ -66,9 +64,36 @@ std::vector<Named> view_names() {
     return names;
 }
 
-catalogue::Entries entries_named(const std::vector<std::string>& names) {
+std::vector<Named> names_of(const std::vector<catalogue::PrintedRow>& rows) {
+    std::vector<Named> names;
+    for (const catalogue::PrintedRow& row : rows) {
+        std::string more =
+            row.places.size() > 1
+                ? fmt::format("{}: ", fmt::join(row.places.begin() + 1, row.places.end(), "; "))
+                : "";
+        names.push_back(
+            {row.places.front(), fmt::format("{}{}: {}", more, row.says, fmt::join(row.has, ", "))});
+    }
+    return names;
+}
+
+catalogue::Found found_named(const std::vector<std::string>& names) {
     catalogue::Found found = catalogue::find(catalogue::all_entries(glsl_directory()), names);
-    for (const std::string& note : found.notes) fmt::print(stderr, "{}\n", note);
+    if (found.several.empty()) return found;
+    for (const auto& [name, says] : names_of(found.rows)) fmt::print(stderr, "{}: {}\n", name, says);
+    throw std::invalid_argument(
+        fmt::format("\"{}\" fits several rows: expected the name of one", found.several));
+}
+
+catalogue::Entries entries_named(const std::vector<std::string>& names) {
+    catalogue::Found found = found_named(names);
+    const std::vector<Named> rows = names_of(found.rows);
+    if (!found.lacking.empty())
+        throw std::invalid_argument(fmt::format("\"{}\" has no function: {}: {}", found.lacking,
+                                                rows.back().name, rows.back().description));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (found.rows[i].has.back().starts_with('('))
+            fmt::print(stderr, "{}: {}\n", rows[i].name, rows[i].description);
     return std::move(found.entries);
 }
 
@@ -76,21 +101,6 @@ std::vector<check::Question> equations_named(const std::vector<std::string>& nam
     std::vector<check::Question> questions;
     for (catalogue::Entry& entry : entries_named(names)) questions.push_back(std::move(entry.question));
     return questions;
-}
-
-std::vector<Named> number_names() {
-    const catalogue::Entries all = catalogue::all_entries(glsl_directory());
-    std::vector<Named> names;
-    for (const catalogue::PrintedEquation& printed : catalogue::printed_equations()) {
-        std::vector<std::string> functions;
-        for (const catalogue::Entry& entry : all)
-            if (std::ranges::find(printed.ids, entry.description.id) != printed.ids.end())
-                functions.push_back(entry.description.function);
-        const std::string note = printed.note.empty() ? "" : "; " + printed.note;
-        names.push_back(
-            {printed.number, fmt::format("{}: {}{}", printed.title, fmt::join(functions, ", "), note)});
-    }
-    return names;
 }
 
 }  // namespace gloam::cli

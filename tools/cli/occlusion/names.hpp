@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/entry.hpp"
+#include "catalogue/catalogue.hpp"
 #include "cli/framework/cost.hpp"
 
 namespace gloam::cli {
@@ -23,13 +23,18 @@ struct Named {
 [[nodiscard]] std::vector<Named> scene_names();
 [[nodiscard]] std::vector<Named> view_names();  // of `gloam bench views`, with their halves
 
-// The equations that names stand for (catalogue::find()), those of all commands. What a number of a paper
-// that has no function of its own stands for is said on standard error. Throws std::invalid_argument.
+// What names stand for. Throws std::invalid_argument, for a name that fits several rows of the papers when it
+// has printed these on standard error.
+[[nodiscard]] catalogue::Found found_named(const std::vector<std::string>& names);
+
+// The equations among these, those of all commands. Throws like found_named(), and for a row without a
+// function.
 [[nodiscard]] catalogue::Entries entries_named(const std::vector<std::string>& names);
 [[nodiscard]] std::vector<check::Question> equations_named(const std::vector<std::string>& names);
 
-// The numbers of the papers (catalogue::printed_equations()), with their functions.
-[[nodiscard]] std::vector<Named> number_names();
+// What the papers print, and what has it; and as a page.
+[[nodiscard]] std::vector<Named> names_of(const std::vector<catalogue::PrintedRow>& rows);
+[[nodiscard]] std::string numbers_page();
 
 // The passes of a frame of a preset, with NAME=VALUE set; it takes depth and normals as most engines store
 // them.

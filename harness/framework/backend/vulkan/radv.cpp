@@ -145,10 +145,11 @@ std::string assembly_of(const vk::raii::Device& device, const VkPipelineExecutab
 
 }  // namespace
 
-RadvReport compiled_by_radv(const RadvProgram& program, const std::string& chip, Validation validation) {
+std::vector<RadvReport> compiled_by_radv(std::span<const RadvProgram> programs, const std::string& chip,
+                                         Validation validation) {
     choose(chip);
     MessageLog log;
-    RadvReport report;
+    std::vector<RadvReport> reports;
     {
         const vk::raii::Context loader = open_loader();
         const bool validated = validation == Validation::on;
@@ -157,17 +158,20 @@ RadvReport compiled_by_radv(const RadvProgram& program, const std::string& chip,
         if (validated) messenger = create_messenger(instance, log);
         const vk::raii::PhysicalDevice physical = radv_of(instance);
         const vk::raii::Device device = opened(physical);
-        const auto sets =
-            sets_of(device, physical.getProperties().limits.maxBoundDescriptorSets, program.descriptors);
-        const vk::raii::PipelineLayout layout = layout_of(device, program.push_constant_bytes, sets);
-        const vk::raii::Pipeline pipeline = pipeline_of(device, program, layout);
-        const vk::PipelineExecutableInfoKHR executable{.pipeline = *pipeline};
-        for (const auto& one : device.getPipelineExecutableStatisticsKHR(executable))
-            report.statistics[base::lower(one.name)] = one.value.u64;
-        report.assembly = assembly_of(device, executable);
+        const std::uint32_t most_sets = physical.getProperties().limits.maxBoundDescriptorSets;
+        for (const RadvProgram& program : programs) {
+            const auto sets = sets_of(device, most_sets, program.descriptors);
+            const vk::raii::PipelineLayout layout = layout_of(device, program.push_constant_bytes, sets);
+            const vk::raii::Pipeline pipeline = pipeline_of(device, program, layout);
+            const vk::PipelineExecutableInfoKHR executable{.pipeline = *pipeline};
+            RadvReport& report = reports.emplace_back();
+            for (const auto& one : device.getPipelineExecutableStatisticsKHR(executable))
+                report.statistics[base::lower(one.name)] = one.value.u64;
+            report.assembly = assembly_of(device, executable);
+        }
     }
-    report.messages = log.take();
-    return report;
+    if (!reports.empty()) reports.front().messages = log.take();
+    return reports;
 }
 
 }  // namespace gloam::gpu

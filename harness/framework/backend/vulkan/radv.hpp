@@ -34,18 +34,18 @@ struct RadvProgram {
 struct RadvReport {
     std::map<std::string, std::uint64_t> statistics;  // by the driver's names, in small letters
     std::string assembly;
-    std::vector<std::string> messages;  // of the validation layers
+    std::vector<std::string> messages;  // of the validation layers, about all: in the first report
 };
 
 // The message where RADV is not installed, in one line.
 inline constexpr const char* no_radv_message =
     "RADV, Mesa's driver for AMD's GPUs, is not here: install mesa-vulkan-drivers";
 
-// What RADV makes of a shader for a chip of this name (RADV_FORCE_FAMILY). It empties the environment but for
+// What RADV makes of shaders for a chip of this name (RADV_FORCE_FAMILY). It empties the environment but for
 // what finds drivers and layers, so that no option of a user changes the result; and RADV ends the process
 // for a name that it does not know. Therefore call it in a process of its own (base::run_apart()), before
 // that has used Vulkan. Throws std::runtime_error; vk::SystemError.
-[[nodiscard]] RadvReport compiled_by_radv(const RadvProgram& program, const std::string& chip,
-                                          Validation validation);
+[[nodiscard]] std::vector<RadvReport> compiled_by_radv(std::span<const RadvProgram> programs,
+                                                       const std::string& chip, Validation validation);
 
 }  // namespace gloam::gpu
