@@ -256,7 +256,7 @@ void add_list(CLI::App& app) {
     command->add_option(
         "name", options->names,
         "all that is known of these: of a preset every setting that runs and its source's symbol, of "
-        "a method what it measures; an equation by ID, number in a paper, function, file or glob");
+        "a method what it measures; an equation by ID, what papers call it, function, file or glob");
     command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
     command->add_flag("--markdown", options->markdown,
                       "numbers only: a page of them, a table for each paper");
