@@ -100,6 +100,17 @@ TEST_F(SpirvCacheTest, AFileThatHidesAnotherIsNoticed) {
     EXPECT_EQ(cache.compile(user, options), compile(user, options));
 }
 
+TEST_F(SpirvCacheTest, WhereAFileIsCountsForLinesAlone) {
+    const SpirvCache cache(folder.path() / "cache");
+    const Source user = kernel("#include \"f.glsl\"", "f()");
+    for (const std::string place : {"one", "other"}) {
+        folder.write(place + "/f.glsl", "float f() { return 1.0; }\n");
+        for (const bool lines : {false, true})
+            (void)cache.compile(user, {.include_roots = {folder.path() / place}, .lines = lines});
+    }
+    EXPECT_EQ(files_in(folder.path() / "cache"), 3U);
+}
+
 TEST_F(SpirvCacheTest, IncludeBesideTheSourceCounts) {
     const SpirvCache cache(folder.path() / "cache");
     Source user = kernel("#include \"f.glsl\"", "f()");

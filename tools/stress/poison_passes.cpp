@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
+#include "base/threads.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "stress/run.hpp"
@@ -17,79 +19,84 @@ constexpr gpu::Extent extent{37, 26};
 constexpr float poison_radius = 0.4F;
 
 // Which buffer holds the bad value.
-enum class Target { depth, depth_alone, normal_x, normal_y, normal_z };
-
 struct Place {
-    Target target;
     const char* text;
-    [[nodiscard]] bool is_depth() const { return target == Target::depth || target == Target::depth_alone; }
+    int normal_axis = -1;  // of the normals; -1: the depth
+    bool normals = true;   // the view has some
+
+    void put(scene::GBuffer& view, std::size_t pixel, float value) const {
+        (normal_axis < 0 ? view.depth[pixel] : view.normal[pixel][normal_axis]) = value;
+    }
 };
 
 std::vector<Place> places(Extent extent) {
-    std::vector<Place> all{{Target::depth, "depth"},
-                           {Target::depth_alone, "depth, normals made of it"},
-                           {Target::normal_x, "normal.x"}};
-    if (extent == Extent::full) {
-        all.push_back({Target::normal_y, "normal.y"});
-        all.push_back({Target::normal_z, "normal.z"});
-    }
+    std::vector<Place> all{{"depth"}, {"depth, normals made of it", -1, false}, {"normal.x", 0}};
+    if (extent == Extent::full) all.insert(all.end(), {{"normal.y", 1}, {"normal.z", 2}});
     return all;
 }
 
-void put(scene::GBuffer& view, Target target, std::size_t pixel, float value) {
-    if (target == Target::depth || target == Target::depth_alone) {
-        view.depth[pixel] = value;
-    } else {
-        view.normal[pixel][static_cast<int>(target) - static_cast<int>(Target::normal_x)] = value;
-    }
+std::size_t index_of(glm::ivec2 pixel) {
+    return static_cast<std::size_t>(pixel.y) * extent.width + static_cast<std::size_t>(pixel.x);
 }
 
-// The passes on one device. What all methods share is compiled once.
-class Passes {
-  public:
-    Passes(const gpu::Device& device, const scene::PassLibrary& library) : effect_(device, library, extent) {}
+glm::ivec2 pixel_at(std::size_t index) {
+    return {static_cast<int>(index % extent.width), static_cast<int>(index / extent.width)};
+}
 
-    void choose(const effect::MethodInfo& method) {
-        settings_ = with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name),
-                                poison_radius);
-        settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
-        reads_normals_ = method.reads_normals;
+// A wall with every other field of 6 x 5 pixels a quarter unit nearer: occlusion along every edge.
+scene::GBuffer steps() {
+    scene::GBuffer view = wall(extent);
+    for (std::size_t i = 0; i < view.depth.size(); ++i)
+        if ((pixel_at(i).x / 6 + pixel_at(i).y / 5) % 2 == 1) view.depth[i] -= 0.25F;
+    return view;
+}
+
+std::size_t outside_unit(const std::vector<float>& values) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(values, [](float v) { return !(v >= 0.0F && v <= 1.0F); }));
+}
+
+// Which pixels of an image something reaches, row by row.
+using Mask = std::vector<bool>;
+
+// Where a circle around (slope * depth, depth) begins and ends as seen from the origin, as slopes.
+glm::dvec2 seen_slopes(double slope, double depth, double radius) {
+    const double distance = std::hypot(slope * depth, depth);
+    const double half = radius < distance ? std::asin(radius / distance) : INFINITY;
+    const double angle = std::atan(slope);
+    constexpr double right_angle = 1.57079632679489661923;
+    return {angle - half > -right_angle ? std::tan(angle - half) : -INFINITY,
+            angle + half < right_angle ? std::tan(angle + half) : INFINITY};
+}
+
+// Whether the ball around a pixel's surface point, and a pixel and a half more, covers the centre of
+// `source`.
+bool covers(const scene::GBuffer& view, std::size_t pixel, double radius, glm::ivec2 source) {
+    const glm::dvec2 size(extent.width, extent.height);
+    const glm::dvec2 p = glm::abs(glm::dvec2(view.camera.p00_p11()));
+    for (int axis = 0; axis < 2; ++axis) {
+        const double slope = (2.0 * (pixel_at(pixel)[axis] + 0.5) / size[axis] - 1.0) / p[axis];
+        const glm::dvec2 ends = seen_slopes(slope, double{view.depth[pixel]}, radius);
+        const glm::dvec2 pixels = 0.5 * (ends * p[axis] + 1.0) * size[axis];
+        const double at = source[axis] + 0.5;
+        if (!(at >= pixels.x - 1.5 && at <= pixels.y + 1.5)) return false;
     }
+    return true;
+}
 
-    // The second frame, whose history is that of the first.
-    [[nodiscard]] effect::Frame run(const scene::GBuffer& view) {
-        effect_.begin(view, settings_);
-        (void)effect_.next();
-        return effect_.next();
+// The mask and all pixels up to `pixels` away along each axis: what a filter makes of it.
+Mask widened(const Mask& mask, int pixels) {
+    Mask wide(mask.size());
+    const glm::ivec2 last(static_cast<int>(extent.width) - 1, static_cast<int>(extent.height) - 1);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (!mask[i]) continue;
+        const glm::ivec2 low = glm::max(pixel_at(i) - pixels, glm::ivec2(0));
+        const glm::ivec2 high = glm::min(pixel_at(i) + pixels, last);
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) wide[index_of({x, y})] = true;
     }
-
-    // The pixels whose occlusion may depend on the depth, or on the normal, at `source`.
-    [[nodiscard]] Mask footprint(const scene::GBuffer& view, bool depth, glm::ivec2 source) const {
-        const effect::Preparation beside =
-            effect::preparation_of(settings_, extent).value_or(effect::Preparation{});
-        const bool sampled = depth || reads_normals_;
-        const double reach = sampled ? double{poison_radius + beside.reach} : double{beside.reach};
-        const bool alone = !sampled && beside.reach == 0.0F;
-        const Mask mask = alone ? single_pixel(extent, source) : depth_footprint(view, reach, source);
-        return widened(mask, extent, beside.spread);
-    }
-
-    [[nodiscard]] int filter_half_width() const { return settings_.filter_half_width; }
-
-  private:
-    effect::AmbientOcclusion effect_;
-    effect::Settings settings_;
-    bool reads_normals_ = false;
-};
-
-// What one place suffered, over all bad values.
-struct Damage {
-    std::size_t outside_unit = 0;
-    std::size_t beyond_footprint = 0;
-    std::size_t differs_without_robustness = 0;
-    int reach = 0;
-    int allowed_reach = 0;
-};
+    return wide;
+}
 
 Mask changed(const std::vector<float>& now, const std::vector<float>& before) {
     Mask mask(now.size());
@@ -104,25 +111,34 @@ std::size_t count_beyond(const Mask& mask, const Mask& allowed) {
     return count;
 }
 
+// What one place suffered, over all bad values.
+struct Damage {
+    std::size_t outside_unit = 0;
+    std::size_t beyond_footprint = 0;
+    std::size_t changed = 0;
+    std::size_t differs_without_robustness = 0;
+};
+
+// The passes on two devices. What all methods share is compiled once.
 class Experiment {
   public:
     Experiment(const Context& context, const gpu::Device& fragile)
         : full_(context.extent == Extent::full),
-          robust_(context.lab.device(), context.passes),
-          fragile_(fragile, context.passes) {}
+          robust_(context.lab.device(), context.passes, extent),
+          fragile_(fragile, context.passes, extent) {}
 
-    [[nodiscard]] Damage run(const effect::MethodInfo& method, const Place& place) {
-        robust_.choose(method);
-        fragile_.choose(method);
-        scene::GBuffer view = steps(extent);
-        if (place.target == Target::depth_alone) view.normal.clear();
-        const effect::Frame clean = robust_.run(view);
+    [[nodiscard]] Damage run(const effect::MethodInfo& method, const Place& place, std::size_t number) {
+        settings_ = with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name),
+                                poison_radius);
+        settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
+        scene::GBuffer view = steps();
+        if (!place.normals) view.normal.clear();
+        const effect::Frame clean = frame_of(robust_, view);
         Damage damage;
-        std::size_t number = 0;
         for (const float bad : bad_values()) {
-            for (const glm::ivec2 source : sources(number++))
-                one_texel(view, place, bad, source, clean, damage);
-            everywhere(view, place, bad, damage);
+            for (const glm::ivec2 source : sources(++number))
+                one_texel(view, place, bad, source, method.reads_normals, clean, damage);
+            if (full_ || number % 3 == 0) everywhere(view, place, bad, damage);
         }
         return damage;
     }
@@ -130,14 +146,37 @@ class Experiment {
   private:
     // Both sides of a step's edge, two corners and an edge of the image; briefly, a step's edge and a corner
     // in turn.
-    [[nodiscard]] std::vector<glm::ivec2> sources(std::size_t number_of_value) const {
-        if (!full_) return {number_of_value % 2 == 0 ? glm::ivec2(18, 12) : glm::ivec2(0, 0)};
+    [[nodiscard]] std::vector<glm::ivec2> sources(std::size_t number) const {
+        if (!full_) return {number % 2 == 0 ? glm::ivec2(18, 12) : glm::ivec2(0, 0)};
         return {{18, 12}, {17, 12}, {0, 0}, {36, 25}, {17, 0}};
     }
 
+    // The second frame, whose history is that of the first.
+    [[nodiscard]] effect::Frame frame_of(effect::AmbientOcclusion& effect, const scene::GBuffer& view) const {
+        effect.begin(view, settings_);
+        (void)effect.next();
+        return effect.next();
+    }
+
+    // The pixels whose occlusion may depend on the depth, or on the normal, at `source`: those whose ball of
+    // influence, as the eye sees it, projects onto it or onto one of its neighbours (a sample takes the
+    // nearest pixel; normals from depth take the four neighbours), and `source` itself.
+    [[nodiscard]] Mask footprint(const scene::GBuffer& view, bool sampled, glm::ivec2 source) const {
+        const effect::Preparation beside =
+            effect::preparation_of(settings_, extent).value_or(effect::Preparation{});
+        const double reach = double{beside.reach} + (sampled ? double{poison_radius} : 0.0);
+        Mask mask(view.depth.size());
+        for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = reach > 0.0 && covers(view, i, reach, source);
+        mask[index_of(source)] = true;
+        return widened(mask, beside.spread);
+    }
+
     [[nodiscard]] effect::Frame both(const scene::GBuffer& view, Damage& damage) {
-        effect::Frame frame = robust_.run(view);
-        const effect::Frame other = fragile_.run(view);
+        effect::Frame frame;
+        effect::Frame other;
+        base::for_each_index(2, 2, [&](std::size_t i) {
+            (i == 0 ? frame : other) = frame_of(i == 0 ? robust_ : fragile_, view);
+        });
         const Mask none(frame.filtered.size());
         damage.differs_without_robustness += count_beyond(changed(other.occlusion, frame.occlusion), none) +
                                              count_beyond(changed(other.filtered, frame.filtered), none);
@@ -147,40 +186,27 @@ class Experiment {
     }
 
     void one_texel(scene::GBuffer view, const Place& place, float value, glm::ivec2 source,
-                   const effect::Frame& clean, Damage& damage) {
-        const Mask allowed = robust_.footprint(view, place.is_depth(), source);
-        const Mask wide = widened(allowed, extent, robust_.filter_half_width());
-        put(view, place.target,
-            static_cast<std::size_t>(source.y) * extent.width + static_cast<std::size_t>(source.x), value);
+                   bool reads_normals, const effect::Frame& clean, Damage& damage) {
+        const Mask allowed = footprint(view, place.normal_axis < 0 || reads_normals, source);
+        place.put(view, index_of(source), value);
         const effect::Frame frame = both(view, damage);
         const Mask filtered = changed(frame.filtered, clean.filtered);
+        damage.changed += count_beyond(filtered, Mask(filtered.size()));
         damage.beyond_footprint += count_beyond(changed(frame.occlusion, clean.occlusion), allowed) +
                                    count_beyond(changed(frame.convergence, clean.convergence), allowed) +
-                                   count_beyond(filtered, wide);
-        damage.reach = std::max(damage.reach, reach_of(filtered, extent, source));
-        damage.allowed_reach = std::max(damage.allowed_reach, reach_of(wide, extent, source));
+                                   count_beyond(filtered, widened(allowed, settings_.filter_half_width));
     }
 
     void everywhere(scene::GBuffer view, const Place& place, float value, Damage& damage) {
-        for (std::size_t i = 0; i < view.depth.size(); ++i) put(view, place.target, i, value);
+        for (std::size_t i = 0; i < view.depth.size(); ++i) place.put(view, i, value);
         (void)both(view, damage);
     }
 
     bool full_;
-    Passes robust_;
-    Passes fragile_;
+    effect::AmbientOcclusion robust_;
+    effect::AmbientOcclusion fragile_;
+    effect::Settings settings_;
 };
-
-void append_rows(const std::string& varied, const Damage& damage, Rows& rows) {
-    const auto count = [](std::size_t n) { return static_cast<double>(n); };
-    rows.push_back({poison_name, varied, "values outside [0, 1] or NaN", count(damage.outside_unit), 0.0});
-    rows.push_back(
-        {poison_name, varied, "pixels changed beyond the footprint", count(damage.beyond_footprint), 0.0});
-    rows.push_back({poison_name, varied, "farthest pixel changed, pixels", static_cast<double>(damage.reach),
-                    static_cast<double>(damage.allowed_reach)});
-    rows.push_back({poison_name, varied, "values that differ without robustBufferAccess",
-                    count(damage.differs_without_robustness), 0.0});
-}
 
 gpu::DeviceOptions without_robustness(const check::LabOptions& options) {
     return {.device = options.device,
@@ -201,10 +227,18 @@ std::function<Rows(const effect::MethodInfo&)> poisoned_passes_of(const Context&
     const auto experiment = std::make_shared<Experiment>(context, *fragile);
     return [context, fragile, experiment](const effect::MethodInfo& method) {
         Rows rows;
+        std::size_t number = 0;
         for (const Place& place : places(context.extent)) {
             const std::string varied = fmt::format("{}: {}", method.name, place.text);
             context.progress(fmt::format("{}: {}", poison_name, varied));
-            append_rows(varied, experiment->run(method, place), rows);
+            const Damage damage = experiment->run(method, place, number++);
+            const auto row = [&](const char* quantity, std::size_t n, std::optional<double> bound = 0.0) {
+                rows.push_back({poison_name, varied, quantity, static_cast<double>(n), bound});
+            };
+            row("values outside [0, 1] or NaN", damage.outside_unit);
+            row("pixels changed", damage.changed, std::nullopt);
+            row("pixels changed beyond the footprint", damage.beyond_footprint);
+            row("values that differ without robustBufferAccess", damage.differs_without_robustness);
         }
         require_silent(*fragile);
         context.lab.require_silent_validation();

@@ -9,7 +9,7 @@
 #include "audit/worst.hpp"
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
-#include "stress/long_run.hpp"
+#include "report/json.hpp"
 
 namespace gloam::stress {
 
@@ -23,6 +23,7 @@ std::vector<effect::MethodInfo> methods_of(const Context& context) {
 std::vector<Run> all_runs() {
     return {{"worst-inputs", "the input of each equation with the largest error, searched for", worst_inputs},
             {"long-run", "the history over very many frames", long_run},
+            {"far", "far from the origin, and depth in halves", far_away},
             {"poison", "NaN, infinities and other bad values in every buffer", poison}};
 }
 
@@ -37,14 +38,6 @@ std::vector<Run> select_runs(const std::string& name) {
 }
 
 namespace {
-
-using nlohmann::ordered_json;
-
-ordered_json number(double value) {
-    if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
-    return value;
-}
 
 constexpr const char* layout = "{:9} {:58} {:50} {:>11} {:>11} {}";
 
@@ -62,17 +55,17 @@ std::string table_line(const Row& row) {
 }
 
 std::string to_json(const gpu::DeviceInfo& device, const Rows& rows, const std::string& versions) {
-    ordered_json all = ordered_json::array();
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Row& row : rows) {
         all.push_back({{"run", row.run},
                        {"varied", row.varied},
                        {"quantity", row.quantity},
-                       {"measured", number(row.measured)},
-                       {"bound", row.bound ? number(*row.bound) : ordered_json(nullptr)},
+                       {"measured", report::number_json(row.measured)},
+                       {"bound", row.bound ? report::number_json(*row.bound) : nullptr},
                        {"passed", row.passed()}});
     }
-    ordered_json document{{"gloam", base::version()},
-                          {"device", {{"name", device.name}, {"driver", device.driver}}}};
+    nlohmann::ordered_json document{{"gloam", base::version()},
+                                    {"device", {{"name", device.name}, {"driver", device.driver}}}};
     if (!versions.empty()) document["versions"] = versions;
     document["rows"] = std::move(all);
     return document.dump(2) + "\n";
@@ -82,7 +75,7 @@ namespace {
 
 constexpr const char* worst_inputs_name = "worst-inputs";
 constexpr std::size_t full_inputs = 262'144;
-constexpr std::size_t brief_inputs = 4'096;
+constexpr std::size_t brief_inputs = 2'048;
 
 // The input in a few words: those of a matrix would hide the rest of the line.
 std::string input_text(const check::Answer& answer) {

@@ -66,6 +66,17 @@ struct Context {
 // The same for one of them.
 [[nodiscard]] Rows worst_inputs(const Context& context, const catalogue::Entry& entry);
 
+// The history carried over Context::frames frames on the device, as a pass does it, for constant,
+// alternating, jumping, noisy and rare contributions, beside the mean in double: the farthest from it, and
+// the average over time (bias), at most E (w_max + k) / k with the error E of gloam_blend; weight and index,
+// exact.
+[[nodiscard]] Rows long_run(const Context& context);
+
+// A scene and its moving camera at 1e2 to 1e7 units from the origin: previous positions, reprojection,
+// TSSAO-8 and frames of the effect, with what is centred on the eye and with what is not; and depths in
+// halves.
+[[nodiscard]] Rows far_away(const Context& context);
+
 constexpr const char* poison_name = "poison";
 
 // Depth and normals that go into the passes of a method. What it returns keeps the passes that methods share,

@@ -2,39 +2,48 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <limits>
 #include <vector>
 
 #include "scene/gbuffer.hpp"
 
 namespace gloam::stress {
 
-// A wall across the whole view at depth 3, parallel to the image: every sample of it is open.
-[[nodiscard]] scene::GBuffer plane(gpu::Extent extent);
-
-// The same wall with every other field of 6 x 5 pixels a quarter unit nearer: occlusion along every edge.
-[[nodiscard]] scene::GBuffer steps(gpu::Extent extent);
+// A wall across the whole view, at depth 3 along the axis. slope: by how much it recedes to the right.
+[[nodiscard]] inline scene::GBuffer wall(gpu::Extent extent, double slope = 0.0) {
+    scene::GBuffer view{.extent = extent};
+    view.camera =
+        scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
+    const std::size_t pixels = std::size_t{extent.width} * extent.height;
+    view.normal.assign(pixels, glm::vec3(glm::normalize(glm::dvec3(slope, 0.0, 1.0))));
+    for (std::size_t i = 0; i < pixels; ++i)
+        view.depth.push_back(
+            static_cast<float>(3.0 / (1.0 - slope * scene::PixelPositions(view).at(i, 1.0).x)));
+    return view;
+}
 
 // NaN, infinities, negative, zero, subnormal, tiny and huge.
-[[nodiscard]] const std::vector<float>& bad_values();
-
-// How many values are outside [0, 1] or NaN.
-[[nodiscard]] std::size_t outside_unit(const std::vector<float>& values);
-
-// Which pixels of an image something reaches, row by row.
-using Mask = std::vector<bool>;
-
-// The pixels whose occlusion may depend on the depth at `source`: those whose ball of influence, of radius
-// `radius` around their surface point and as the eye sees it, projects onto it or onto one of its neighbours
-// (a sample takes the nearest pixel; normals from depth take the four neighbours), and `source` itself.
-[[nodiscard]] Mask depth_footprint(const scene::GBuffer& view, double radius, glm::ivec2 source);
-
-// One pixel.
-[[nodiscard]] Mask single_pixel(gpu::Extent extent, glm::ivec2 source);
-
-// The mask and all pixels up to `pixels` away along each axis: what a filter makes of it.
-[[nodiscard]] Mask widened(const Mask& mask, gpu::Extent extent, int pixels);
-
-// Largest distance along an axis of a pixel in the mask from `source`, in pixels; 0 for an empty mask.
-[[nodiscard]] int reach_of(const Mask& mask, gpu::Extent extent, glm::ivec2 source);
+[[nodiscard]] inline const std::vector<float>& bad_values() {
+    using Limits = std::numeric_limits<float>;
+    constexpr float nan = Limits::quiet_NaN();
+    constexpr float inf = Limits::infinity();
+    constexpr float largest_subnormal = 1.17549421e-38F;
+    static const std::vector<float> all{nan,
+                                        -nan,
+                                        inf,
+                                        -inf,
+                                        0.0F,
+                                        -0.0F,
+                                        -1.0F,
+                                        Limits::denorm_min(),
+                                        largest_subnormal,
+                                        Limits::min(),
+                                        1e-20F,
+                                        1e20F,
+                                        -1e20F,
+                                        Limits::max(),
+                                        Limits::lowest()};
+    return all;
+}
 
 }  // namespace gloam::stress

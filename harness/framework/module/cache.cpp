@@ -55,7 +55,7 @@ base::Hash key_of(std::string_view kind, const Source& source, const CompileOpti
     fingerprint.add(source.text);
     const auto folder = std::filesystem::path(source.name).parent_path();
     for (const IncludedFile& file : include_closure(source.text, options.include_roots, folder)) {
-        fingerprint.add(file.path.string());
+        if (options.lines) fingerprint.add(file.path.string());  // else no module names its files
         fingerprint.add(file.text);
     }
     return fingerprint.hash();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "stress/long_run.hpp"
-#include "stress/views.hpp"
 #include "support/method_names.hpp"
 #include "tools/gloam.hpp"
 #include "tools/stress/support.hpp"
@@ -24,11 +22,9 @@ TEST_P(PoisonOf, StaysWithinTheFootprint) {
     const Rows rows = rows_of_passes_(effect::method_named(GetParam()));
     expect_all_passed(rows);
     if (GetParam() != "hemisphere" && GetParam() != "disc") return;
-    // Something did change, as far away as the kernel reaches: the footprint is not empty by mistake.
-    for (const Row& row : rows_of(rows, "farthest pixel changed, pixels", GetParam() + ": depth")) {
-        EXPECT_GE(row.measured, 3.0) << row.varied;
-        EXPECT_LE(row.bound.value(), 9.0) << row.varied;
-    }
+    // Something did change: the footprint is not empty by mistake.
+    for (const Row& row : rows_of(rows, "pixels changed", "depth"))
+        EXPECT_GT(row.measured, 0.0) << row.varied;
 }
 
 TEST_P(PoisonOf, FetchesNothingOutside) {
@@ -58,7 +54,7 @@ Rows short_run(const Context& context) {
 }
 
 // Of the long run: a blend that rounds down a little in each frame; a weight that forgets its cap; an index
-// that skips.
+// that skips. Far away: what is rounded to the spacing of floats at 1e5.
 TEST(Stress, NoticesWhatIsBroken) {
     for (const Fault& fault :
          {Fault{"gloam/temporal/blend.glsl", "return vec2(blended,", "return vec2(blended * 0.9999995,",
@@ -67,6 +63,14 @@ TEST(Stress, NoticesWhatIsBroken) {
                 "weight off, samples", short_run},
           Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size", "(index + k + 1) % size",
                 "index off, samples", short_run},
+          Fault{"gloam/geometry/reprojection.glsl", "position + eye_delta",
+                "position + 8192.0 + eye_delta - 8192.0", "position off, part of the distance", far_away},
+          Fault{"gloam/geometry/reprojection.glsl", "(inverse_projection * clip)));\n    return",
+                "(inverse_projection * (clip + 1e-4))));\n    return",
+                "reprojection off, pixels of 1920 x 1080", far_away},
+          Fault{"gloam/temporal/history.glsl", "abs(stored_depth - expected_depth) <",
+                "abs(stored_depth - expected_depth) + 0.2 <", "points that TSSAO-8 (0.01) rejects, %",
+                far_away},
           Fault{"gloam/gather/footprint.glsl", "footprint.size - 1.0", "footprint.size + 9.0",
                 "fetches outside the image", poisoned_gathers},
           Fault{"gloam/temporal/blend.glsl", "return vec2(old, w);", "return vec2(contribution, w);",

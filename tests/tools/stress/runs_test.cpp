@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
-#include "stress/long_run.hpp"
 #include "support/entries.hpp"
 #include "support/test.hpp"
 #include "tools/stress/support.hpp"
@@ -13,6 +12,22 @@ TEST(LongRun, StaysWithinItsBounds) {
     const Rows rows = long_run(bench.context());
     expect_all_passed(rows);
     EXPECT_GT(row_of(rows, "farthest from the exact mean", "k 8, w_max 1500").measured, 0.0);
+}
+
+// Relative to the eye nothing depends on the place; relative to the world's origin all grows with it.
+TEST(Far, OnlyWorldCoordinatesLosePrecision) {
+    const Bench bench;
+    const Rows rows = far_away(bench.context());
+    expect_all_passed(rows);
+    for (const char* quantity :
+         {"position off, part of the distance", "reprojection off, pixels of 1920 x 1080",
+          "points that TSSAO-8 (0.01) rejects, %", "occlusion off after 4 frames"}) {
+        EXPECT_EQ(row_of(rows, quantity, "1e+02, relative to the eye").measured,
+                  row_of(rows, quantity, "1e+07, relative to the eye").measured);
+        EXPECT_GT(row_of(rows, quantity, "1e+07, relative to the world").measured,
+                  2.0 * row_of(rows, quantity, "1e+02, relative to the world").measured);
+    }
+    EXPECT_GT(row_of(rows, "occlusion of a bare wall (gtao)", "0.001 radii").measured, 0.01);
 }
 
 // Of one equation; a suite shares a run.
