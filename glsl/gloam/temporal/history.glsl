@@ -51,7 +51,7 @@ GloamHistory gloam_history_sanitize(GloamHistory h) {
 // Each as a float, sanitized first. Channels of 32 bits hold everything exactly. Channels of 16 bits hold integers
 // (index and weight) only up to 2048, and make the depth too coarse for the depth test (TSSAO-9). They also stop the
 // mean short of its limit by up to 2.5e-4 (w_max + k) / k: 0.0041 for k = 32 and w_max = 500, 0.046 for k = 8 and w_max
-// = 1500 (docs/copy-a-shader.md).
+// = 1500.
 // h: any history. Error: none.
 vec4 gloam_history_pack(GloamHistory h) {
     GloamHistory s = gloam_history_sanitize(h);
