@@ -100,15 +100,14 @@ struct Accumulation {
 
     void look(const Lane& lane) {
         const double difference = double{lane.texel.x} - lane.mean;
-        // Not std::max, which would lose a NaN.
-        if (!(std::abs(difference) <= farthest)) farthest = std::abs(difference);
+        farthest = worse(farthest, std::abs(difference));
         if (lane.sequence.pattern == noise) {
             signed_sum += difference;
             readings += 1.0;
         }
         const auto expected = static_cast<double>(lane.samples % table_size);
-        weight = std::max(weight, std::abs(double{lane.texel.y} - lane.weight));
-        index = std::max(index, std::abs(double{lane.texel.z} - expected));
+        weight = worse(weight, std::abs(double{lane.texel.y} - lane.weight));
+        index = worse(index, std::abs(double{lane.texel.z} - expected));
         outside = std::max({outside, -double{lane.range.x}, double{lane.range.y} - 1.0});
     }
 

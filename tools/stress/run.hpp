@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -34,6 +35,11 @@ using Rows = std::vector<Row>;
 
 inline void append(Rows& rows, const Rows& more) {
     rows.insert(rows.end(), more.begin(), more.end());
+}
+
+// The larger of two errors; NaN where one is.
+inline double worse(double a, double b) {
+    return a >= b || std::isnan(a) ? a : b;
 }
 
 // How much a run does: brief is for tests (seconds), full takes minutes.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
-
 #include "support/entries.hpp"
 #include "support/test.hpp"
 #include "tools/stress/support.hpp"
@@ -19,14 +17,10 @@ TEST(Far, OnlyWorldCoordinatesLosePrecision) {
     const Bench bench;
     const Rows rows = far_away(bench.context());
     expect_all_passed(rows);
-    for (const char* quantity :
-         {"position off, part of the distance", "reprojection off, pixels of 1920 x 1080",
-          "points that TSSAO-8 (0.01) rejects, %", "occlusion off after 4 frames"}) {
-        EXPECT_EQ(row_of(rows, quantity, "1e+02, relative to the eye").measured,
-                  row_of(rows, quantity, "1e+07, relative to the eye").measured);
-        EXPECT_GT(row_of(rows, quantity, "1e+07, relative to the world").measured,
-                  2.0 * row_of(rows, quantity, "1e+02, relative to the world").measured);
-    }
+    for (std::size_t i = 0; i < 8; ++i)  // those of 1e2 and 1e7
+        EXPECT_TRUE(i < 4 ? rows[i + 40].measured == rows[i].measured
+                          : rows[i + 40].measured > 2.0 * rows[i].measured)
+            << table_line(rows[i + 40]);
     EXPECT_GT(row_of(rows, "occlusion of a bare wall (gtao)", "0.001 radii").measured, 0.01);
 }
 
@@ -67,16 +61,6 @@ TEST(Report, ABoundIsBrokenByMoreAndByNaN) {
     EXPECT_FALSE((Row{.measured = nan, .bound = 2.0}.passed()));
     EXPECT_FALSE((Row{.measured = nan, .bound = inf}.passed()));
     EXPECT_TRUE((Row{.measured = inf}.passed()));
-}
-
-TEST(Report, JsonHoldsWhatIsNoNumber) {
-    const auto rows = nlohmann::json::parse(to_json({.name = "device"}, {{"run", "c", "d", inf, std::nullopt},
-                                                                         {"run", "e", "f", nan, 0.0}}))
-                          .at("rows");
-    EXPECT_TRUE(rows[0].at("bound").is_null());
-    EXPECT_EQ(rows[0].at("measured"), "inf");
-    EXPECT_EQ(rows[1].at("measured"), "nan");
-    EXPECT_EQ(rows[1].at("passed"), false);
 }
 
 }  // namespace gloam::stress::test::runs_test

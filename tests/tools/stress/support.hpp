@@ -26,8 +26,6 @@ class Bench {
         return one;
     }
 
-    [[nodiscard]] const check::Lab& lab() const { return lab_; }
-
   private:
     static check::LabOptions options(const std::filesystem::path& glsl,
                                      const std::filesystem::path& stress_shaders,

@@ -87,8 +87,7 @@ int run_stress(const StressOptions& options) {
 void add_stress(CLI::App& app, int& status) {
     auto options = std::make_shared<StressOptions>();
     CLI::App* command = app.add_subcommand(
-        "stress",
-        "test long runs, far places, invalid buffers and the worst inputs against the documentation");
+        "stress", "test long runs, far places, invalid buffers and worst inputs against the documentation");
     std::string runs;
     for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
     command->add_option("--only", options->only, "one run: " + runs);
