@@ -107,10 +107,8 @@ std::vector<Known> known_in(const std::filesystem::path& path) {
 const std::vector<Known>& all_known() {
     static const std::vector<Known> all = [] {
         std::vector<Known> found;
-        for (const auto& entry : std::filesystem::directory_iterator(KNOWN_VALUES)) {
-            if (entry.path().filename() == "methods.txt") continue;  // of whole methods: closed_form_test.cpp
+        for (const auto& entry : std::filesystem::directory_iterator(KNOWN_VALUES))
             for (Known& known : known_in(entry.path())) found.push_back(std::move(known));
-        }
         std::ranges::sort(found, {}, &Known::function);
         return found;
     }();

@@ -76,7 +76,7 @@ void find_one(const Entries& all, const std::string& name, Found& found) {
 void describe(Entries& entries, const std::filesystem::path& glsl) {
     const std::map<std::string, Description> described = descriptions(glsl);
     std::set<std::string> ids;
-    for (auto& [description, question] : entries) {
+    for (auto& [description, question, known] : entries) {
         const std::string id = description.id;
         if (!ids.insert(id).second) throw std::logic_error("two catalogue entries are called " + id);
         const auto found = described.find(id);

@@ -20,7 +20,7 @@
 namespace gloam::catalogue {
 namespace {
 
-constexpr const char* table = R"(
+constexpr const char* converged = R"(
 perspective       wall_0.25 wall_0.5 wall_0.75 ceiling  groove  valley     pit  sphere    step   plate
 hemisphere           0.1677   0.0518    0.0082  0.2499  0.1438  0.2876  0.4916  0.0824  0.0519  0.1645
 crytek               0.6009   0.5384    0.5086  0.5768  0.6236  0.7471  0.8488  0.6251  0.5384  0.5981
@@ -100,7 +100,7 @@ disc_proxy_two    its discs count by what other pixels see
 }  // namespace
 
 KnownResults known_results(const std::string& method) {
-    std::istringstream lines(table);
+    std::istringstream lines(converged);
     std::vector<std::string> columns;
     KnownResults known;
     for (std::string line; std::getline(lines, line);) {

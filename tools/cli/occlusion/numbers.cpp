@@ -5,26 +5,23 @@
 #include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/occlusion/names.hpp"
-#include "effect/methods.hpp"
 
 namespace gloam::cli {
 namespace {
 
 using Texts = std::vector<std::string>;
 
-// File, documented error and instructions of a function; a method that is no entry has its file alone.
+// File, documented error and instructions of a function.
 using Facts = std::map<std::string, std::array<std::string, 3>>;
 
 Facts facts_of(const catalogue::Entries& entries) {
     Facts facts;
-    for (const effect::MethodInfo& method : effect::methods())
-        facts["gloam_" + method.name] = {file_of(method).substr(6), "-", "-"};
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},
                           .cache_directory = cache_directory()});
     Texts functions;
     std::vector<shader::Spirv> kernels;
-    for (const auto& [d, question] : entries) {
+    for (const auto& [d, question, known] : entries) {
         if (!d.file.starts_with("gloam/") || std::ranges::count(functions, d.function) > 0) continue;
         std::string error = base::replaced(to_text(question.budget), "at inputs within ", "~");
         for (const char* word : {" of the largest component", " absolute"})
@@ -76,8 +73,7 @@ std::string numbers_page() {
         "and methods\n"
         "are in files of `glsl/gloam`, `passes` in `glsl`. The error is the documented one, absolute or in "
         "ulp, and\n"
-        "`~4 ulp` at inputs within 4 ulp. Instructions are those of `gloam cost` with Mesa 22.3.6. `-`: not "
-        "measured.\n";
+        "`~4 ulp` at inputs within 4 ulp. Instructions are those of `gloam cost` with Mesa 22.3.6.\n";
     std::string paper;
     for (const catalogue::PrintedRow& row : catalogue::printed_rows()) {
         if (row.paper != paper)
