@@ -144,12 +144,14 @@ inline double gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::i
     return gloam_weighted_mean_value(mean, own.x);
 }
 
+// The Gaussian over nine taps, as print rounds it.
 inline double gloam_sao_blur_weight(int tap, double key_difference, double slope) {
-    constexpr double gaussian[] = {0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
     if (tap < -4 || tap > 4) return 0.0;
-    if (tap == 0) return gaussian[0];
+    double sum = 0.0;
+    for (int r = -4; r <= 4; ++r) sum += exp(-r * r / 18.0);
+    const double gaussian = std::round(1e6 * exp(-tap * tap / 18.0) / sum) / 1e6;
     const double fall = key_difference == 0.0 || slope <= 0.0 ? 0.0 : slope * abs(key_difference);
-    return std::isnan(fall) ? 0.0 : (0.3 + gaussian[std::abs(tap)]) * max(0.0, 1.0 - fall);
+    return tap == 0 ? gaussian : (0.3 + gaussian) * max(0.0, 1.0 - fall);
 }
 
 inline glm::ivec2 gloam_half_size(glm::ivec2 size) {

@@ -75,12 +75,14 @@ inline double gloam_linear_depth_orthographic_gl(double b, double p22, double p3
 }
 
 inline dvec3 gloam_neighbor_direction(dvec3 center, dvec3 behind, dvec3 ahead) {
-    const bool has_behind = !gloam_is_background(-behind.z);
-    const bool has_ahead = !gloam_is_background(-ahead.z);
-    if (!has_behind && !has_ahead) return dvec3(0.0);
-    const bool ahead_is_nearer = abs(ahead.z - center.z) <= abs(behind.z - center.z);
-    const bool takes_ahead = has_ahead && (ahead_is_nearer || !has_behind);
-    return gloam_safe_normalize(takes_ahead ? ahead - center : center - behind, dvec3(0.0));
+    dvec3 flattest(0.0);
+    double least = infinity;
+    for (const auto& [neighbor, step] : {std::pair(ahead, ahead - center), {behind, center - behind}}) {
+        if (gloam_is_background(-neighbor.z) || !(abs(step.z) < least)) continue;
+        least = abs(step.z);
+        flattest = step;
+    }
+    return gloam_safe_normalize(flattest, dvec3(0.0));
 }
 
 inline dvec3 gloam_facing_normal(dvec3 along_x, dvec3 along_y, dvec3 toward_viewer) {

@@ -60,6 +60,10 @@ inline double fract(double x) {
 inline bool is_finite(double x) {
     return abs(x) <= float_max;
 }
+// As a device may read it: a subnormal number is 0.
+inline double flushed(double x) {
+    return abs(x) < float_min ? 0.0 : x;
+}
 template <glm::length_t N>
 bool is_finite(const glm::vec<N, double>& v) {
     for (glm::length_t i = 0; i < N; ++i)

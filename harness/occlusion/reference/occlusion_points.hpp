@@ -71,7 +71,9 @@ inline double gloam_issao_occlusion(dvec2 accumulated, double lambda) {
 }
 
 inline double gloam_contribution_mssao(dvec3 offset, dvec3 normal, double radius) {
-    return gloam_falloff_quadratic(gloam_length(offset), radius) * gloam_sample_cosine(offset, normal);
+    const double d = length(offset);
+    if (!has_direction(offset) || std::isnan(dot(offset, normal)) || !(radius >= float_min)) return 0.0;
+    return (1.0 - pow(min(d / radius, 1.0), 2)) * clamp(dot(offset, normal) / d, 0.0, 1.0);
 }
 
 inline double gloam_mssao_combine(double largest, double mean) {
@@ -95,13 +97,17 @@ inline dvec2 gloam_disc_share(double area, double distance_to) {
 
 inline double gloam_contribution_disc_proxy_cosine(dvec3 offset, dvec3 normal, dvec3 emitter_normal,
                                                    double area, double weight) {
-    return gloam_unit_interval(weight) * gloam_disc_share(area, gloam_length(offset)).x *
-           gloam_sample_cosine(-offset, emitter_normal) * gloam_sample_cosine(offset, normal);
+    const double d = length(offset);
+    const dvec2 cosines(-dot(offset, emitter_normal) / d, dot(offset, normal) / d);
+    if (!has_direction(offset) || !(cosines.x > 0.0 && cosines.y > 0.0 && area > 0.0)) return 0.0;
+    const double share = 1.0 / (1.0 + pi * d * d / area);
+    return gloam_unit_interval(weight) * share * min(cosines.x, 1.0) * min(cosines.y, 1.0);
 }
 
 inline double gloam_sphere_fraction(double radius, double distance_to) {
     if (!(radius > 0.0 && distance_to >= 0.0)) return 0.0;
-    return distance_to <= radius ? 1.0 : 1.0 - sqrt(1.0 - pow(radius / distance_to, 2));
+    const double half_angle = asin(std::min(1.0, radius / abs(distance_to)));  // from inside all is ball
+    return 2.0 * pow(sin(half_angle / 2.0), 2);                                // 1 - cos
 }
 
 inline double gloam_contribution_sphere(dvec3 offset, dvec3 normal, double radius) {

@@ -23,7 +23,7 @@ inline dvec3 gloam_multi_bounce(double occlusion, dvec3 albedo) {
     for (int i = 0; i < 3; ++i) {
         const double p = gloam_unit_interval(albedo[i]);
         const double fitted =
-            (((2.0404 * p - 0.3324) * v + (0.6417 - 4.7951 * p)) * v + (2.7552 * p + 0.6903)) * v;
+            (2.0404 * p - 0.3324) * pow(v, 3) + (0.6417 - 4.7951 * p) * pow(v, 2) + (2.7552 * p + 0.6903) * v;
         albedo[i] = std::clamp(fitted, v, 1.0);
     }
     return albedo;

@@ -20,17 +20,19 @@ inline GloamHistory gloam_history_empty(double depth) {
     return {0.0, 0.0, 0U, gloam_is_background(depth) ? infinity : depth};
 }
 
+// Whether a sample can have the value.
+inline bool is_occlusion(double x) {
+    return x == gloam_unit_interval(x);
+}
+
 inline bool gloam_history_usable(double occlusion, double weight) {
-    const bool occludes = occlusion > -float_min && occlusion <= 1.0;
-    return occludes && weight >= float_min && weight <= float_max;
+    return is_occlusion(flushed(occlusion)) && flushed(weight) > 0.0 && is_finite(weight);
 }
 
 inline GloamHistory gloam_history_sanitize(GloamHistory h) {
     if (!gloam_history_usable(h.occlusion, h.weight) || gloam_is_background(h.depth))
         return gloam_history_empty(h.depth);
-    if (h.occlusion < float_min) h.occlusion = 0.0;
-    h.index %= 1U << 24U;
-    return h;
+    return {flushed(h.occlusion), h.weight, h.index % (1U << 24U), h.depth};
 }
 
 inline dvec4 gloam_history_pack(const GloamHistory& h) {
@@ -49,25 +51,25 @@ inline unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size
     return static_cast<unsigned>((std::uint64_t{index} + k) % size);
 }
 
+// Of so many samples of one value, those that a mean of at most `most` keeps.
 inline double gloam_history_weight(double history, double weight, double weight_max) {
-    const bool usable =
-        history > -float_min && history <= 1.0 && weight >= float_min && weight_max >= float_min;
-    return usable ? std::min({weight, weight_max, float_max}) : 0.0;
+    const double kept = gloam_positive_length(flushed(weight));
+    return is_occlusion(flushed(history)) ? min(kept, gloam_positive_length(flushed(weight_max))) : 0.0;
 }
 
-// (w AO + k C) / (w + k) and min(w + k, w_max).
+// The mean of all samples: those that the history stands for, each its mean, and k new ones, each C.
 inline dvec2 gloam_blend(double history, double weight, double contribution, double k, double weight_max) {
-    const double w = gloam_history_weight(history, weight, weight_max);
-    const double old = w > 0.0 && history >= float_min ? history : 0.0;
-    if (!(k >= float_min && k <= float_max && is_finite(contribution))) return {old, w};
-    const double most = weight_max >= float_min ? weight_max : 0.0;
-    return {(w * old + k * gloam_unit_interval(contribution)) / (w + k), std::min({w + k, most, float_max})};
+    const bool taken = is_finite(contribution) && is_finite(k);
+    const dvec2 counts(gloam_history_weight(history, weight, weight_max), taken ? max(flushed(k), 0.0) : 0.0);
+    const dvec2 values(gloam_unit_interval(history), gloam_unit_interval(contribution));
+    const double samples = counts.x + counts.y;
+    return {samples > 0.0 ? dot(counts, values) / samples : 0.0,
+            min(samples, gloam_positive_length(flushed(weight_max)))};
 }
 
 inline double gloam_convergence(double weight, double weight_max) {
     if (!(weight_max >= float_min)) return 1.0;
-    if (!(weight > 0.0)) return 0.0;
-    return weight < weight_max ? weight / weight_max : 1.0;
+    return weight >= weight_max ? 1.0 : gloam_unit_interval(weight / weight_max);
 }
 
 inline bool gloam_rotation_enabled(double convergence, double c_rot) {
@@ -102,9 +104,8 @@ inline bool gloam_probe_useful(dvec3 offset, dvec3 normal) {
 
 inline double gloam_probe_change(dvec3 now, dvec3 before, dvec3 normal, double reach) {
     if (!is_finite(now) || !is_finite(before) || !is_finite(normal)) return float_max;
-    const bool far = length(now) > reach && length(before) > reach;
-    if (far || !(dot(now, normal) > 0.0)) return 0.0;
-    return min(abs(length(now) - length(before)), float_max);
+    const auto [nearer, farther] = std::minmax({length(now), length(before)});
+    return nearer <= reach && dot(now, normal) > 0.0 ? min(farther - nearer, float_max) : 0.0;
 }
 
 inline double gloam_invalidate_clamp(double weight, double weight_small) {
@@ -121,12 +122,12 @@ inline double gloam_invalidate_confidence(double weight, double confidence) {
     return weight > 0.0 && is_finite(weight) ? weight * gloam_unit_interval(confidence) : 0.0;
 }
 
+// The mean of both by their shares; what is no occlusion has none.
 inline double gloam_temporal_smooth(double history, bool valid, double current, double rate) {
-    const bool has_history = valid && history >= 0.0 && history <= 1.0;
-    const bool has_current = current >= 0.0 && current <= 1.0;
-    if (!has_current) return has_history ? history : 0.0;
-    if (!has_history || std::isnan(rate)) return current;
-    return mix(history, current, gloam_unit_interval(rate));
+    const double now = std::isnan(rate) ? 1.0 : gloam_unit_interval(rate);
+    const bool old = valid && is_occlusion(history);
+    const double share = is_occlusion(current) ? (old ? now : 1.0) : 0.0;
+    return mix(old ? history : 0.0, gloam_unit_interval(current), share);
 }
 
 inline dvec4 gloam_bilinear_weights(dvec2 fraction) {
@@ -171,10 +172,15 @@ inline dvec3 gloam_frame_before(dvec2 pixel, double depth, glm::dmat4x3 m, bool 
     return {before.x / before.z, before.y / before.z, before.z};
 }
 
+// Nearer, or farther, than each of the four by more than the tolerance.
 inline bool gloam_frame_moved(double depth, dvec4 before, double far, double tolerance) {
-    const auto [least, most] = std::minmax({before.x, before.y, before.z, before.w});
-    const double own = std::min(depth, far);
-    return own < std::min(least, far) * (1.0 - tolerance) || own / (1.0 + tolerance) > most;
+    bool nearer = true;
+    bool farther = true;
+    for (int i = 0; i < 4; ++i) {
+        nearer = nearer && min(depth, far) < min(before[i], far) * (1.0 - tolerance);
+        farther = farther && min(depth, far) > before[i] * (1.0 + tolerance);
+    }
+    return nearer || farther;
 }
 
 inline double gloam_frame_sharp(dvec2 own, dvec2 all, double part) {
