@@ -2,6 +2,7 @@
 #ifndef GLOAM_TEMPORAL_REPROJECTED_HISTORY_GLSL
 #define GLOAM_TEMPORAL_REPROJECTED_HISTORY_GLSL
 
+#include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/pixel.glsl"
 #include "gloam/temporal/history.glsl"
 
@@ -44,6 +45,28 @@ GloamHistory gloam_reprojected_history(vec2 uv, ivec2 size, float expected_depth
     }
     mean.x = min(mean.x, 1.0);  // the weights' sum may be 1 and a rounding error
     return gloam_history_unpack(mean);
+}
+
+// Texels that count.
+const uint GLOAM_TAPS_NEAREST = 0u;
+const uint GLOAM_TAPS_BILINEAR = 1u;  // the four around, whatever they show, where the nearest shows the surface
+// Any other number: those of the four that show the surface.
+
+// history of a point, by where it was (TSSAO-RP-point): `RP-history at (u, v) of x', d' = -z'` [TSSAO, eqs 7 and 8].
+// previous: x', in the view space of the previous frame (gloam_previous_view), world units. camera: of that frame, with
+// the size of the history buffer. taps: GLOAM_TAPS_*. epsilon: see gloam_reprojected_history.
+// Returns the history with the depth that the point had; the empty one also for a point behind the eye. Error: as
+// gloam_reprojected_history, whose coordinates err by 2e-7 here.
+GloamHistory gloam_reprojected_point(vec3 previous, GloamCamera camera, uint taps, float epsilon) {
+    vec2 uv = gloam_camera_uv(previous, camera);
+    if (!gloam_inside_unit(uv)) return gloam_history_empty(-previous.z);
+    if (taps == GLOAM_TAPS_NEAREST || taps == GLOAM_TAPS_BILINEAR) {
+        vec2 center = gloam_pixel_center(uv, camera.size);
+        GloamHistory nearest = gloam_reprojected_history(center, camera.size, -previous.z, epsilon);
+        if (taps == GLOAM_TAPS_NEAREST || !(nearest.weight > 0.0)) return nearest;
+        epsilon = gloam_background_depth();
+    }
+    return gloam_reprojected_history(uv, camera.size, -previous.z, epsilon);
 }
 
 #endif

@@ -44,7 +44,6 @@ layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_
 #include "gloam/sampling/count.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/invalidation.glsl"
-#include "invalidation.glsl"
 #include "method_values.glsl"
 
 layout(binding = 7 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
@@ -104,13 +103,6 @@ vec3 gloam_fetch_normal(ivec2 pixel) {
     return GLOAM_FETCH(normal_image, pixel).xyz;
 }
 
-// Weight that the history keeps after what the probes have seen (TSSAO-SI). seen: the largest change, world units.
-float weight_after_change(float weight, float seen) {
-    if (!watches_objects) return weight;
-    return invalidated_weight(weight, seen, parameters.radius, parameters.invalidation, parameters.change_tolerance,
-                              parameters.weight_small, parameters.confidence_factor);
-}
-
 // A sample is as far as the radius from the point, and what blocks it up to `range` in front of the sample.
 Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
     vec3 previous = GLOAM_FETCH(previous_position_image, pixel).xyz;
@@ -152,7 +144,11 @@ GloamHistory sampled(ivec2 pixel, float depth) {
         fresh = estimated(pixel, depth, before, samples);
         change = neighborhood.change;
     }
-    float weight = weight_after_change(before.weight, change);
+    float weight = before.weight;
+    if (watches_objects)
+        weight = gloam_invalidated_weight(weight, change, parameters.radius, parameters.invalidation,
+                                          parameters.change_tolerance, parameters.weight_small,
+                                          parameters.confidence_factor);
     vec2 blended =
         gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples * fresh.weight, parameters.weight_max);
     if (smooths && parameters.smoothing > 0.0 && fresh.samples > 0.0) {

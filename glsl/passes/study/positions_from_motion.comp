@@ -27,26 +27,13 @@ layout(push_constant) uniform Parameters {
     vec2 motion_unit;            // pixels: by how many, x right and y down, a point has moved that has a vector of 1
 } parameters;
 
-#include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/pixel.glsl"
-
-// Where a point of an image lies in view space, at a depth.
-// place: pixels from the top left corner; the centre of the first pixel is at 1/2.
-vec3 position_at(vec2 place, float depth, vec2 p00_p11, bool is_orthographic) {
-    vec2 ray = (2.0 * place / vec2(parameters.size) - 1.0) / p00_p11;
-    return vec3(is_orthographic ? ray : ray * depth, -depth);
-}
+#include "gloam/geometry/reprojection.glsl"
 
 vec3 earlier(ivec2 pixel, float depth) {
-    vec3 here = gloam_camera_position(pixel, depth, GloamCamera(parameters.p00_p11, parameters.size, orthographic));
-    vec3 still = (parameters.previous_from_current * vec4(here, 1.0)).xyz;
-    if (!previous_orthographic && !(still.z < 0.0)) return vec3(0.0);  // behind the eye
-    vec2 motion = parameters.motion_unit * GLOAM_FETCH(motion_image, pixel).xy;
-    if (abs(motion.x) < 1e9 && abs(motion.y) < 1e9)
-        return position_at(vec2(pixel) + 0.5 - motion, -still.z, parameters.previous_p00_p11, previous_orthographic);
-    // The camera alone may have carried the point in from outside. Otherwise its earlier position is unknown.
-    GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
-    return gloam_inside_unit(gloam_camera_uv(still, camera)) ? vec3(0.0) : still;
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
+    GloamCamera previous = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
+    vec3 still = gloam_previous_view(pixel, depth, camera, parameters.previous_from_current);
+    return gloam_previous_moved(pixel, parameters.motion_unit * GLOAM_FETCH(motion_image, pixel).xy, still, previous);
 }
 
 void main() {

@@ -9,7 +9,7 @@
 //               set
 //   2  rgba32f  history of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
 //   3  rgba32f  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
-//               0, depth) for none
+//               0, depth) for none, infinity behind that camera
 #include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -32,42 +32,21 @@ layout(push_constant) uniform Parameters {
     float depth_tolerance;       // of the depth test, relative; infinity: no test
 } parameters;
 
-#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/reprojection.glsl"
 #include "gloam/temporal/reprojected_history.glsl"
-
-const uint NEAREST = 0u;
-const uint BILINEAR = 1u;
 
 vec4 gloam_fetch_history(ivec2 pixel) {
     return GLOAM_FETCH(previous_history, pixel);
 }
 
-// Where a surface point was, in the view space of the previous frame.
-vec3 previous_position(ivec2 pixel, float depth) {
-    if (moving_objects) return GLOAM_FETCH(previous_position_image, pixel).xyz;
-    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
-    return (parameters.previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
-}
-
-GloamHistory history_at(vec2 uv, float expected_depth) {
-    if (taps == NEAREST || taps == BILINEAR) {
-        vec2 center = gloam_pixel_center(uv, parameters.size);
-        GloamHistory nearest =
-            gloam_reprojected_history(center, parameters.size, expected_depth, parameters.depth_tolerance);
-        if (taps == NEAREST || !(nearest.weight > 0.0)) return nearest;
-    }
-    float tolerance = taps == BILINEAR ? gloam_background_depth() : parameters.depth_tolerance;
-    return gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
-}
-
 GloamHistory reprojected(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (gloam_is_background(depth)) return gloam_history_empty(depth);
-    vec3 previous = previous_position(pixel, depth);
-    GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
-    vec2 uv = gloam_camera_uv(previous, camera);
-    bool seen = !gloam_is_background(-previous.z) && gloam_inside_unit(uv);
-    return seen ? history_at(uv, -previous.z) : gloam_history_empty(depth);
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
+    GloamCamera before = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
+    vec3 previous = gloam_previous_view(pixel, depth, camera, parameters.previous_from_current);
+    if (moving_objects) previous = GLOAM_FETCH(previous_position_image, pixel).xyz;
+    return gloam_reprojected_point(previous, before, taps, parameters.depth_tolerance);
 }
 
 void main() {

@@ -157,6 +157,18 @@ void append_cameras(Entries& entries) {
     add(entries, "CAMERA-position", &reference::gloam_camera_position, {pixel, depths(), cameras()},
         {.ulp = 3}, {-huge, huge},
         [](glm::ivec2, double d, const Camera& c) { return moderate(smallest, largest, d, c.p00_p11); });
+    add(entries, "TSSAO-RP-view", &reference::gloam_previous_view,
+        {vector(2, integers(-1, 1)), log_uniform(1e-3, 100), cameras(), rigid_matrices(10)},
+        {.absolute = 1e-4}, {-huge, huge}, [](glm::ivec2, double d, const Camera& c, const glm::dmat4&) {
+            return moderate(smallest, 100, d) && moderate(0.4, 4, c.p00_p11);
+        });
+    add(entries, "TSSAO-RP-motion", &reference::gloam_previous_moved,
+        {vector(2, integers(-1, 2)), vector(2, uniform(-2, 2).and_near({1e9})).and_special(),
+         view_positions(), cameras()},
+        {.ulp = 4, .absolute = 4e-6}, {-huge, huge},
+        [](glm::ivec2, glm::dvec2 m, glm::dvec3 at, const Camera& c) {
+            return moderate(smallest, 100, m, at) && moderate(0.4, 4, c.p00_p11);
+        });
     add(entries, "CAMERA-radius", &reference::gloam_camera_radius,
         {log_uniform(1e-3, 1e2).and_special(), depths(), cameras()}, {.ulp = 3}, {0, huge},
         [](double r, double d, const Camera& c) {

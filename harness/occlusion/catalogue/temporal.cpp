@@ -156,6 +156,14 @@ void append_invalidation(Entries& entries) {
         {.ulp = 3}, {0, 1});
     add(entries, "TSSAO-SI-b-weight", &reference::gloam_invalidate_confidence,
         {weight, uniform(0, 1).and_near({0.0, 1.0}).and_special()}, {.ulp = 0.5}, {0, float_max});
+    add(entries, "TSSAO-SI", &reference::gloam_invalidated_weight,
+        Domain{uniform(0, 1500), uniform(0, 1), uniform(0.1, 2), integers(0, 3), log_uniform(1e-6, 1),
+               uniform(32, 64), uniform(15, 30)}
+            .tied(4, 1),
+        {.ulp = 4, .backward_ulp = 1}, {0, 1500},
+        [](double weight, double change, double radius, unsigned, double tolerance, double, double) {
+            return weight > 1e-30 && change >= 0.0 && radius > 1e-3 && tolerance >= 0.0;
+        });
 }
 
 constexpr const char* history_name = "gloam_fetch_history";
@@ -222,6 +230,20 @@ void append_reprojection(Entries& entries) {
         {previous_coordinates(), image_size(), expected_depths(),
          either(uniform(0, 0.05), constant(0.01F)).and_special()},
         {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 1}, {0, std::numeric_limits<double>::infinity()},
+        nullptr, scenarios);
+    const Values point = vector({uniform(-1.1, 1.1), uniform(-1.1, 1.1), expected_depths()});
+    add(
+        entries, "TSSAO-RP-point",
+        [](const ImageSet& images, glm::dvec3 previous, const reference::GloamCamera& camera, unsigned taps,
+           double epsilon) {
+            const auto fetch = [&images](glm::ivec2 pixel) {
+                return images.at(history_name).at<glm::dvec4>(pixel);
+            };
+            return reference::gloam_reprojected_point(previous, camera, taps, epsilon, fetch);
+        },
+        Domain{point, cameras(), integers(0, 2), either(uniform(0, 0.05), constant(0.01F)).and_special()}
+            .adjusted(place_before_camera(0, 3)),
+        {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 4}, {0, std::numeric_limits<double>::infinity()},
         nullptr, scenarios);
 }
 

@@ -140,6 +140,21 @@ inline dvec3 gloam_camera_position(glm::ivec2 pixel, double depth, const GloamCa
     return position(gloam_ndc_from_pixel(pixel, camera.size), depth, camera.p00_p11);
 }
 
+inline dvec3 gloam_previous_view(glm::ivec2 pixel, double depth, const GloamCamera& camera,
+                                 dmat4 previous_from_current) {
+    return previous_from_current * dvec4(gloam_camera_position(pixel, depth, camera), 1.0);
+}
+
+// On the ray through where the point was in the image; a point that only the camera has moved has none.
+inline dvec3 gloam_previous_moved(glm::ivec2 pixel, dvec2 motion, dvec3 still, const GloamCamera& camera) {
+    const bool told = is_finite(motion) && max(abs(motion.x), abs(motion.y)) < 1e9;
+    const dvec2 ndc = gloam_ndc_from_pixel(pixel, camera.size) - 2.0 * motion / dvec2(camera.size);
+    const dvec3 on_ray(ndc / camera.p00_p11 * (camera.orthographic ? 1.0 : -still.z), still.z);
+    const bool hidden = !told && gloam_inside_unit(gloam_camera_uv(still, camera));
+    const bool behind = !camera.orthographic && gloam_is_background(-still.z);
+    return hidden || behind || !is_finite(told ? on_ray : still) ? dvec3(0.0) : (told ? on_ray : still);
+}
+
 inline dvec2 gloam_camera_radius(double radius, double depth, const GloamCamera& camera) {
     const auto axes =
         camera.orthographic ? gloam_projected_radius_uv_orthographic : gloam_projected_radius_uv;

@@ -122,6 +122,15 @@ inline double gloam_invalidate_confidence(double weight, double confidence) {
     return weight > 0.0 && is_finite(weight) ? weight * gloam_unit_interval(confidence) : 0.0;
 }
 
+// Form (a) or (b) of smooth invalidation, of what exceeds rounding; else nothing is lost.
+inline double gloam_invalidated_weight(double weight, double change, double radius, unsigned invalidation,
+                                       double tolerance, double weight_small, double factor) {
+    const double excess = max(change - tolerance, 0.0);
+    const double kept[] = {weight, excess > 0.0 ? min(weight, weight_small) : weight,
+                           weight / (1.0 + factor * excess / radius)};
+    return kept[invalidation < 3U ? invalidation : 0U];
+}
+
 // The mean of both by their shares; what is no occlusion has none.
 inline double gloam_temporal_smooth(double history, bool valid, double current, double rate) {
     const double now = std::isnan(rate) ? 1.0 : gloam_unit_interval(rate);
@@ -164,6 +173,19 @@ inline GloamHistory gloam_reprojected_history(dvec2 uv, glm::ivec2 size, double 
     }
     return gloam_history_sanitize(
         {min(mean.occlusion / total, 1.0), mean.weight / total, mean.index, mean.depth});
+}
+
+// Nearest: the texel that the point is in. Bilinear: all four, where that one holds the surface.
+inline GloamHistory gloam_reprojected_point(dvec3 previous, const GloamCamera& camera, unsigned taps,
+                                            double epsilon, const Fetch<dvec4>& fetch_history) {
+    const dvec2 uv = gloam_camera_uv(previous, camera);
+    if (!gloam_inside_unit(uv)) return gloam_history_empty(-previous.z);
+    const auto at = [&](dvec2 place, double tolerance) {
+        return gloam_reprojected_history(place, camera.size, -previous.z, tolerance, fetch_history);
+    };
+    const GloamHistory nearest = at(gloam_pixel_center(uv, camera.size), epsilon);
+    const bool all = taps == 1U && nearest.weight > 0.0;
+    return taps < 2U && !all ? nearest : at(uv, all ? infinity : epsilon);
 }
 
 inline dvec3 gloam_frame_before(dvec2 pixel, double depth, glm::dmat4x3 m, bool orthographic) {
