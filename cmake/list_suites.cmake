@@ -7,7 +7,7 @@ set(most_tests 48)
 # The groups that take longest, in seconds. ctest starts these first, before it has measured any of them. It measures
 # the others itself: it would not where they had a COST.
 set(long_groups cli.Pack 50 stress.All/PoisonOf/1of2 20 stress.All/PoisonOf/2of2 20
-  interpreted_passes.All/InterpretedPassesOf 40 closed_form.All/ClosedForm/2of2 30
+  closed_form.All/ClosedForm/2of2 30
   effect.All/Prepared 15 cli.HostileFiles 20 closed_form.All/ClosedForm/1of2 20
   configuration_study.TemporalQuality 20 catalogue.CatalogueCoverage 20 cli.Demo 15 cli.PackEffect 15 effect.Pictures 35)
 

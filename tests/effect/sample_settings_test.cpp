@@ -30,20 +30,6 @@ double per_pixel(const Frame& frame) {
            static_cast<double>(surfaces) * double{Settings{}.weight_max};
 }
 
-TEST_F(SampleSettings, FewerAreTakenFarAway) {
-    Settings settings = plain();
-    const double all = per_pixel(frame_of(settings));
-    EXPECT_GT(all, 30.0);  // a few lie behind the eye
-    settings.samples_distance = 30.0F;
-    const double far_ones = per_pixel(frame_of(settings));
-    EXPECT_GE(far_ones, all * 4 / 32);
-    EXPECT_LT(far_ones, all * 24 / 32);
-    settings.samples_distance = 1e-3F;  // every pixel lies beyond
-    EXPECT_NEAR(per_pixel(frame_of(settings)), all * 4 / 32, 0.1);
-    settings.samples_least = 9;
-    EXPECT_NEAR(per_pixel(frame_of(settings)), all * 9 / 32, 0.1);
-}
-
 // What the mean counts was taken: whole slices, rays, pairs.
 TEST_F(SampleSettings, WhatIsCountedWasTaken) {
     struct Asked {
@@ -113,54 +99,6 @@ TEST_F(SampleSettings, ABiasByDepthHidesTheRoundingOfHalves) {
     }
 }
 
-// Where pixels are not square, the projected radius is an ellipse: its larger half-axis counts, 30 pixels of
-// 30 and 10, whichever way they are stretched.
-TEST_F(SampleSettings, TheLargerHalfAxisOfTheRadiusCounts) {
-    const gpu::Extent extent{75, 99};
-    for (const double pixel_aspect : {3.0, 1.0 / 3.0}) {
-        const scene::GBuffer view = groove(extent, pixel_aspect);
-        const double high = (pixel_aspect < 1.0 ? 10.0 : 30.0) / extent.height;  // of the image
-        const auto frame = [&](const Settings& settings) { return run(view, settings); };
-        Settings settings = with_radius(plain(), static_cast<float>(high * view_height));
-        settings.least_radius = 29.9F;
-        const Frame whole = frame(settings);
-        EXPECT_THAT(whole.convergence, Each(testing::Lt(1.0F)));
-        settings.least_radius = 30.1F;
-        EXPECT_THAT(frame(settings).convergence, Each(1.0F));
-        settings.least_radius = 0.0F;
-
-        settings.samples_radius = 60.0F;
-        EXPECT_NEAR(per_pixel(frame(settings)), per_pixel(whole) / 2.0, 0.1);
-        settings.samples_radius = 29.9F;
-        EXPECT_EQ(per_pixel(frame(settings)), per_pixel(whole));
-        settings.samples_radius = 0.0F;
-
-        settings.radius_cap = 30.1F;
-        EXPECT_EQ(frame(settings).occlusion, whole.occlusion);
-        settings.radius_cap = 15.0F;
-        const double capped = mean_of(frame(settings).occlusion);
-        settings.radius_cap = 1e18F;
-        settings.radius /= 2.0F;
-        EXPECT_NEAR(capped, mean_of(frame(settings).occlusion), 1e-3);
-        EXPECT_GT(std::abs(capped - mean_of(whole.occlusion)), 3e-3);
-    }
-}
-
-// A rejected tap is not a sample: with fewer samples, less of the history is replaced.
-TEST_F(SampleSettings, RejectedTapsDoNotCount) {
-    for (const char* method : {"hemisphere", "alchemy"}) {
-        Settings settings = plain(method);
-        settings.own.range = 0.1F;
-        const Frame all = frame_of(settings);
-        settings.reject_taps = true;
-        const Frame some = frame_of(settings);
-        EXPECT_LT(per_pixel(some), 0.99 * per_pixel(all)) << method;
-        EXPECT_GT(per_pixel(some), 0.5 * per_pixel(all)) << method;
-        settings.own.range = 1e6F;
-        EXPECT_EQ(frame_of(settings).convergence, all.convergence) << method;
-    }
-}
-
 // The slices of neighbouring pixels are spread evenly over all directions and jitters.
 TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     const scene::GBuffer view = groove({96, 64});
@@ -177,26 +115,6 @@ TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
         return errors_of(filtered, run(view, settings).occlusion).rmse;
     };
     EXPECT_LT(noise_after_filter(Rotation::lattice), 0.8 * noise_after_filter(Rotation::hash));
-}
-
-// The mean of two frames with the same number of samples, (a + b) / 2, determines the second one.
-TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
-    scene_ = scene::make_scene("corner");
-    Settings settings = plain();
-    settings.c_spatial = 2.0F;
-    ASSERT_NEAR(per_pixel(frame_of(settings)), 32.0, 1e-4);
-    const std::vector<float> first = frame_of(settings).occlusion;
-    const std::vector<float> both = frame_of(settings, 2).occlusion;
-    settings.smoothing = 0.25F;
-    EXPECT_EQ(frame_of(settings).occlusion, first);
-    const std::vector<float> smoothed = frame_of(settings, 2).occlusion;
-    double most = 0.0;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        const double second = 2.0 * double{both[i]} - double{first[i]};
-        most = std::max(
-            most, std::abs(double{smoothed[i]} - (double{first[i]} + 0.25 * (second - double{first[i]}))));
-    }
-    EXPECT_LT(most, 1e-5);
 }
 
 }  // namespace gloam::effect::sample_settings_test

@@ -56,24 +56,6 @@ TEST_F(Temporal, HistoryFollowsAPanningCamera) {
     EXPECT_GT(mean_of(moving.convergence), 0.8 * 8 * 32 / 500.0);
 }
 
-TEST_F(Temporal, DisoccludedPixelsHaveNoHistory) {
-    const scene::Scene scene = floor_and_wall(true, 0.15);
-    const std::vector<Frame> frames = sequence(scene, paper(), 4);
-    for (int i = 1; i < 4; ++i) {
-        const scene::GBuffer before = view(scene, i - 1);
-        const scene::GBuffer now = drawn(scene, extent, {.frame = i, .motion = true, .ids = true});
-        std::size_t uncovered = 0;
-        for (std::size_t p = 0; p < now.depth.size(); ++p) {
-            // The background came out from behind the box, which was nearer by far more than the tolerance.
-            const bool freed = now.object[p] == 0 && before.depth[p] < 0.9F * now.depth[p];
-            if (!freed) continue;
-            ++uncovered;
-            EXPECT_EQ(frames[static_cast<std::size_t>(i)].kept[p], 0.0F) << "pixel " << p;
-        }
-        EXPECT_GT(uncovered, 10U);
-    }
-}
-
 TEST_F(Temporal, HistoryMovesWithAnObject) {
     const scene::Scene scene = floor_and_wall(true, 0.04);
     const Frame frame = sequence(scene, paper(), 5).back();
@@ -113,107 +95,6 @@ TEST_F(Temporal, AZoomKeepsTheHistoryWhereItWasInView) {
     };
     const Frame frame = sequence(scene, paper(), 4).back();
     EXPECT_GT(mean_of(frame.convergence), 0.9 * 4 * 32 / 500.0) << "the projection of each frame is its own";
-}
-
-// A plane at depth 5 whose right half is somewhere else, and moves in depth from one frame to the next.
-struct MovingHalf {
-    scene::GBuffer before;
-    scene::GBuffer after;
-
-    static constexpr std::size_t left_of_the_edge = 96 * 32 + 47;
-
-    MovingHalf(double depth_before, double depth_after)
-        : before(view_with(depth_before)), after(view_with(depth_after)) {
-        const glm::vec2 scale(after.camera.p00_p11());
-        after.camera.previous_from_current = glm::mat4(1.0F);
-        for (std::size_t i = 0; i < after.depth.size(); ++i) {
-            const auto x = static_cast<float>(2 * (i % extent.width) + 1) / extent.width - 1.0F;
-            const auto y = static_cast<float>(2 * (i / extent.width) + 1) / extent.height - 1.0F;
-            after.previous_position.emplace_back(x / scale.x, y / scale.y, -before.depth[i]);
-        }
-    }
-
-  private:
-    static scene::GBuffer view_with(double depth) {
-        scene::GBuffer view = view_of(extent, true, [&](glm::dvec2 at) { return at.x > 0.0 ? depth : 5.0; });
-        return view;
-    }
-};
-
-// A sample of the hemisphere is blocked by surfaces up to `range` in front of it, for any radius. When a
-// surface leaves that range, the occlusion changes.
-TEST_F(Temporal, ProbesReachAsFarAsWhatBlocks) {
-    const MovingHalf plate(4.2, 3.0);
-    Settings settings = with_radius(with_method(paper(), "hemisphere"), 0.2F);
-    settings.own.range = 1.0F;
-    settings.invalidation = Invalidation::clamp;
-    settings.weight_small = 1.0F;
-    AmbientOcclusion& effect = effect_for(extent);
-    effect.begin(plate.before, settings);
-    for (int i = 0; i < 7; ++i) (void)effect.next();
-    const Frame blocked = effect.next();
-    effect.advance(plate.after);
-    const Frame open = effect.next();
-    const std::size_t pixel = MovingHalf::left_of_the_edge;
-    EXPECT_GT(blocked.occlusion[pixel], 0.1F);
-    EXPECT_GT(open.kept[pixel], 0.0F);
-    EXPECT_LT(open.occlusion[pixel], 0.1F * blocked.occlusion[pixel]);
-    EXPECT_LT(open.convergence[pixel], 0.5F * blocked.convergence[pixel]);
-    const std::size_t further = pixel - 40;  // from the plate than the radius
-    EXPECT_GT(open.convergence[further], blocked.convergence[further]);
-}
-
-TEST_F(Temporal, WhatMovesTogetherKeepsItsHistory) {
-    MovingHalf floor(5.0, 5.0);
-    for (float& depth : floor.before.depth) depth += 0.2F;
-    for (glm::vec3& position : floor.after.previous_position) position.z -= 0.2F;
-    AmbientOcclusion& effect = effect_for(extent);
-    effect.begin(floor.before, paper());
-    const float once = effect.next().convergence.front();
-    effect.advance(floor.after);
-    EXPECT_THAT(effect.next().convergence, Each(testing::FloatNear(2.0F * once, 1e-6F)));
-}
-
-// The edge of a surface before the background keeps its history while something moves elsewhere.
-TEST_F(Temporal, BackgroundUnderASampleIsNoChange) {
-    MovingHalf still(std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
-    still.after.previous_position.front().z -= 0.1F;
-    for (const Invalidation invalidation : {Invalidation::confidence, Invalidation::clamp}) {
-        Settings settings = paper();
-        settings.invalidation = invalidation;
-        AmbientOcclusion& effect = effect_for(extent);
-        effect.begin(still.before, settings);
-        for (int i = 0; i < 3; ++i) (void)effect.next();
-        const float before = effect.next().convergence[MovingHalf::left_of_the_edge];
-        effect.advance(still.after);
-        EXPECT_GT(effect.next().convergence[MovingHalf::left_of_the_edge], before);
-    }
-}
-
-// A pixel that takes no samples has no probes, so its history stays unchanged when objects move beside it.
-TEST_F(Temporal, WithoutSamplesTheHistoryStays) {
-    const MovingHalf pit(5.3, 6.0);
-    Settings settings = with_radius(with_method(paper(), "hemisphere"), 0.5F);
-    settings.samples_distance = 5.5F;  // none from there on
-    settings.samples_least = 0;
-    AmbientOcclusion& effect = effect_for(extent);
-    for (const bool smooths : {false, true}) {
-        settings.invalidation = smooths ? Invalidation::confidence : Invalidation::clamp;
-        settings.smoothing = smooths ? 0.25F : 0.0F;
-        effect.begin(pit.before, settings);
-        const Frame near = effect.next();
-        effect.advance(pit.after);
-        const Frame far = effect.next();
-        float darkest = 0.0F;
-        for (std::size_t y = 8; y < extent.height - 8; ++y) {
-            const std::size_t pixel = extent.width * y + extent.width / 2;
-            EXPECT_GT(near.convergence[pixel], 0.0F);
-            EXPECT_EQ(far.convergence[pixel], near.convergence[pixel]);
-            EXPECT_EQ(far.occlusion[pixel], near.occlusion[pixel]);
-            darkest = std::max(darkest, near.occlusion[pixel]);
-        }
-        EXPECT_GT(darkest, 0.1F);
-    }
 }
 
 TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {

@@ -104,17 +104,16 @@ vec3 gloam_camera_centered_previous(vec3 position, vec3 eye_delta) {
 // reprojection].
 // In view space, where only the camera's own motion is left: world coordinates, however large, cancel in the host.
 // pixel: integer pixel. depth: eye-linear, world units. camera: of this frame. previous_from_current: V' V^-1, rigid.
-// Returns the position in the view space of the previous frame, world units; of background where this frame's eye was.
-// Error: 1e-6 of the distances.
+// Returns the position in the view space of the previous frame, world units; for background this frame's eye. Error:
+// 1e-6 of the distances.
 vec3 gloam_previous_view(ivec2 pixel, float depth, GloamCamera camera, mat4 previous_from_current) {
     return (previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
 }
 
 // previous position of a pixel's point by its motion in the image (TSSAO-RP-motion): `d (ray(p + 1/2 - m), -1), d of
 // the still point` [gloam; TSSAO, reprojection].
-// pixel: p. motion: m, pixels that the point has moved since the previous frame, x right and y down; not finite, or
-// 1e9: it was not in the image. still: gloam_previous_view, where it was if only the camera has moved. camera: of the
-// previous frame.
+// pixel: p. motion: m, pixels since the previous frame, x right and y down; not finite, or 1e9: it was not in the
+// image. still: gloam_previous_view, as if only the camera had moved. camera: of the previous frame.
 // Returns the position in the view space of the previous frame, world units. The zero vector, which is read as
 // background, behind the eye, where it would not be finite, and for a point that was not in the image unless the camera
 // alone has carried it in. Error: 4 ULP and 4e-6, for motions of some pixels.
@@ -126,8 +125,8 @@ vec3 gloam_previous_moved(ivec2 pixel, vec2 motion, vec3 still, GloamCamera came
     } else if (gloam_inside_unit(gloam_camera_uv(still, camera))) {
         return vec3(0.0);
     }
-    bool before = camera.orthographic || !gloam_is_background(-still.z);
-    return before && gloam_is_finite3(previous) ? previous : vec3(0.0);
+    bool behind = !camera.orthographic && gloam_is_background(-still.z);
+    return behind || !gloam_is_finite3(previous) ? vec3(0.0) : previous;
 }
 
 #endif

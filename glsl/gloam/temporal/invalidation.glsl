@@ -107,16 +107,15 @@ float gloam_invalidate_confidence(float weight, float confidence) {
     return weight * gloam_unit_interval(confidence);
 }
 
-// The form that a setting chooses; any other number: nothing is lost.
+// The form that a setting chooses.
 const uint GLOAM_INVALIDATION_CLAMP = 1u;
 const uint GLOAM_INVALIDATION_CONFIDENCE = 2u;
 
 // samples that a history keeps after a change (TSSAO-SI): `min(w, w_small) where d > t; or w / (1 + S max(d - t, 0) /
 // R)` [TSSAO, notes on smooth invalidation].
-// weight: w, samples, >= 0. change: d, the largest of the pixel (gloam_probe_change), world units, >= 0. radius: R, of
-// influence, world units, > 0. invalidation: GLOAM_INVALIDATION_*. tolerance: t, world units, >= 0: what is below is
-// rounding, which must not eat the history of a scene at rest. weight_small: w_small, samples, > 0. factor: S, per
-// radius of change.
+// weight: w, samples, >= 0. change: d, of gloam_probe_change. radius: R, of influence, world units, > 0. invalidation:
+// GLOAM_INVALIDATION_*; any other number: nothing is lost. tolerance: t, world units, >= 0: less is rounding, and must
+// not eat the history of a scene at rest. weight_small: w_small, samples, > 0. factor: S, per radius of change.
 // Returns samples in [0, w]. Error: 4 ULP and what the difference loses, but for changes within rounding of t.
 float gloam_invalidated_weight(float weight, float change, float radius, uint invalidation, float tolerance,
                                float weight_small, float factor) {

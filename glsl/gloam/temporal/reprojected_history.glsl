@@ -47,14 +47,13 @@ GloamHistory gloam_reprojected_history(vec2 uv, ivec2 size, float expected_depth
     return gloam_history_unpack(mean);
 }
 
-// Texels that count.
 const uint GLOAM_TAPS_NEAREST = 0u;
 const uint GLOAM_TAPS_BILINEAR = 1u;  // the four around, whatever they show, where the nearest shows the surface
-// Any other number: those of the four that show the surface.
 
 // history of a point, by where it was (TSSAO-RP-point): `RP-history at (u, v) of x', d' = -z'` [TSSAO, eqs 7 and 8].
 // previous: x', in the view space of the previous frame (gloam_previous_view), world units. camera: of that frame, with
-// the size of the history buffer. taps: GLOAM_TAPS_*. epsilon: see gloam_reprojected_history.
+// the size of the history buffer. taps: GLOAM_TAPS_*; any other number: those of the four that show the surface.
+// epsilon: see gloam_reprojected_history.
 // Returns the history with the depth that the point had; the empty one also for a point behind the eye. Error: as
 // gloam_reprojected_history, whose coordinates err by 2e-7 here.
 GloamHistory gloam_reprojected_point(vec3 previous, GloamCamera camera, uint taps, float epsilon) {

@@ -122,16 +122,11 @@ GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samp
     return METHOD(position, normal, camera, kernel, values);
 }
 
-// The whole units of the method that `samples` stands for.
-uint whole_samples(uint samples) {
-    return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
-}
-
 // How many samples a pixel takes: whole units of the method. A constant where k_1 is k_2, so that loops are unrolled.
 uint samples_for(GloamHistory before, float depth) {
     uint samples = samples_at(before, depth);
     if (fewer_samples && samples == 0u) return 0u;
-    return whole_samples(samples);
+    return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
 }
 
 GloamHistory sampled(ivec2 pixel, float depth) {

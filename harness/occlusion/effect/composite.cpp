@@ -29,10 +29,6 @@ void require(std::size_t found, std::size_t expected, const char* what) {
 Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes)
     : device_(&device), pipeline_(pipeline_of(device, passes, {.file = "study/composite.comp"})) {}
 
-void Composite::watch(PassWatcher watcher) {
-    watcher_ = std::move(watcher);
-}
-
 std::vector<glm::vec3> Composite::lit(gpu::Extent extent, std::span<const glm::vec3> ambient,
                                       std::span<const glm::vec3> direct, std::span<const float> occlusion,
                                       const std::vector<glm::vec3>& albedo) const {
@@ -58,7 +54,7 @@ std::vector<glm::vec3> Composite::lit(gpu::Extent extent, std::span<const glm::v
                     {around, lamp, shown, image, color},
                     bytes_of(parameters),
                     groups_for(extent)};
-    (void)run(*device_, std::span(&step, 1), 1, watcher_);
+    (void)run(*device_, std::span(&step, 1), 1);
     return vectors_of(image.download());
 }
 

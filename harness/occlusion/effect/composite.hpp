@@ -8,7 +8,6 @@
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
-#include "effect/plan.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
@@ -28,13 +27,9 @@ class Composite {
                                              std::span<const float> occlusion,
                                              const std::vector<glm::vec3>& albedo = {}) const;
 
-    // From now on each pass is watched: for tests of the passes alone.
-    void watch(PassWatcher watcher);
-
   private:
     const gpu::Device* device_;
     gpu::ComputePipeline pipeline_;
-    PassWatcher watcher_;  // empty: none
 };
 
 }  // namespace gloam::effect

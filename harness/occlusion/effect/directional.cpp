@@ -60,12 +60,11 @@ struct Directional::Impl {
 
     Executor executor;
     Resources resources;
-    PassWatcher watcher;  // empty: none
 
     // Uploads a view; reconstructs missing normals.
     void take(const scene::GBuffer& view, const Settings& settings) {
         require(view, settings);
-        take_linear(view, resources, executor, watcher);
+        take_linear(view, resources, executor, {});
         resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings.own;
     }
 
@@ -78,16 +77,12 @@ struct Directional::Impl {
         Values values = values_of({view.camera, view.extent, view.border}, settings);
         values.set("interleave", interleave);
         executor.run(name, {.file = "study/" + name + ".comp"}, std::move(bound), values,
-                     groups_for(view.extent), resources, watcher);
+                     groups_for(view.extent), resources, {});
     }
 };
 
 Directional::Directional(const gpu::Device& device, const scene::PassLibrary& passes)
     : impl_(base::make_hidden<Impl>(device, passes)) {}
-
-void Directional::watch(PassWatcher watcher) {
-    impl_->watcher = std::move(watcher);
-}
 
 BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings,
                                       const BentOptions& options) {

@@ -65,9 +65,6 @@ class Directional {
     [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,
                                          const Sky& sky);
 
-    // From now on each pass is watched: for tests of the passes alone.
-    void watch(PassWatcher watcher);
-
   private:
     struct Impl;
     base::Hidden<Impl> impl_;

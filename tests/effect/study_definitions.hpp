@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "check/question.hpp"
+#include "reference/filter.hpp"
+#include "reference/sampling.hpp"
+#include "support/test.hpp"
+
+// The study's passes in double, as the paper's equations have them, on a view that is drawn for them.
+namespace gloam::effect::study_passes_test {
+
+using namespace check;
+using glm::dvec2;
+using glm::dvec3;
+using glm::dvec4;
+using glm::ivec2;
+
+inline constexpr ivec2 size(24, 20);
+inline constexpr float radius = 1.5F;
+inline constexpr float bias = 0.02F;
+inline constexpr float range = 1.0F;
+inline constexpr float weight_max = 40.0F;
+inline constexpr float c_spatial = 0.21F;
+inline constexpr float change_tolerance = 0.01F;
+inline constexpr float confidence_factor = 0.5F;
+inline constexpr unsigned table_size = 50U;
+
+struct Case {
+    std::string name;
+    bool orthographic = false;
+    bool moving = false;  // the plate moves, and the engine says where its points were
+    unsigned taps = 2;    // nearest, bilinear, those of the surface
+    unsigned invalidation = 0;
+    float smoothing = 0.0F;
+    bool rejects = false;  // taps too far in front
+    bool lattice = false;
+    float bias_depth = 0.0F;
+    float least_radius = 0.0F;
+    float radius_cap = 1e18F;
+    float samples_distance = 0.0F;
+    float samples_radius = 0.0F;
+    unsigned samples_least = 4;
+    ivec2 border{0};
+    std::string filter = "convergence";
+    float filter_cap = 1e18F;
+};
+
+inline void PrintTo(const Case& one, std::ostream* out) {
+    *out << one.name;
+}
+
+struct Camera {
+    glm::vec2 p00_p11;
+    bool orthographic;
+
+    [[nodiscard]] dvec2 ray(ivec2 pixel) const {
+        return (2.0 * (dvec2(pixel) + 0.5) / dvec2(size) - 1.0) / dvec2(p00_p11);
+    }
+    [[nodiscard]] dvec3 position(ivec2 pixel, double depth) const {
+        return {ray(pixel) * (orthographic ? 1.0 : depth), -depth};
+    }
+    // In pixels; the centre of the first one is at 1/2.
+    [[nodiscard]] dvec2 place(dvec3 at) const {
+        return (dvec2(p00_p11) * dvec2(at) / (orthographic ? 1.0 : -at.z) / 2.0 + 0.5) * dvec2(size);
+    }
+    // Depth at which the ray of a pixel meets the plane through a point; the point's own where it does not.
+    [[nodiscard]] double plane_depth(ivec2 pixel, dvec3 point, dvec3 normal) const {
+        const dvec3 eye(orthographic ? ray(pixel) : dvec2(0.0), 0.0);
+        const double along = dot(normal, dvec3(ray(pixel), -1.0) - eye);
+        const double t = dot(normal, point - eye) / along;
+        return along < 0.0 && t > 0.0 ? t : -point.z;
+    }
+    // The larger half-axis of the projected radius, pixels.
+    [[nodiscard]] double reach(double depth) const {
+        const dvec2 axes = glm::abs(dvec2(p00_p11)) * dvec2(size) * double{radius} / 2.0;
+        return std::max(axes.x, axes.y) / (orthographic ? 1.0 : depth);
+    }
+};
+
+struct View {
+    Camera camera;
+    glm::mat4 first_from_view{1.0F};
+    Image depth, normal, positions;
+};
+
+struct Hit {
+    double depth = std::numeric_limits<double>::infinity();
+    dvec3 normal{0.0};
+    bool on_plate = false;
+};
+
+// A floor, a wall that ends, and a plate before it.
+inline Hit traced(dvec3 from, dvec3 along, dvec3 plate) {
+    Hit hit;
+    const auto meet = [&](dvec3 point, dvec3 normal, double left, double right, bool on_plate) {
+        const double t = dot(point - from, normal) / dot(along, normal);
+        const dvec3 at = from + t * along;
+        const bool inside = at.x > left && at.x < right && at.z > -6.5 && (!on_plate || at.y < 0.3);
+        if (t > 0.0 && t < hit.depth && inside) hit = {t, normal, on_plate};
+    };
+    meet({0, -1, 0}, {0, 1, 0}, -9.0, 9.0, false);
+    meet({0, 0, -6}, {0, 0, 1}, -9.0, 1.5, false);
+    meet(plate, {0, 0, 1}, plate.x - 0.8, plate.x + 0.8, true);
+    return hit;
+}
+
+// step: what the plate has moved by since the frame before.
+inline View seen(const Camera& camera, const glm::mat4& first_from_view, dvec3 step) {
+    const glm::dmat4 matrix(first_from_view);
+    View view{
+        .camera = camera, .first_from_view = first_from_view, .depth = {}, .normal = {}, .positions = {}};
+    const auto hit = [&](ivec2 pixel) {
+        const dvec3 from(camera.orthographic ? camera.ray(pixel) : dvec2(0.0), 0.0);
+        const dvec3 along(camera.orthographic ? dvec2(0.0) : camera.ray(pixel), -1.0);
+        return traced(matrix * dvec4(from, 1.0), matrix * dvec4(along, 0.0), dvec3(-0.2, 0.0, -4.5) + step);
+    };
+    view.depth = make_image<float>(size, [&](ivec2 pixel) { return hit(pixel).depth; });
+    view.normal = make_image<glm::vec4>(
+        size, [&](ivec2 pixel) { return dvec4(hit(pixel).normal, 0.0) * matrix; });  // transposed
+    view.positions = make_image<glm::vec4>(size, [&](ivec2 pixel) {
+        const Hit at = hit(pixel);
+        if (std::isinf(at.depth)) return dvec4(0.0);
+        return matrix * dvec4(camera.position(pixel, at.depth), 1.0) -
+               dvec4(at.on_plate ? step : dvec3(0.0), 1.0);
+    });
+    return view;
+}
+
+// What a pixel shall have; why a decision of it lies within rounding, if one does.
+struct Wanted {
+    dvec4 value{0.0};
+    std::string tie = {};
+
+    // x: how far a decision is from its border.
+    void decide(double x, double rounding, const char* what) {
+        if (std::abs(x) < rounding) tie = what;
+    }
+};
+
+inline bool inside(ivec2 pixel, ivec2 border = ivec2(0)) {
+    return pixel == glm::clamp(pixel, border, size - 1 - border);
+}
+
+// TSSAO-RP, -7, -8: (AO, w) of the texels around where the point was that show it, j of the nearest of them.
+inline Wanted reprojected(const Case& one, const View& now, const View& before, const Image& history,
+                          ivec2 pixel) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const double depth = now.depth.at<double>(pixel);
+    if (std::isinf(depth)) return {{0.0, 0.0, 0.0, infinite}};
+    dvec3 previous = glm::dmat4(now.first_from_view) * dvec4(now.camera.position(pixel, depth), 1.0);
+    if (one.moving) previous = now.positions.at<dvec4>(pixel);
+    const dvec2 place = before.camera.place(previous);
+    Wanted wanted{{0.0, 0.0, 0.0, -previous.z}};
+    const dvec2 off = glm::min(place, dvec2(size) - place);
+    wanted.decide(std::min(off.x, off.y), 1e-5, "edge of the image");
+    if (std::min(off.x, off.y) < 0.0) return wanted;
+    const auto shows = [&](ivec2 texel) {
+        const double stored = history.at<dvec4>(texel).w;
+        const double apart = std::abs(1.0 - -previous.z / stored);
+        wanted.decide(apart - 0.02, 1e-6, "depth at the tolerance");
+        return apart < 0.02;
+    };
+    const ivec2 nearest(place);
+    const dvec2 middle = place - dvec2(nearest) - 0.5;
+    wanted.decide(0.5 - std::max(std::abs(middle.x), std::abs(middle.y)), 1e-5, "border of two texels");
+    const bool none = history.at<dvec4>(nearest).y == 0.0;
+    if (one.taps < 2U && (none || !shows(nearest))) return wanted;
+    const dvec2 apart = glm::abs(middle);
+    wanted.decide(std::min(std::abs(apart.x - 1.0 / 256.0), std::abs(apart.y - 1.0 / 256.0)), 1e-5,
+                  "as good as a texel's centre");
+    const dvec2 part = glm::mix(apart, dvec2(0.0), glm::lessThan(apart, dvec2(1.0 / 256.0)));
+    dvec4 mean(0.0);
+    double most = 0.0;
+    for (const ivec2 step : {ivec2(0), {1, 0}, {0, 1}, {1, 1}}) {
+        if (one.taps == 0U && step != ivec2(0)) continue;
+        const ivec2 texel = glm::clamp(nearest + step * ivec2(glm::sign(middle)), ivec2(0), size - 1);
+        if (one.taps == 2U && !shows(texel)) continue;
+        const dvec2 weights = glm::mix(1.0 - part, part, glm::bvec2(step));
+        const double weight = weights.x * weights.y;
+        const dvec4 stored = history.at<dvec4>(texel);
+        wanted.decide(weight - most, 1e-4, "heaviest of two texels");
+        if (weight > most) wanted.value.z = stored.z;
+        mean += weight * dvec4(dvec2(stored), 1.0, 0.0);
+        most = std::max(most, weight);
+    }
+    if (most > 0.0) wanted.value = {dvec2(mean) / mean.z, wanted.value.z, wanted.value.w};
+    return wanted;
+}
+
+// TSSAO-AS, CS-N, ISSAO-LOD.
+inline int samples_of(const Case& one, double convergence, double depth, double reach) {
+    const int asked = convergence < double{c_spatial} ? 16 : 8;
+    const int least = std::min(static_cast<int>(one.samples_least), asked);
+    int samples = asked;
+    const double share = std::min(depth / double{one.samples_distance}, 1.0);
+    if (one.samples_distance > 0.0F)
+        samples = std::max(static_cast<int>(samples / (1.0 + samples * share)), least);
+    if (one.samples_radius > 0.0F)
+        samples =
+            std::clamp(static_cast<int>(samples * reach / double{one.samples_radius} + 0.5), least, samples);
+    return samples;
+}
+
+// What the samples of a pixel say.
+struct Fresh {
+    double blocked = 0.0;
+    double taken = 0.0;
+    double change = 0.0;
+};
+
+// TSSAO-9: by how much a surface that may block a pixel has come nearer to it or gone from it.
+inline double change_at(const View& view, ivec2 pixel, ivec2 at, double farthest, Wanted& wanted) {
+    const auto place = [&](ivec2 p) { return view.camera.position(p, view.depth.at<double>(p)); };
+    const dvec3 now = place(at) - place(pixel);
+    const double before = length(view.positions.at<dvec4>(at) - view.positions.at<dvec4>(pixel));
+    const double above = dot(now, dvec3(view.normal.at<dvec4>(pixel)));
+    wanted.decide(above, 1e-5, "probe in the plane");
+    const bool blocks = above > 0.0 && std::min(length(now), before) <= farthest;
+    return blocks ? std::abs(length(now) - before) : 0.0;
+}
+
+// TSSAO-3, -4 and -14: whether the surface under a sample blocks it.
+inline Fresh sampled(const Case& one, const View& view, ivec2 pixel, dvec4 history, int samples,
+                     Wanted& wanted) {
+    const double depth = view.depth.at<double>(pixel);
+    const dvec3 point = view.camera.position(pixel, depth);
+    const dvec3 normal = view.normal.at<dvec4>(pixel);
+    const double reach = double{radius} * std::min(1.0, double{one.radius_cap} / view.camera.reach(depth));
+    const double rotation = one.lattice ? reference::gloam_lattice_rotation(pixel)
+                                        : reference::gloam_hash_rotation(pixel - one.border);
+    const bool rotates = history.y / double{weight_max} < 0.5;
+    Fresh fresh;
+    for (int i = 1; i <= samples; ++i) {
+        const dvec3 s = reference::gloam_hemisphere_cosine(
+            reference::gloam_halton_3d(static_cast<unsigned>(history.z) + static_cast<unsigned>(i)));
+        const dvec3 turned = reference::gloam_rotate_hemisphere(s, rotates ? rotation : 0.0);
+        const dvec3 sample = point + reach * (reference::gloam_tangent_frame(normal) * turned);
+        if (sample.z >= 0.0) continue;
+        const dvec2 place = view.camera.place(sample);
+        const dvec2 off = glm::abs(place - glm::round(place));
+        if (inside(ivec2(glm::floor(place))))
+            wanted.decide(std::min(off.x, off.y), 2e-5, "sample at a pixel's edge");
+        const ivec2 at = glm::clamp(ivec2(glm::floor(place)), ivec2(0), size - 1);
+        const double buffer = view.depth.at<double>(at);
+        if (one.invalidation > 0U && std::isfinite(buffer))
+            fresh.change = std::max(fresh.change, change_at(view, pixel, at, reach + double{range}, wanted));
+        if (one.rejects && depth - buffer > double{range}) continue;
+        const double in_front = view.camera.plane_depth(at, sample, normal) - buffer;
+        const double least = std::max(double{bias}, double{one.bias_depth} * depth);
+        wanted.decide(in_front - least, 2e-6, "sample at the bias");
+        wanted.decide(in_front - double{range}, 2e-6, "sample at the range");
+        fresh.blocked += in_front > least && in_front <= double{range} ? 1.0 : 0.0;
+        fresh.taken += 1.0;
+    }
+    return fresh;
+}
+
+// TSSAO-4 to -6, -9 and -SI, BUF: the history with the samples of a frame.
+inline Wanted blended(const Case& one, const View& view, const Image* before, ivec2 pixel) {
+    const double depth = view.depth.at<double>(pixel);
+    if (!inside(pixel, one.border)) return {{0.0, 0.0, 0.0, depth}};
+    if (std::isinf(depth)) return {{0.0, 0.0, 0.0, depth}};
+    const double reach = view.camera.reach(depth);
+    if (reach < double{one.least_radius}) return {{0.0, weight_max, 0.0, depth}};
+    const dvec4 old = before == nullptr ? dvec4(0.0) : before->at<dvec4>(pixel);
+    const int samples = samples_of(one, old.y / double{weight_max}, depth, reach);
+    Wanted wanted;
+    const Fresh fresh = sampled(one, view, pixel, old, samples, wanted);
+    const double excess = before == nullptr ? 0.0 : std::max(fresh.change - double{change_tolerance}, 0.0);
+    double weight = old.y;
+    if (one.invalidation == 1U && excess > 0.0) weight = std::min(weight, 5.0);
+    if (one.invalidation == 2U) weight /= 1.0 + double{confidence_factor} * excess / double{radius};
+    const double count = weight + fresh.taken;
+    double occlusion = count > 0.0 ? (weight * old.x + fresh.blocked) / count : 0.0;
+    if (one.smoothing > 0.0F && fresh.taken > 0.0)
+        occlusion = std::lerp(weight > 0.0 ? old.x : fresh.blocked / fresh.taken, fresh.blocked / fresh.taken,
+                              double{one.smoothing});
+    const auto index = static_cast<unsigned>(old.z) + static_cast<unsigned>(samples);
+    wanted.value = {occlusion, std::min(count, double{weight_max}), index % table_size, depth};
+    if (count == 0.0) wanted.value = {0.0, 0.0, 0.0, depth};
+    return wanted;
+}
+
+inline constexpr float c_adaptive = 0.9F;
+inline constexpr float filter_depth = 0.5F;
+inline constexpr int half_width = 2;
+inline constexpr float sigma_pixels = 1.25F;
+
+// CS-BLUR, ISSAO-7, SAO's blur: the weight of a neighbour, i taps away and apart in depth.
+inline double weight_of(const std::string& filter, int i, double apart, double cosine) {
+    if (filter == "sao") return reference::gloam_sao_blur_weight(i, apart, 1.0);
+    if (filter == "bilateral")
+        return std::exp(-(std::pow(i / double{sigma_pixels}, 2) + apart * apart) / 2.0);
+    return i == 0 ? 1.0 : std::pow(cosine / 2.0 + 0.5, 10.0) / std::sqrt(1.0 + std::abs(apart));
+}
+
+// The weighted mean along one axis; TSSAO-10 and -11 by convergence. source: what is smoothed.
+inline double filtered(const Case& one, const View& view, const Image& history, const Image& source,
+                       ivec2 pixel, ivec2 axis) {
+    const auto occlusion = [&](ivec2 at) {
+        return source.element.rows == 1 ? source.at<double>(at) : source.at<dvec4>(at).x;
+    };
+    const auto depth = [&](ivec2 at) { return history.at<dvec4>(at).w; };
+    const auto normal = [&](ivec2 at) { return dvec3(view.normal.at<dvec4>(at)); };
+    const auto convergence = [&](ivec2 at) {
+        return std::min(history.at<dvec4>(at).y / double{weight_max}, 1.0);
+    };
+    const double own = convergence(pixel);
+    const double reach = half_width * std::max(1.0 - own / double{c_adaptive}, 0.0);
+    const double most = own > 0.0 ? double{one.filter_cap} * own : 1.0;
+    const double pixel_width = 2.0 / std::abs(double{view.camera.p00_p11.y}) / size.y;
+    const double sigma = double{sigma_pixels} * pixel_width * (view.camera.orthographic ? 1.0 : depth(pixel));
+    const bool by_convergence = one.filter == "convergence";
+    if (std::isinf(depth(pixel)) || (by_convergence && reach <= 0.0)) return occlusion(pixel);
+    dvec2 sum(0.0);
+    for (int i = -half_width; i <= half_width; ++i) {
+        const ivec2 at = pixel + i * axis * (one.filter == "sao" ? 2 : 1);
+        if (!inside(at) || std::isinf(depth(at))) continue;
+        const double apart = (depth(at) - depth(pixel)) / double{filter_depth};
+        const double distance =
+            glm::distance(view.camera.position(at, depth(at)), view.camera.position(pixel, depth(pixel)));
+        const double covered = std::clamp(reach + 1.0 - std::abs(i), 0.0, 1.0);
+        const double weight =
+            by_convergence
+                ? covered * std::exp(-std::pow(distance / sigma, 2) / 2.0) * std::min(convergence(at), most)
+                : weight_of(one.filter, i, apart, dot(normal(pixel), normal(at)));
+        sum += weight * dvec2(occlusion(at), 1.0);
+    }
+    return sum.y >= 1e-8 ? sum.x / sum.y : occlusion(pixel);
+}
+
+}  // namespace gloam::effect::study_passes_test
