@@ -6,7 +6,6 @@
 
 #include "backend/vulkan/device.hpp"
 #include "base/hidden.hpp"
-#include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
