@@ -18,7 +18,8 @@
 // every finite distance counts wholly; for NaN infinity, with which nothing counts. Error: 2.5 ULP.
 float gloam_gaussian_scale(float sigma) {
     if (gloam_is_nan(sigma)) return uintBitsToFloat(0x7F800000u);
-    return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, GLOAM_SMALLEST) : 0.0;
+    float scale = 0.8493218003 / max(sigma, GLOAM_SMALLEST);
+    return sigma <= 1.2676506e30 ? scale : 0.0;
 }
 
 // weight of a neighbour by the scale of the Gaussian (TSSAO-10-g-scaled): `g = 2^-(d s)^2` [TSSAO, eq 10].

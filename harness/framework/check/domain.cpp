@@ -353,11 +353,23 @@ Domain::Inputs Domain::draw_unadjusted(std::size_t count, std::uint64_t seed, gl
     return inputs;
 }
 
+void Domain::set_image_sizes(std::span<Word> row, glm::ivec2 size) const {
+    std::size_t first = 0;
+    for (const Values& values : parameters_) {
+        for (const std::size_t at : values.image_sizes) {
+            row[first + at] = static_cast<Word>(size.x);
+            row[first + at + 1] = static_cast<Word>(size.y);
+        }
+        first += values.words();
+    }
+}
+
 Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
     Inputs inputs;
     for (const std::vector<Word>& words : given_) {
         if (inputs.count() == count) break;
         inputs.add(words);
+        set_image_sizes(std::span(inputs.words).last(inputs.width), image_size);
     }
     const std::size_t given = inputs.count();
     append_drawn(inputs, count, seed, image_size);

@@ -191,7 +191,7 @@ class Domain {
     [[nodiscard]] Domain adjusted(std::function<void(std::span<Word>)> adjust) const;
 
     // Adds an input that every run includes, for example the worst one that a search found. It is passed to
-    // the function without adjustment.
+    // the function without adjustment, with the size of the run's images.
     template <class... T>
     [[nodiscard]] Domain and_input(const T&... values) const {
         std::vector<Word> words;
@@ -251,6 +251,7 @@ class Domain {
     };
     struct Forced;
     void require_fits(const Signature& signature) const;
+    void set_image_sizes(std::span<Word> row, glm::ivec2 size) const;
     [[nodiscard]] std::vector<Forced> all_forced() const;
     void append_row(DrawContext& context, Inputs& inputs, const Forced& forced) const;
     bool make_degenerate(DrawContext& context, std::span<Word> row, const Forced& forced) const;

@@ -263,12 +263,15 @@ bool same_outputs(std::span<const Word> got, const std::vector<double>& want, co
     return true;
 }
 
-// Visits the inputs a few ULP away, whose results an edge may also have. Returns whether a visit ended it.
-bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit) {
+// Visits the inputs a few ULP away, or as far as the budget covers, whose results an edge may also have.
+// Returns whether a visit ended it.
+bool visit_edge_inputs(const Budget& budget, const Scalars& scalars, std::span<const Word> inputs,
+                       const InputVisitor& visit) {
+    const int most = std::max(most_steps, budget.backward_ulp);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (!shader::is_float(scalars.inputs[i])) continue;
         if (!is_usual(std::abs(from_word<double>(inputs[i])))) continue;
-        for (int steps = -most_steps; steps <= most_steps; ++steps) {
+        for (int steps = -most; steps <= most; ++steps) {
             std::vector<Word> moved(inputs.begin(), inputs.end());
             moved[i] = stepped_float(scalars.inputs[i], moved[i], steps);
             if (visit(moved)) return true;
@@ -295,7 +298,7 @@ bool holds_at_edge(const Question& question, const ImageSet& images, const Scala
                    const Sample& sample) {
     if (same_outputs(sample.got, sample.want, scalars, question.budget)) return true;
     std::vector<double> want;
-    return visit_edge_inputs(scalars, sample.inputs, [&](const std::vector<Word>& moved) {
+    return visit_edge_inputs(question.budget, scalars, sample.inputs, [&](const std::vector<Word>& moved) {
         question.reference(images, moved, want);
         return same_outputs(sample.got, want, scalars, question.budget);
     });
