@@ -89,10 +89,19 @@ using Point = std::tuple<std::string, std::string, std::string>;
 constexpr const char* flushed =
     "NaN: only a device that flushes a subnormal contrast beside an infinite occlusion comes here";
 
+constexpr const char* prepared = "a preparation pass calls it for the level or the slice before";
+
 // Lines that the inputs of no entry reach, with the reason; it applies to all ways of the line.
 const std::map<std::pair<std::string, std::string>, std::string> unreached{
     {{"gloam/occlusion/hbao.glsl", "return visibility > 0.0 ? visibility : (visibility <= 0.0 ? 0.0 : 1.0);"},
-     flushed}};
+     flushed},
+    {{"gloam/methods/mssao.glsl",
+      "float mean = count > 0.0 ? (reach.z * own + coarser.count * coarser.mean) / count : 0.0;"},
+     prepared},
+    {{"gloam/methods/mssao.glsl", "float own = reach.z == 0.0 ? 0.0"}, prepared},
+    {{"gloam/methods/mssao.glsl", "float share = level == 0 ? 1.0 : clamp(largest - 1.0, 0.0, 1.0);"},
+     prepared},
+    {{"gloam/methods/separable.glsl", "one.angle = kernel.angle + (second ? GLOAM_PI : 0.0);"}, prepared}};
 
 std::string below_glsl(const std::string& file) {
     const std::size_t at = file.rfind("glsl/gloam/");

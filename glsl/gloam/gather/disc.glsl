@@ -28,8 +28,7 @@ GloamCoveringDisc gloam_covering_disc(vec3 position, float radius, float angle, 
     GloamFootprint footprint = gloam_footprint(position, radius, camera);
     float parallel = gloam_covering_radius_parallel(position, radius, GLOAM_LARGEST);
     float covering = gloam_covering_radius_perpendicular(position, radius, GLOAM_ISSAO_MOST_STRETCH * parallel);
-    return GloamCoveringDisc(footprint, parallel > 0.0 ? covering / parallel : 1.0,
-                             gloam_sincos_turns(gloam_turns(angle)));
+    return GloamCoveringDisc(footprint, covering / parallel, gloam_sincos_turns(gloam_turns(angle)));
 }
 
 // Pixel that a tap reads.

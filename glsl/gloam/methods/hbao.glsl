@@ -144,7 +144,7 @@ GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float depth = gloam_fetch_depth(pixel);
-            if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
+            if (pixel == footprint.pixel) continue;
             vec3 seen = gloam_footprint_position(footprint, pixel, depth) - position;
             vec3 offset = gloam_into_slice(seen, axis, n);
             vec2 stepped = gloam_hbao_step(march, offset.z, dot(offset, offset), kernel.radius);

@@ -40,7 +40,7 @@ GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, Gloam
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float depth = gloam_fetch_depth(pixel);
-            if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
+            if (pixel == footprint.pixel) continue;
             vec3 offset = gloam_footprint_position(footprint, pixel, depth) - position;
             float counted = gloam_contribution_unreal(offset, n, kernel.bias, settings.epsilon);
             most = gloam_tap_sees(depth) ? max(most, counted) : most;

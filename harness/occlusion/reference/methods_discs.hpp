@@ -108,11 +108,10 @@ inline std::vector<Tap> covering_taps(const ShadedPoint& at) {
     const double parallel = gloam_covering_radius_parallel(at.position, at.kernel.radius, float_max);
     const double covering =
         gloam_covering_radius_perpendicular(at.position, at.kernel.radius, 4.0 * parallel);
-    const double stretch = parallel > 0.0 ? covering / parallel : 1.0;
     std::vector<dvec2> places;
     for (unsigned i = 1; i <= at.kernel.count; ++i) {
         const dvec2 random = gloam_halton_2d(at.kernel.first + i);
-        const dvec2 place = gloam_issao_offset_polar({random.y, random.x}, stretch);
+        const dvec2 place = gloam_issao_offset_polar({random.y, random.x}, covering / parallel);
         places.push_back(gloam_rotate_disc(place, at.kernel.angle));
     }
     return taps_at(at, places);
