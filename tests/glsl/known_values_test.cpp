@@ -241,8 +241,9 @@ TEST_P(KnownValues, AreItsResults) {
 // A slip that shader and reference share leaves no error between them.
 TEST_P(KnownValues, AreTheResultsOfTheReference) {
     const auto& entries = test::entries();
-    const auto entry = std::ranges::find(
-        entries, known.function, [](const catalogue::Entry& one) { return one.description.function; });
+    const auto entry = std::ranges::find_if(entries, [this](const catalogue::Entry& one) {
+        return one.description.function == known.function && one.description.file == known.file;
+    });
     ASSERT_NE(entry, entries.end());
     const check::Signature& signature = entry->question.signature;
     const std::vector<shader::Scalar> scalars = signature.output_scalars();

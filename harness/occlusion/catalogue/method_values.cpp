@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What each method converges to at the point of the views in closed form (scene/analytic_scene.hpp): the integral of
-// its contribution over the continuous distribution of its samples, before the remap. A new method needs a row from its
-// author, or a row below `none` that says why there is none.
+// What each method converges to at the point of the views in closed form (scene/analytic_scene.hpp): the
+// integral of its contribution over the continuous distribution of its samples, before the remap. A new
+// method needs a row from its author, or a row below `none` that says why there is none.
 //
-// Quadratures in double, by none of the shaders' code and none of their sequences: the mean over shifted lattices of
-// 2^14 to 2^20 points. Standard errors are below 2e-4 for 748 of 800 values and below 1e-3 for all but the groove of
-// mixture (2e-3) and of sphere_proxy, orthographic (4e-3). Without pixels and with idealised settings they agreed with
-// the closed form of every measure that has one.
-// Settings: effect::with_method(Settings{}, NAME), so a radius of 1, and mip_distance = 0. The image has 129 x 129
+// Quadratures in double, by none of the shaders' code and none of their sequences: the mean over shifted
+// lattices of 2^14 to 2^20 points. Standard errors are below 2e-4 for 748 of 800 values and below 1e-3 for
+// all but the groove of mixture (2e-3) and of sphere_proxy, orthographic (4e-3). Without pixels and with
+// idealised settings they agreed with the closed form of every measure that has one. Settings:
+// effect::with_method(Settings{}, NAME), so a radius of 1, and mip_distance = 0. The image has 129 x 129
 // pixels. On bare planes each value is MethodInfo::on_a_plane.
 #include <fmt/format.h>
 

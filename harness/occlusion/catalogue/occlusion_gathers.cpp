@@ -4,9 +4,9 @@
 
 #include "catalogue/inputs.hpp"
 #include "reference/geometry.hpp"
-#include "reference/shaded_point.hpp"
 #include "reference/occlusion_slices.hpp"
 #include "reference/sampling.hpp"
+#include "reference/shaded_point.hpp"
 
 namespace gloam::catalogue {
 namespace {
