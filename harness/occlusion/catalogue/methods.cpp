@@ -119,7 +119,8 @@ void place_facing(std::span<Word> row) {
             normal = length * glm::normalize(normal / length + lacking * view);
     }
     for (int i = 0; i < 3; ++i) row[3 + i] = to_word(normal[i]);
-    row[14] %= 1U << 25U;  // sample 0, in the middle of the kernel, would have the direction of its rounding
+    constexpr Word first_samples = 1000;  // later ones may lie so near the middle that rounding turns them
+    row[14] %= first_samples;
 }
 
 // What preparation passes write: for each method another image, of random contents in their ranges.
@@ -337,7 +338,7 @@ void append_slices(Entries& e) {
     const Values bias = uniform(0, 0.6);
     const Values contrast = uniform(0, 2);
     add_method(e, "hbao", reference::gloam_hbao, {bias, contrast, steps}, facing_within(4e-6));
-    add_method(e, "hbao_study", reference::gloam_hbao_study, {bias, contrast, steps}, facing_within(5.5e-6));
+    add_method(e, "hbao_study", reference::gloam_hbao_study, {bias, contrast, steps}, facing_within(2.8e-6));
     add_method(e, "hsao", reference::gloam_hsao, {bias, contrast, steps}, facing_within(7e-6));
     add_method(e, "dual_resolution", reference::gloam_dual_resolution,
                {bias, contrast, steps, uniform(0, 1), integers(1, 4)}, facing_within(5.5e-6));
