@@ -117,4 +117,13 @@ TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     EXPECT_LT(noise_after_filter(Rotation::lattice), 0.8 * noise_after_filter(Rotation::hash));
 }
 
+// In a disc of few pixels several taps share one, which counts as often as it is read in one of the methods.
+TEST_F(SampleSettings, DistinctTapsOfOnePixelCountOnce) {
+    const scene::GBuffer view = groove({96, 64});
+    const auto occlusion = [&](const char* method) {
+        return run(view, with_radius(with_method({}, method), 0.2F)).occlusion;
+    };
+    EXPECT_NE(occlusion("issao"), occlusion("issao_distinct"));
+}
+
 }  // namespace gloam::effect::sample_settings_test
