@@ -12,7 +12,7 @@ namespace gloam::effect::closed_form_test {
 
 class ClosedForm : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
-    const catalogue::KnownResults known_ = catalogue::known_results(GetParam());
+    const catalogue::KnownResults& known_ = catalogue::known_results(GetParam());
 };
 
 // Five standard errors of both numbers, and what single precision takes from the sum of a thousand

@@ -51,7 +51,7 @@ struct CostOptions {
 // with those known; base::WorkError, for example gpu::no_radv_message where RADV is not installed;
 // base::LimitError.
 [[nodiscard]] Cost cost_of(const shader::Spirv& module, const CostOptions& options = {});
-// The same of several, in one process.
+// What each of several modules costs; one process compiles all of them.
 [[nodiscard]] std::vector<Cost> costs_of(std::span<const shader::Spirv> modules,
                                          const CostOptions& options = {});
 

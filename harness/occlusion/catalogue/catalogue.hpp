@@ -24,10 +24,10 @@ struct Found {
     std::string lacking;           // a name whose rows have no function with an entry
 };
 
-// Every command of the command line finds equations by this: by ID, by function ("gloam_blend", "blend"), by
-// file of the library ("gloam/filter/weights.glsl"), by what people call them in the papers (rows_named())
-// and by shell globs of these (* and ?) or of sources, in any case; without names all. Throws
-// std::invalid_argument with a name that is none of them.
+// Every command of the command line finds equations by this. A name is an ID, a function ("gloam_blend",
+// "blend"), a file of the library ("gloam/filter/weights.glsl"), or what people call them in the papers
+// (rows_named()); or a shell glob (* and ?) of these or of sources. Case does not matter. No name is all.
+// Throws std::invalid_argument with a name that is none of them.
 [[nodiscard]] Found find(const Entries& entries, const std::vector<std::string>& names);
 
 // The entries of find().

@@ -120,7 +120,7 @@ void append_frame(Entries& entries);
 void append_builtins(Entries& entries);
 
 // The results of a method by name. Throws std::logic_error for one that the table lacks.
-[[nodiscard]] KnownResults known_results(const std::string& method);
+[[nodiscard]] const KnownResults& known_results(const std::string& method);
 
 // Adds the inputs with the largest errors that a search has found to the domains of their equations. Throws
 // std::logic_error for an input whose equation is not among the entries.

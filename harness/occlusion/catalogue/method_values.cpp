@@ -97,31 +97,37 @@ volumetric_area   its samples are blocks of pixels, larger the fewer there are
 disc_proxy_two    its discs count by what other pixels see
 )";
 
-}  // namespace
-
-KnownResults known_results(const std::string& method) {
+std::map<std::string, KnownResults> read_converged() {
     std::istringstream lines(converged);
     std::vector<std::string> columns;
-    KnownResults known;
+    std::map<std::string, KnownResults> all;
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
         std::string first;
-        words >> first;
+        if (!(words >> first)) continue;
         if (first == "perspective" || first == "orthographic" || first == "none") {
             columns.clear();
             for (std::string view; words >> view;) {
                 std::ranges::replace(view, '_', ' ');
                 columns.push_back(first + ' ' + view);
             }
-        } else if (first == method && columns.empty()) {
-            std::getline(words >> std::ws, known.none);
-        } else if (first == method) {
-            for (const std::string& column : columns) words >> known.values[column];
+        } else if (columns.empty()) {
+            std::getline(words >> std::ws, all[first].none);
+        } else {
+            for (const std::string& column : columns) words >> all[first].values[column];
         }
     }
-    if (known.values.empty() && known.none.empty())
+    return all;
+}
+
+}  // namespace
+
+const KnownResults& known_results(const std::string& method) {
+    static const std::map<std::string, KnownResults> all = read_converged();
+    const auto known = all.find(method);
+    if (known == all.end())
         throw std::logic_error(fmt::format("{} has no known values, nor a reason why", method));
-    return known;
+    return known->second;
 }
 
 }  // namespace gloam::catalogue

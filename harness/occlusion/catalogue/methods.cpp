@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "catalogue/inputs.hpp"
-#include "reference/methods.hpp"
+#include "reference/methods_levels.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -71,11 +71,14 @@ glm::dvec3 normal_at(const View& view, glm::dvec2 at, const Camera& camera) {
     return glm::normalize(normal.z < 0.0 ? -normal : normal);
 }
 
+// Words of an input: the position comes first.
+constexpr std::size_t normal_word = 3, camera_word = 6, orthographic_word = 10, bias_word = 12,
+                      first_word = 14;
+
 // Places half of the points on the surface under the middle of a pixel, with a normal of another length, half
 // anywhere from `nearest` on: a position is drawn as (place, depth in [1, 4]); those nearer than 2.5 lie on
 // the surface if there is a bias.
 void place(std::span<Word> row, double nearest) {
-    constexpr std::size_t normal = 3, camera_word = 6, bias = 12;
     std::span<const Word> rest = row.subspan(camera_word);
     const auto camera = take_words<Camera>(rest);
     const auto view = std::ranges::find(views, camera.size, &View::size);
@@ -84,13 +87,13 @@ void place(std::span<Word> row, double nearest) {
     if (!(std::abs(at.x) <= 1.0 && std::abs(at.y) <= 1.0 && at.z >= 1.0 && at.z <= 4.0)) return;
     glm::dvec3 position(at.x, at.y, -std::lerp(4.0, nearest, (4.0 - at.z) / 3.0));
     position = {glm::dvec2(at) / camera.p00_p11 * (camera.orthographic ? 1.0 : -position.z), position.z};
-    const bool on_surface = view != std::end(views) && at.z < 2.5 && number(bias) >= 1e-4;
+    const bool on_surface = view != std::end(views) && at.z < 2.5 && number(bias_word) >= 1e-4;
     if (on_surface) {
         const glm::dvec2 middle =
             place_of(glm::ivec2((glm::dvec2(at) + 1.0) / 2.0 * glm::dvec2(view->size)), view->size);
         position = surface_at(*view, middle, camera);
         const glm::dvec3 facing = 2.0 * normal_at(*view, middle, camera);
-        for (int i = 0; i < 3; ++i) row[normal + i] = to_word(facing[i]);
+        for (int i = 0; i < 3; ++i) row[normal_word + i] = to_word(facing[i]);
     }
     for (int i = 0; i < 3; ++i) row[i] = to_word(position[i]);
 }
@@ -109,18 +112,19 @@ void place_facing(std::span<Word> row) {
     glm::vec3 position, normal;
     for (int i = 0; i < 3; ++i) {
         position[i] = from_word<float>(row[i]);
-        normal[i] = from_word<float>(row[3 + i]);
+        normal[i] = from_word<float>(row[normal_word + i]);
     }
-    const glm::vec3 toward_eye = row[10] != 0U ? glm::vec3(0, 0, 1) : -glm::normalize(position);
+    const glm::vec3 toward_eye =
+        row[orthographic_word] != 0U ? glm::vec3(0, 0, 1) : -glm::normalize(position);
     for (const glm::vec3 view : {glm::vec3(0, 0, 1), toward_eye}) {
         const float length = glm::length(normal);
         const float lacking = 0.3F - glm::dot(view, normal) / length;
         if (lacking > 0.0F && lacking < 2.0F)
             normal = length * glm::normalize(normal / length + lacking * view);
     }
-    for (int i = 0; i < 3; ++i) row[3 + i] = to_word(normal[i]);
+    for (int i = 0; i < 3; ++i) row[normal_word + i] = to_word(normal[i]);
     constexpr Word first_samples = 1000;  // later ones may lie so near the middle that rounding turns them
-    row[14] %= first_samples;
+    row[first_word] %= first_samples;
 }
 
 // What preparation passes write: for each method another image, of random contents in their ranges.
@@ -180,11 +184,14 @@ int kind_of(glm::ivec2 texel, glm::ivec2 size) {
     return (texel.x >= first.x ? 1 : 0) + (texel.y >= first.y ? 2 : 0);
 }
 
+glm::vec3 surface_point(Random& random) {
+    return {part(random, 3.0) - 1.5F, part(random, 2.0) - 1.0F, -1.0F - part(random, 2.0)};
+}
+
 // Positions, normals and results (largest, mean, levels).
 glm::vec4 resolutions(glm::ivec2 texel, glm::ivec2 size, Random& random) {
     const int kind = kind_of(texel, size);
-    if (kind == 0)
-        return {part(random, 3.0) - 1.5F, part(random, 2.0) - 1.0F, -1.0F - part(random, 2.0), 0.0F};
+    if (kind == 0) return {surface_point(random), 0.0F};
     if (kind == 1) return {glm::normalize(glm::vec3(part(random) - 0.5F, part(random) - 0.5F, 0.5F)), 0.0F};
     return {part(random), part(random), part(random), 0.0F};
 }
@@ -192,9 +199,7 @@ glm::vec4 resolutions(glm::ivec2 texel, glm::ivec2 size, Random& random) {
 // Means with weights, variances, covariances.
 glm::vec4 moments(glm::ivec2 texel, glm::ivec2 size, Random& random) {
     const int kind = kind_of(texel, size);
-    if (kind == 0)
-        return {part(random, 3.0) - 1.5F, part(random, 2.0) - 1.0F, -1.0F - part(random, 2.0),
-                static_cast<float>(random.below(5))};
+    if (kind == 0) return {surface_point(random), static_cast<float>(random.below(5))};
     if (kind == 1)
         return {0.02F + part(random, 0.1), 0.02F + part(random, 0.1), 0.02F + part(random, 0.1), 0.0F};
     return glm::vec4(part(random, 0.02) - 0.01F);

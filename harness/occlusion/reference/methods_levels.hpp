@@ -32,10 +32,8 @@ inline GloamEstimate layered_horizons(const ShadedPoint& at, const GloamDualReso
         [&](dvec2 direction) { return hbao_start(at, direction, own.angle_bias); },
         [&](const Tap& first) {
             std::vector<Tap> taps;
-            const dvec3 further = own.layers > 1 ? at.images.layers(first.pixel) : dvec3(0.0);
             for (int layer = 0; layer < own.layers; ++layer)
-                taps.push_back(
-                    at.tap(first.pixel, gloam_layer_depth(at.images.depth(first.pixel), further, layer)));
+                taps.push_back(at.tap(first.pixel, at.depth(first.pixel, layer)));
             return taps;
         },
         own.angle_bias, own.contrast);

@@ -35,12 +35,11 @@ std::vector<dvec3> kernel_points(const GloamKernel& kernel, const Point& point) 
 // Whether the layers at a pixel block a point of that depth there.
 inline double blocked_by_layers(const ShadedPoint& at, glm::ivec2 pixel, double depth, double range,
                                 int layers) {
-    const dvec3 further = layers > 1 ? at.images.layers(pixel) : dvec3(0.0);
+    const dvec3 further = at.further(pixel, layers);
     GloamLayersSeen seen{};
     for (int layer = 0; layer < layers; ++layer) {
-        const double surface = gloam_layer_depth(at.images.depth(pixel), further, layer);
-        const double blocked = gloam_sample_blocked(depth, surface, at.kernel.bias, range) ? 1.0 : 0.0;
-        seen = gloam_layers_add(seen, blocked, further, depth, layer, layers);
+        const bool blocked = gloam_sample_blocked(depth, at.depth(pixel, layer), at.kernel.bias, range);
+        seen = gloam_layers_add(seen, blocked ? 1.0 : 0.0, further, depth, layer, layers);
     }
     return seen.occlusion;
 }
@@ -82,7 +81,8 @@ inline std::vector<RayStep> ray_steps(const ShadedPoint& at, dvec3 direction, un
     std::vector<RayStep> seen;
     for (unsigned k = 0; k < steps; ++k) {
         const dvec3 point = gloam_eye_march(at.position, direction, at.kernel.radius, k, steps, jitter);
-        if (point.z < 0.0 && at.under(point) != at.pixel) seen.push_back({point, at.under(point)});
+        const glm::ivec2 pixel = at.under(point);
+        if (point.z < 0.0 && pixel != at.pixel) seen.push_back({point, pixel});
     }
     return seen;
 }
@@ -130,14 +130,25 @@ inline GloamEstimate gloam_ssdo(const ShadedPoint& at, const GloamSsdo& own) {
         const dvec3 turned = gloam_rotate_hemisphere(unit, at.kernel.angle);
         bool blocked = false;
         for (const RayStep& step : ray_steps(at, gloam_tangent_frame(at.normal) * turned, steps, random.y))
-            for (int layer = 0; layer < own.layers; ++layer) {
-                const dvec3 further = own.layers > 1 ? at.images.layers(step.pixel) : dvec3(0.0);
-                const double surface = gloam_layer_depth(at.images.depth(step.pixel), further, layer);
-                blocked = blocked || gloam_sample_blocked(at.plane_depth(step.pixel, step.point), surface,
-                                                          at.kernel.bias, own.range);
-            }
+            for (int layer = 0; layer < own.layers; ++layer)
+                blocked =
+                    blocked || gloam_sample_blocked(at.plane_depth(step.pixel, step.point),
+                                                    at.depth(step.pixel, layer), at.kernel.bias, own.range);
         return blocked ? 2.0 * turned.z : 0.0;
     });
+}
+
+// A ray parallel to the image, and what its steps see; rays 2 k and 2 k + 1 are opposite.
+struct ImageRay {
+    dvec2 direction;
+    std::vector<Tap> taps;
+};
+inline ImageRay image_ray(const ShadedPoint& at, unsigned index, unsigned steps) {
+    const GloamSliceSample sample = gloam_slice_sample(index / 2U + 1U, gloam_turns(at.kernel.angle));
+    ImageRay ray{(index % 2U == 1U ? -1.0 : 1.0) * sample.direction, {}};
+    for (const RayStep& step : ray_steps(at, dvec3(ray.direction, 0.0), steps, sample.jitter))
+        ray.taps.push_back(at.tap(step.pixel));
+    return ray;
 }
 
 struct GloamUnreal {
@@ -149,15 +160,11 @@ struct GloamUnreal {
 inline GloamEstimate gloam_unreal(const ShadedPoint& at, const GloamUnreal& own) {
     const unsigned steps = std::max(own.steps, 1U);
     GloamEstimate estimate = mean_of_rays(at.kernel, steps, [&](unsigned i) {
-        const GloamSliceSample sample = gloam_slice_sample(i / 2U + 1U, gloam_turns(at.kernel.angle));
-        const dvec3 direction((i % 2U == 1U ? -1.0 : 1.0) * sample.direction, 0.0);
         double most = 0.0;
-        for (const RayStep& step : ray_steps(at, direction, steps, sample.jitter)) {
-            const Tap tap = at.tap(step.pixel);
+        for (const Tap& tap : image_ray(at, i, steps).taps)
             if (tap.surface)
                 most =
                     max(most, gloam_contribution_unreal(tap.offset, at.normal, at.kernel.bias, own.epsilon));
-        }
         return 1.0 - gloam_unreal_side(most);
     });
     estimate.occlusion = own.intensity > 0.0 ? min(own.intensity, 1.0) * estimate.occlusion : 0.0;

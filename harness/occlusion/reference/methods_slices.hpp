@@ -18,7 +18,7 @@ struct SliceTaps {
     GloamSlice slice;
     GloamSliceSample sample;
     unsigned steps;
-    std::function<double(double)> place;
+    const std::function<double(double)>& place;
 
     [[nodiscard]] Tap tap(double side, unsigned i) const {
         return at.tap(at.under(side * place((i + sample.jitter) / steps) * sample.direction));
@@ -217,16 +217,15 @@ struct GloamHsao {
 inline GloamEstimate gloam_hsao(const ShadedPoint& at, const GloamHsao& own) {
     const unsigned steps = std::max(own.steps, 1U);
     GloamEstimate estimate = mean_of_rays(at.kernel, steps, [&](unsigned i) {
-        const GloamSliceSample sample = gloam_slice_sample(i / 2U + 1U, gloam_turns(at.kernel.angle));
-        const dvec3 direction((i % 2U == 1U ? -1.0 : 1.0) * sample.direction, 0.0);
+        const ImageRay ray = image_ray(at, i, steps);
+        const dvec3 axis(ray.direction.y, -ray.direction.x, 0.0);
         std::vector<dvec2> surfaces;
-        for (const RayStep& step : ray_steps(at, direction, steps, sample.jitter)) {
-            const Tap tap = at.tap(step.pixel);
-            const dvec3 within = gloam_into_slice(tap.offset, {direction.y, -direction.x, 0.0}, at.normal);
+        for (const Tap& tap : ray.taps) {
+            const dvec3 within = gloam_into_slice(tap.offset, axis, at.normal);
             if (tap.surface && at.height(tap) > at.kernel.bias)
                 surfaces.emplace_back(within.z, length(within));
         }
-        return uncovered(hbao_start(at, direction, own.angle_bias), surfaces, at.kernel.radius);
+        return uncovered(hbao_start(at, ray.direction, own.angle_bias), surfaces, at.kernel.radius);
     });
     estimate.occlusion = 1.0 - gloam_hbao_visibility(estimate.occlusion, own.angle_bias, own.contrast);
     return estimate;

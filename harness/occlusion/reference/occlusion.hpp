@@ -112,11 +112,6 @@ inline double gloam_layer_depth(double first, dvec3 further, int layer) {
     return layer == 0 ? first : abs(further[std::min(layer, 3) - 1]);
 }
 
-// Depths at a pixel: of the visible surface in x, signed ones of layers 1 to 3 in y, z and w.
-inline double depth_of_layer(dvec4 depths, int layer) {
-    return gloam_layer_depth(depths.x, {depths.y, depths.z, depths.w}, layer);
-}
-
 struct GloamLayersSeen {
     double occlusion;
     double before;

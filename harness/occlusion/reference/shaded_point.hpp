@@ -26,9 +26,8 @@ struct Tap {
     bool rejected;  // too far in front
 };
 
-// The request of a pixel, for methods that ask for something (gathers()).
-class ShadedPoint {
-  public:
+// The request of a pixel. Where it does not gather, the members below `gathers` have no meaning.
+struct ShadedPoint {
     ShadedPoint(const MethodImages& from, dvec3 p, dvec3 n, const GloamCamera& eye, const GloamKernel& asked)
         : images(from),
           position(p),
@@ -71,6 +70,13 @@ class ShadedPoint {
                 gloam_tap_rejected(-position.z, depth, kernel.farthest)};
     }
     [[nodiscard]] Tap tap(glm::ivec2 at) const { return tap(at, images.depth(at)); }
+    // Signed depths of the layers behind the first, and the depth of a layer; 0 is the visible surface.
+    [[nodiscard]] dvec3 further(glm::ivec2 at, int layers) const {
+        return layers > 1 ? images.layers(at) : dvec3(0.0);
+    }
+    [[nodiscard]] double depth(glm::ivec2 at, int layer) const {
+        return gloam_layer_depth(images.depth(at), further(at, layer + 1), layer);
+    }
     [[nodiscard]] double height(const Tap& tap) const { return dot(tap.offset, normal); }
     // Depth on a pixel's ray of the plane through a point, parallel to the tangent plane.
     [[nodiscard]] double plane_depth(glm::ivec2 at, dvec3 point) const {

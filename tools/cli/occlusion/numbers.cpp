@@ -11,7 +11,8 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// File, documented error and instructions of a function.
+// File, documented error and instructions of a function, and of a method by "method NAME": an equation and a
+// method may be called alike.
 using Facts = std::map<std::string, std::array<std::string, 3>>;
 
 Facts facts_of(const catalogue::Entries& entries) {
@@ -19,19 +20,21 @@ Facts facts_of(const catalogue::Entries& entries) {
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},
                           .cache_directory = cache_directory()});
-    Texts functions;
+    Texts things;
     std::vector<shader::Spirv> kernels;
     for (const auto& [d, question, known] : entries) {
-        if (!d.file.starts_with("gloam/") || std::ranges::count(functions, d.function) > 0) continue;
+        const bool is_method = d.file.starts_with("gloam/methods/");
+        const std::string thing = is_method ? "method " + d.function.substr(6) : d.function;
+        if (!d.file.starts_with("gloam/") || facts.contains(thing)) continue;
         std::string error = base::replaced(to_text(question.budget), "at inputs within ", "~");
         for (const char* word : {" of the largest component", " absolute"})
             error = base::replaced(error, word, "");
-        facts[d.function] = {d.file.substr(6), error, ""};
-        functions.push_back(d.function);
+        facts[thing] = {d.file.substr(6), error, ""};
+        things.push_back(thing);
         kernels.push_back(cost_kernel(lab, d.file, d.function, question.signature));
     }
     for (std::size_t i = 0; const cost::Cost& cost : cost::costs_of(kernels))
-        facts[functions[i++]][2] = fmt::to_string(cost.instructions);
+        facts[things[i++]][2] = fmt::to_string(cost.instructions);
     return facts;
 }
 
@@ -46,7 +49,9 @@ std::string quoted(const std::string& thing) {
 std::string row_of(const catalogue::PrintedRow& row, const Facts& facts) {
     std::array<Texts, 5> cells;  // functions, three facts, other things
     for (const std::string& thing : row.has) {
-        const auto found = facts.find(catalogue::function_of(thing));
+        auto found = facts.find(thing);
+        if (found == facts.end() && thing.starts_with("gloam_"))
+            found = facts.find("method " + thing.substr(6));
         cells[found == facts.end() ? 4 : 0].push_back(quoted(thing));
         for (std::size_t i = 0; i < 3 && found != facts.end(); ++i)
             if (i > 0 || std::ranges::count(cells[1], found->second[0]) == 0)
