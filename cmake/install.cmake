@@ -5,7 +5,7 @@
 include(CMakePackageConfigHelpers)
 include(cmake/gloam_add_shader_test.cmake)
 
-set(package_rooms base numeric backend source module interpreter check audit pass)
+set(package_rooms base numeric backend source module interpreter subject judge audit pass)
 set(package_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gloam)
 
 add_library(gloam_shader_test INTERFACE)

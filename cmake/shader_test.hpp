@@ -15,5 +15,5 @@
 //   const PassResult out = blur.run({{"source", picture}, {"radius", 2}});
 //   out.image("result").compare(reference, 1e-6)
 #include "gloam/audit/audit.hpp"     // IWYU pragma: export
-#include "gloam/check/function.hpp"  // IWYU pragma: export
+#include "gloam/judge/function.hpp"  // IWYU pragma: export
 #include "gloam/pass/pass.hpp"       // IWYU pragma: export

@@ -15,11 +15,11 @@
 #include "audit/audit.hpp"
 #include "audit/own_domain.hpp"
 #include "base/version.hpp"
-#include "check/explain.hpp"
-#include "check/own_function.hpp"
-#include "check/run.hpp"
+#include "judge/explain.hpp"
+#include "judge/run.hpp"
 #include "module/include.hpp"
 #include "module/texts.hpp"
+#include "subject/own_function.hpp"
 
 namespace py = pybind11;
 

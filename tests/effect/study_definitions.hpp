@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "check/question.hpp"
+#include "judge/question.hpp"
 #include "reference/filter.hpp"
 #include "reference/sampling.hpp"
 #include "support/test.hpp"

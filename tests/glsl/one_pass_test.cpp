@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backend/gl/device.hpp"
-#include "check/function.hpp"
 #include "effect/errors.hpp"
+#include "judge/function.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/draw.hpp"
 #include "scene/scene.hpp"

@@ -20,23 +20,24 @@ WINGS = {
         "module": {"base", "source"},
         "numeric": {"base"},
         "interpreter": {"base", "backend", "source", "module", "numeric"},
-        "check": {"base", "backend", "source", "module", "numeric", "interpreter"},
-        "audit": {"base", "check", "source", "module", "numeric", "interpreter"},
-        "pass": {"base", "backend", "check", "module", "numeric", "interpreter"},
+        "subject": {"base", "backend", "source", "module", "numeric", "interpreter"},
+        "judge": {"base", "subject", "module", "numeric", "interpreter"},
+        "audit": {"base", "judge", "subject", "source", "module", "numeric", "interpreter"},
+        "pass": {"base", "backend", "judge", "subject", "module", "numeric", "interpreter"},
         "cost": {"base", "backend", "source", "module"},
-        "report": {"base", "audit", "check", "numeric"},
+        "record": {"base", "audit", "judge", "subject", "numeric"},
     },
     "occlusion": {
         "reference": {"numeric"},
-        "catalogue": {"check", "reference", "numeric"},
+        "catalogue": {"judge", "subject", "reference", "numeric"},
         "scene": {"base", "backend", "source", "module", "numeric"},
         "effect": {"base", "backend", "scene", "source", "module", "numeric"},
-        "experiment": {"base", "backend", "effect", "scene", "reference", "report", "source", "module", "numeric"},
+        "experiment": {"base", "backend", "effect", "scene", "reference", "record", "source", "module", "numeric"},
         "pictures": {"base", "backend", "scene"},
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
-               "tools": {"base", "backend", "report", "pictures", "experiment", "effect", "scene", "catalogue", "check", "audit",
+               "tools": {"base", "backend", "record", "pictures", "experiment", "effect", "scene", "catalogue", "judge", "subject", "audit",
                          "cost", "interpreter", "source", "module", "numeric"}}
 
 # Libraries that belong to one room, or one folder of it, by what their headers are called.
@@ -312,7 +313,7 @@ def stripped(text):
 
 def paper_code(source):
     """A block of C++, GLSL or CMake in a page stands, line by line, in a file of ours; so it compiles and is tested.
-    The C++ of docs/testing.md is compiled from the page itself (tests/check/snippets.py)."""
+    The C++ of docs/testing.md is compiled from the page itself (tests/judge/snippets.py)."""
     for block in SHOWN.finditer(source.text) if source.path.suffix == ".md" else ():
         if source.path.as_posix() == "docs/testing.md" and block.group(0).startswith("```cpp\n"):
             continue

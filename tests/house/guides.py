@@ -9,8 +9,8 @@ one of them does not do what the page says. A block's first line says what it is
     ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
     ```text         what the commands above printed: every line, in its order; "..." stands for any lines
     ```python       statements, run with the module of the build folder, if it has one
-    ```glsl NAME    a file that tests/check/snippets.py makes of the block; engine.glsl: lines of a fixture beside it
-    ```cpp          a test, in docs/testing.md, by tests/check/snippets.py
+    ```glsl NAME    a file that tests/judge/snippets.py makes of the block; engine.glsl: lines of a fixture beside it
+    ```cpp          a test, in docs/testing.md, by tests/judge/snippets.py
     ```cpp consumer    lines of the test in examples/own_function
     ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
 
@@ -90,7 +90,7 @@ class Guide:
                 self.run(text, ("/usr/bin/python3",))
         elif kind == "glsl":
             if argument == "engine.glsl":
-                self.expect_in(f"tests/check/fixtures/guide/{argument}", text)
+                self.expect_in(f"tests/subject/fixtures/guide/{argument}", text)
             else:
                 (self.folder / argument).write_text(text, encoding="utf-8")
         elif kind == "cpp" and argument:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random functions whose operations have one legal result each: every device at hand, and the module after
 // each compiler, give what the interpreter gives.
-#include "check/own_function.hpp"
-#include "check/run.hpp"
+#include "judge/run.hpp"
+#include "subject/own_function.hpp"
 #include "support/devices.hpp"
 #include "support/lab.hpp"
 #include "support/random_function.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "check/function.hpp"
+#include "judge/function.hpp"
 #include "module/include.hpp"
 #include "module/texts.hpp"
 #include "support/shared_device.hpp"

@@ -32,7 +32,7 @@ std::string live_script(const fs::path& library, const fs::path& files) {
 
 }  // namespace
 
-void add_live_effect(report::Page& page, report::OutputFolder& folder, const fs::path& library,
+void add_live_effect(record::Page& page, record::OutputFolder& folder, const fs::path& library,
                      const fs::path& files) {
     page.markup(base::read_file(files / "page/live.html"));
     page.script("live.js");

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "report/output.hpp"
-#include "report/page.hpp"
+#include "record/output.hpp"
+#include "record/page.hpp"
 
 namespace gloam::site {
 
@@ -12,7 +12,7 @@ namespace gloam::site {
 // Its scripts and scenes are written beside the page. library: the folder with gloam/ and passes/. files:
 // this folder (effect/, page/, shaders/). Throws std::runtime_error for a file that cannot be read, and like
 // shader::pack().
-void add_live_effect(report::Page& page, report::OutputFolder& folder, const std::filesystem::path& library,
+void add_live_effect(record::Page& page, record::OutputFolder& folder, const std::filesystem::path& library,
                      const std::filesystem::path& files);
 
 }  // namespace gloam::site

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/half.hpp"
-#include "check/function.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
+#include "judge/function.hpp"
 #include "scene/draw.hpp"
 #include "stress/run.hpp"
 #include "stress/views.hpp"

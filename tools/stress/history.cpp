@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "check/function.hpp"
+#include "judge/function.hpp"
 #include "stress/run.hpp"
 #include "stress/views.hpp"
 

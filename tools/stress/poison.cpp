@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "check/function.hpp"
 #include "effect/method_functions.hpp"
 #include "effect/methods.hpp"
+#include "judge/function.hpp"
 #include "stress/run.hpp"
 #include "stress/views.hpp"
 

@@ -9,7 +9,7 @@
 #include "audit/worst.hpp"
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
-#include "report/json.hpp"
+#include "record/json.hpp"
 
 namespace gloam::stress {
 
@@ -60,8 +60,8 @@ std::string to_json(const gpu::DeviceInfo& device, const Rows& rows, const std::
         all.push_back({{"run", row.run},
                        {"varied", row.varied},
                        {"quantity", row.quantity},
-                       {"measured", report::number_json(row.measured)},
-                       {"bound", row.bound ? report::number_json(*row.bound) : nullptr},
+                       {"measured", record::number_json(row.measured)},
+                       {"bound", row.bound ? record::number_json(*row.bound) : nullptr},
                        {"passed", row.passed()}});
     }
     nlohmann::ordered_json document{{"gloam", base::version()},

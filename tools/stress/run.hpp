@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
-#include "check/lab.hpp"
 #include "effect/methods.hpp"
 #include "scene/pass_library.hpp"
+#include "subject/lab.hpp"
 
 namespace gloam::catalogue {
 struct Entry;

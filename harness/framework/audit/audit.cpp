@@ -12,9 +12,9 @@
 
 #include "audit/coverage.hpp"
 #include "audit/internal/search.hpp"
-#include "check/explain.hpp"
-#include "check/run.hpp"
-#include "check/session.hpp"
+#include "judge/explain.hpp"
+#include "judge/run.hpp"
+#include "judge/session.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check {

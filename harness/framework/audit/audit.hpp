@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "audit/own_domain.hpp"
-#include "check/lab.hpp"
-#include "check/own_function.hpp"
-#include "check/question.hpp"
+#include "judge/question.hpp"
 #include "numeric/interval.hpp"
+#include "subject/lab.hpp"
+#include "subject/own_function.hpp"
 
 // Where a shader function itself goes wrong, whatever the driver. The interpreter runs it correctly rounded,
 // in double and on intervals, and searches for the worst inputs of its domain. It needs no reference.

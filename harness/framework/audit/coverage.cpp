@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "base/text.hpp"
-#include "check/explain.hpp"
-#include "check/interpreted_kernel.hpp"
-#include "check/session.hpp"
+#include "judge/explain.hpp"
+#include "judge/session.hpp"
 #include "module/include.hpp"
+#include "subject/interpreted_kernel.hpp"
 
 namespace gloam::check {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "check/run.hpp"
+#include "judge/run.hpp"
 
 namespace gloam::check {
 

@@ -11,10 +11,10 @@
 
 #include "audit/internal/runs.hpp"
 #include "audit/internal/search.hpp"
-#include "check/kernel_code.hpp"
 #include "module/spirv.hpp"
 #include "module/texts.hpp"
 #include "numeric/numbers.hpp"
+#include "subject/kernel_code.hpp"
 
 namespace gloam::check {
 

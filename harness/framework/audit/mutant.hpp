@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "check/lab.hpp"
-#include "check/own_function.hpp"
 #include "module/texts.hpp"
+#include "subject/lab.hpp"
+#include "subject/own_function.hpp"
 
 // What a fault in a shader file changes, without any test.
 namespace gloam::check {

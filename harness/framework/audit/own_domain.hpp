@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "check/own_function.hpp"
+#include "subject/own_function.hpp"
 
 namespace gloam::check {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "audit/internal/moves.hpp"
-#include "check/session.hpp"
+#include "judge/session.hpp"
 
 namespace gloam::check {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "check/run.hpp"
+#include "judge/run.hpp"
 
 namespace gloam::check {
 

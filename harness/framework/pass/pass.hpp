@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "check/lab.hpp"
-#include "check/question.hpp"
-#include "check/signature.hpp"
+#include "judge/question.hpp"
+#include "subject/lab.hpp"
+#include "subject/signature.hpp"
 
 namespace gloam::check {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "catalogue/description.hpp"
-#include "check/question.hpp"
+#include "judge/question.hpp"
 
 // The entry of an equation in the catalogue states what a person must decide; one call of add() a function:
 //

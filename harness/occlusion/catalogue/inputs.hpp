@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "check/domain.hpp"
-#include "check/question.hpp"
+#include "judge/question.hpp"
+#include "subject/domain.hpp"
 
 // Values and images that several entries use.
 namespace gloam::catalogue {

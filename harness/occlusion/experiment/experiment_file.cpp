@@ -11,7 +11,7 @@ namespace gloam::experiment {
 namespace {
 
 using internal::Members;
-using report::JsonReader;
+using record::JsonReader;
 
 constexpr int most_frames = 1'000;
 constexpr int most_rays = 65'536;
@@ -161,7 +161,7 @@ const std::vector<std::string>& picture_kinds() {
 
 Experiment read_experiment(const std::string& name, std::string_view text) {
     try {
-        const nlohmann::ordered_json document = report::parse_json(text);
+        const nlohmann::ordered_json document = record::parse_json(text);
         Members members(JsonReader(document, ""));
         Experiment experiment{.name = name};
         members.read("about", experiment.about);

@@ -197,7 +197,7 @@ void Record::add(Visit visit) {
 }
 
 void Record::add_line(std::string_view line) {
-    const ordered_json visit = report::parse_json(line);
+    const ordered_json visit = record::parse_json(line);
     add(part_in<Visit>(JsonReader(visit, "")));
 }
 
@@ -215,7 +215,7 @@ Record read_record(const std::string& name, std::string_view text) {
     try {
         const std::string_view first = text.substr(0, text.find('\n'));
         const bool is_document = !ordered_json::accept(first) || first.size() == text.size();
-        const ordered_json heading = report::parse_json(is_document ? text : first);
+        const ordered_json heading = record::parse_json(is_document ? text : first);
         Record record(part_in<Conditions>(JsonReader(heading, "")));
         if (heading.contains("visits")) {
             for (const JsonReader& visit : JsonReader(heading["visits"], "visits").elements())

@@ -10,7 +10,7 @@
 
 #include "base/number.hpp"
 #include "base/version.hpp"
-#include "report/table.hpp"
+#include "record/table.hpp"
 
 namespace gloam::experiment {
 namespace {
@@ -59,8 +59,8 @@ bool is_number(std::string_view cell) {
 }
 
 // Columns of numbers are aligned at the right.
-report::Table shown(const Rows& rows) {
-    report::Table table;
+record::Table shown(const Rows& rows) {
+    record::Table table;
     for (std::size_t i = 0; i < rows.headings.size(); ++i)
         table.columns.push_back(
             {.title = rows.headings[i], .numeric = std::ranges::all_of(rows.all, [&](const auto& row) {
@@ -99,7 +99,7 @@ void add_table(Text& all, const Table& table, const Database& database) {
         const Rows rows = database.select(expanded(table, database, size), size);
         all.missed |= misses(rows);
         const std::string heading = sizes.size() > 1 ? size + ":\n\n" : "";
-        if (!rows.all.empty()) add(all, table, heading + report::to_markdown(shown(rows)));
+        if (!rows.all.empty()) add(all, table, heading + record::to_markdown(shown(rows)));
     }
 }
 

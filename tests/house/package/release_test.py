@@ -72,7 +72,7 @@ class Recipe(unittest.TestCase):
         options = re.findall(r"-DGLOAM_\w+=\w+", text("packaging", "vcpkg", "portfile.cmake"))
         with tempfile.TemporaryDirectory() as build:
             targets = configured(SOURCE, build, *options, "-DCMAKE_DISABLE_FIND_PACKAGE_spirv_cross_c_shared=ON")
-            self.assertIn("libgloam_check.a", targets)
+            self.assertIn("libgloam_judge.a", targets)
             self.assertNotIn("bin/gloam", targets)
             config = (Path(build) / "gloam-config.cmake").read_text(encoding="utf-8")
             self.assertIn("spirv_cross_reflect spirv_cross_c ", config)

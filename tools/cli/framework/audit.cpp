@@ -18,8 +18,8 @@
 #include "cli/framework/open_device.hpp"
 #include "interpreter/program.hpp"
 #include "module/include.hpp"
-#include "report/audit_report.hpp"
-#include "report/output.hpp"
+#include "record/audit_report.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -83,10 +83,10 @@ int run_audit(AuditCommand& command, EquationsNamed* equations) {
     command.functions = file_and_functions(command.words, equations);
     command.file = command.functions.front();
     command.functions.erase(command.functions.begin());
-    const report::OutputFile json(command.json);
-    const report::OutputFile html(command.html);
+    const record::OutputFile json(command.json);
+    const record::OutputFile html(command.html);
     const std::vector<check::OwnFunction> functions = functions_of(command);
-    const report::AuditReport report{.file = command.file.string(),
+    const record::AuditReport report{.file = command.file.string(),
                                      .source = shader::read_text(command.file),
                                      .audits = audits_of(command, functions)};
     int status = 0;

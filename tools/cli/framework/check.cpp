@@ -24,58 +24,58 @@
 #include "cli/framework/check/worker_session.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/progress.hpp"
-#include "report/check_page.hpp"
-#include "report/check_report.hpp"
-#include "report/output.hpp"
+#include "record/check_page.hpp"
+#include "record/check_report.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 namespace {
 
-void print_device(const report::DeviceSummary& device) {
-    fmt::print("device: {}\nversions: {}\n{}\n", report::name_of(device), versions(), report::table_header());
+void print_device(const record::DeviceSummary& device) {
+    fmt::print("device: {}\nversions: {}\n{}\n", record::name_of(device), versions(), record::table_header());
     std::fflush(stdout);
 }
 
 void print_row(const check::Answer& row) {
-    std::string verdict = report::verdict_of(row);
+    std::string verdict = record::verdict_of(row);
     if (row.passed() || row.failed()) verdict = colored(verdict, row.passed() ? Ink::good : Ink::bad);
     if (row.reason == check::Reason::unchanged) return;  // there are many, and step_summary() counts them
-    fmt::print("{}\n", report::table_line(row, verdict));
+    fmt::print("{}\n", record::table_line(row, verdict));
     std::fflush(stdout);
 }
 
 // The command that repeats this check exactly: the same inputs on the same device.
-std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
+std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
                         const check::Answer& row) {
-    std::string what = report::shell_word(row.equation);
-    if (is_of_file(options)) what = report::shell_word(options.equations.front()) + " " + what;
-    std::string variant = report::shell_word(row.variant_before_steps());
-    if (!row.steps().empty()) variant += " --compiler " + report::shell_word(row.steps());
-    for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
-    for (const std::string& folder : options.includes) what += " --include " + report::shell_word(folder);
-    for (const std::string& define : options.defines) what += " --define " + report::shell_word(define);
+    std::string what = record::shell_word(row.equation);
+    if (is_of_file(options)) what = record::shell_word(options.equations.front()) + " " + what;
+    std::string variant = record::shell_word(row.variant_before_steps());
+    if (!row.steps().empty()) variant += " --compiler " + record::shell_word(row.steps());
+    for (const std::string& range : options.ranges) what += " --range " + record::shell_word(range);
+    for (const std::string& folder : options.includes) what += " --include " + record::shell_word(folder);
+    for (const std::string& define : options.defines) what += " --define " + record::shell_word(define);
     std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
-                                      variant, report::shell_word(device.name), options.inputs, options.seed);
+                                      variant, record::shell_word(device.name), options.inputs, options.seed);
     for (const auto& driver : drivers_asked_for())
-        command += " --driver " + report::shell_word(driver.string());
+        command += " --driver " + record::shell_word(driver.string());
     return options.validation ? command + " --validation" : command;
 }
 
-void print_failure(const CheckOptions& options, const report::DeviceSummary& device,
+void print_failure(const CheckOptions& options, const record::DeviceSummary& device,
                    const check::Answer& row) {
     fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
     if (row.variant.empty()) return;  // the device itself
     fmt::print("run it again: {}\n", command_for(options, device, row));
 }
 
-void print_coverage(const report::CheckReport& report) {
+void print_coverage(const record::CheckReport& report) {
     for (const check::Answer& row : report.rows)
         if (row.coverage) fmt::print("{} {}: {}\n", row.equation, row.variant, to_text(*row.coverage));
 }
 
 // What a table would say of what was not judged.
 void print_not_judged(const CheckOutcome& outcome) {
-    for (const report::CheckReport& report : outcome.reports)
+    for (const record::CheckReport& report : outcome.reports)
         for (const check::Answer& row : report.rows)
             if (row.outcome() == check::Outcome::not_judged && row.reason != check::Reason::unchanged)
                 fmt::print("{} {}: not judged: {}\n", row.equation, row.variant,
@@ -83,7 +83,7 @@ void print_not_judged(const CheckOutcome& outcome) {
 }
 
 // Inputs for which a user's function has no defined result.
-void print_undefined(const report::CheckReport& report) {
+void print_undefined(const record::CheckReport& report) {
     for (const check::Answer& row : report.rows)
         if (row.undefined > 0)
             fmt::print("{} {}: {} {} of {} inputs, which were not judged: {}\n", row.equation, row.variant,
@@ -93,7 +93,7 @@ void print_undefined(const report::CheckReport& report) {
 }
 
 // What helps where the usual inputs of a user's function could not be judged.
-void print_range_hint(const CheckOptions& options, const report::OutcomeCounts& counts) {
+void print_range_hint(const CheckOptions& options, const record::OutcomeCounts& counts) {
     if (counts.not_judged > 0 && is_of_file(options) && options.ranges.empty())
         fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
 }
@@ -130,7 +130,7 @@ class CheckRun {
 
     ~CheckRun() { progress_(-1.0); }
 
-    report::CheckReport on_device(const std::string& device) {
+    record::CheckReport on_device(const std::string& device) {
         DeviceRun run{.checker = {.equations = options_.named,
                                   .device = device,
                                   .validation = options_.validation,
@@ -152,7 +152,7 @@ class CheckRun {
             return run_on_device(run);
         } catch (const DeviceRefused& refused) {
             if (options_.device != "all" && options_.device != every_opengl) throw;
-            report::CheckReport report{
+            record::CheckReport report{
                 .device = {.name = "device " + device},
                 .rows = {device_row(check::Reason::error, refused.what(), tasks_.size())}};
             if (options_.rows) print_row(report.rows.front());
@@ -162,20 +162,20 @@ class CheckRun {
 
   private:
     // The row of an earlier run. A failure is run again if it is to be prepared for a report.
-    [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& on,
+    [[nodiscard]] std::optional<check::Answer> known(const record::DeviceSummary& on,
                                                      const CheckTask& task) const {
         std::optional<check::Answer> row = journal_.known(on, task);
         if (row && row->failed() && failures_.wanted()) return std::nullopt;
         return row;
     }
 
-    void begin(const report::DeviceSummary& on) {
+    void begin(const record::DeviceSummary& on) {
         progress_(-1.0);
         if (options_.rows) print_device(on);
         show_progress();
     }
 
-    void take(const report::DeviceSummary& on, const check::Answer& row) {
+    void take(const record::DeviceSummary& on, const check::Answer& row) {
         const bool is_known = journal_.add(on, row);  // which took no time
         progress_(-1.0);
         if (options_.rows) print_row(row);
@@ -198,9 +198,9 @@ class CheckRun {
 };
 
 // A broken driver is reported by a row, if it was selected, and by a line; others are not affected.
-std::vector<report::CheckReport> reports_of(const std::vector<BrokenDriver>& broken,
+std::vector<record::CheckReport> reports_of(const std::vector<BrokenDriver>& broken,
                                             const CheckOptions& options, std::size_t checks) {
-    std::vector<report::CheckReport> reports;
+    std::vector<record::CheckReport> reports;
     for (const BrokenDriver& driver : broken) {
         if (options.device != "all" && std::ranges::count(drivers_asked_for(), driver.manifest) == 0) {
             say_skipped(driver);
@@ -217,7 +217,7 @@ std::vector<report::CheckReport> reports_of(const std::vector<BrokenDriver>& bro
 
 // What --device stands for. Adds a report for each broken driver.
 std::vector<std::string> devices_to_check(const CheckOptions& options, std::size_t checks,
-                                          std::vector<report::CheckReport>& reports) {
+                                          std::vector<record::CheckReport>& reports) {
     if (options.device == every_opengl) return gl_device_names();
     if (options.device == check::interpreter_name || is_opengl(options.device)) return {options.device};
     const Drivers drivers = load_drivers();
@@ -242,7 +242,7 @@ void run_devices(const CheckOptions& options, CheckOutcome& outcome) {
     if (!is_of_file(options) && !options.defines.empty())
         throw std::invalid_argument("--define is for a shader file");
     std::vector<CheckTask> tasks = tasks_of(options, outcome);
-    std::vector<report::CheckReport>& reports = outcome.reports;
+    std::vector<record::CheckReport>& reports = outcome.reports;
     const std::vector<std::string> devices = devices_to_check(options, tasks.size(), reports);
     CheckRun run(options, std::move(tasks), devices.size());
     for (const std::string& device : devices) reports.push_back(run.on_device(device));
@@ -251,20 +251,20 @@ void run_devices(const CheckOptions& options, CheckOutcome& outcome) {
 }  // namespace
 
 CheckOutcome check(const CheckOptions& options) {
-    const report::OutputFile json(options.json);
-    const report::OutputFile junit(options.junit);
-    const report::OutputFile html(options.html);
+    const record::OutputFile json(options.json);
+    const record::OutputFile junit(options.junit);
+    const record::OutputFile html(options.html);
     CheckOutcome outcome;
     run_devices(options, outcome);
-    for (report::CheckReport& report : outcome.reports) {
+    for (record::CheckReport& report : outcome.reports) {
         report.versions = versions();
         report.inputs = options.inputs;
         report.seed = options.seed;
     }
     outcome.counts = counts_of(outcome.reports);
-    json.write(report::to_json(outcome.reports));
-    junit.write(report::to_junit(outcome.reports));
-    html.write(report::to_check_page(outcome.reports));
+    json.write(record::to_json(outcome.reports));
+    junit.write(record::to_junit(outcome.reports));
+    html.write(record::to_check_page(outcome.reports));
     if (!options.json.empty()) {      // the results are now in the result file
         std::error_code still_there;  // harmless: the next run starts it anew
         std::filesystem::remove(journal_of(options), still_there);
@@ -278,18 +278,18 @@ namespace {
 // that is not complete, unless a check failed.
 int run_check(const CheckOptions& options) {
     const CheckOutcome outcome = check(options);
-    for (const report::CheckReport& report : outcome.reports) {
+    for (const record::CheckReport& report : outcome.reports) {
         for (const check::Answer& row : report.rows) {
             if (row.failed()) print_failure(options, report.device, row);
         }
     }
     if (options.rows)
-        fmt::print("\n{}", report::table_legend());
+        fmt::print("\n{}", record::table_legend());
     else
         print_not_judged(outcome);
     fmt::print("{}", step_summary(outcome.reports));
-    for (const report::CheckReport& report : outcome.reports) print_coverage(report);
-    for (const report::CheckReport& report : outcome.reports) print_undefined(report);
+    for (const record::CheckReport& report : outcome.reports) print_coverage(report);
+    for (const record::CheckReport& report : outcome.reports) print_undefined(report);
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
     print_range_hint(options, outcome.counts);
     const int status = outcome.counts.exit_status();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "report/check_report.hpp"
+#include "record/check_report.hpp"
 
 namespace gloam::cli {
 
@@ -46,8 +46,8 @@ struct CheckOptions {
 
 // The results of every device.
 struct CheckOutcome {
-    std::vector<report::CheckReport> reports;
-    report::OutcomeCounts counts;
+    std::vector<record::CheckReport> reports;
+    record::OutcomeCounts counts;
     std::vector<std::string> notes;  // on a user's file, a line each: what was left out, and why
     bool complete = true;            // no function was left out that was named or that does not compile
 };

@@ -17,12 +17,12 @@
 #include "base/compiler_limits.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "check/kernel_code.hpp"
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
 #include "module/include.hpp"
 #include "module/spirv.hpp"
+#include "subject/kernel_code.hpp"
 
 namespace gloam::cli {
 namespace {

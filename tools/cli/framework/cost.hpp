@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "check/lab.hpp"
 #include "cost/cost.hpp"
+#include "subject/lab.hpp"
 
 namespace gloam::cli {
 

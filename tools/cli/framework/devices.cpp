@@ -11,8 +11,8 @@
 #include "backend/gl/device.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "check/lab.hpp"
 #include "cli/framework/open_device.hpp"
+#include "subject/lab.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -39,7 +39,7 @@ void print_device(const backend::DeviceInfo& device) {
 }
 
 nlohmann::ordered_json to_json(const backend::DeviceInfo& device) {
-    return report::MemberWriter::json_of(device);
+    return record::MemberWriter::json_of(device);
 }
 
 nlohmann::ordered_json opengl_json(const backend::DeviceInfo& device) {

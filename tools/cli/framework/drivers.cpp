@@ -66,7 +66,7 @@ Listing listed(const std::string& option, std::vector<std::string> environment =
     if (result.output.empty())
         return {.error = base::one_line("its process " + result.how()), .reason = check::Reason::crash};
     try {
-        return report::from_line<Listing>(result.output.substr(0, result.output.find('\n')));
+        return record::from_line<Listing>(result.output.substr(0, result.output.find('\n')));
     } catch (const std::exception& error) {
         return {.error = "its process answers what makes no sense: " + base::one_line(error.what())};
     }

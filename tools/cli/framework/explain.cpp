@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "base/number.hpp"
-#include "check/explain.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
 #include "interpreter/program.hpp"
+#include "judge/explain.hpp"
 #include "module/compile.hpp"
 
 namespace gloam::cli {

@@ -9,8 +9,8 @@
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/mutate/trials.hpp"
-#include "report/mutation_report.hpp"
-#include "report/output.hpp"
+#include "record/mutation_report.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 int run_mutate(const MutateCommand& command) {
     if (command.command.empty())
         throw std::invalid_argument("mutate: expected -- COMMAND behind the files: what runs the tests");
-    const report::OutputFile json(command.json);
+    const record::OutputFile json(command.json);
     Trials trials(command);
     trials.run();
     fmt::print("{}", to_text(trials.report()));

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
-#include "check/answer.hpp"
-#include "report/members.hpp"
+#include "judge/answer.hpp"
+#include "record/members.hpp"
 
 namespace CLI {
 class App;
@@ -76,7 +76,7 @@ void say_skipped(const BrokenDriver& driver);
 // Its one line of JSON, without the reason; a device as `gloam devices --json` shows it.
 template <class Io>
 void members(Io& io, Listing& listing) {
-    report::each(io, "devices", listing.devices, "error", listing.error);
+    record::each(io, "devices", listing.devices, "error", listing.error);
 }
 
 }  // namespace gloam::cli
@@ -85,14 +85,14 @@ namespace gloam::backend {
 
 template <class Io>
 void members(Io& io, FloatControls& float32) {
-    report::each(io, "signed_zero_inf_nan_preserve", float32.preserves_signed_zero_inf_nan, "denorm_preserve",
+    record::each(io, "signed_zero_inf_nan_preserve", float32.preserves_signed_zero_inf_nan, "denorm_preserve",
                  float32.preserves_denormals, "denorm_flush_to_zero", float32.flushes_denormals,
                  "rounding_mode_rte", float32.rounds_to_even, "rounding_mode_rtz", float32.rounds_to_zero);
 }
 
 template <class Io>
 void members(Io& io, DeviceInfo& device) {
-    report::each(io, "index", device.index, "name", device.name, "type", device.type, "driver", device.driver,
+    record::each(io, "index", device.index, "name", device.name, "type", device.type, "driver", device.driver,
                  "api_version", device.api_version, "max_image_size", device.max_image_size,
                  "max_buffer_bytes", device.max_buffer_bytes, "subgroup_size", device.subgroup_size,
                  "timestamp_period_ns", device.timestamp_period_ns, "float32", device.float32);

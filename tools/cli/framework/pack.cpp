@@ -17,7 +17,7 @@
 #include "cli/framework/check/checker.hpp"
 #include "module/include.hpp"
 #include "module/texts.hpp"
-#include "report/output.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -114,7 +114,7 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
     const auto [files, functions] = find_all(options, roots, equations);
     // As in check and audit, "#include <sub/x.glsl>" may name a file beside the one that is given.
     for (const fs::path& file : files) roots.insert(roots.begin(), fs::absolute(file).parent_path());
-    const report::OutputFile out(options.out);
+    const record::OutputFile out(options.out);
     const shader::PackRequest request{
         .language = *language, .functions = functions, .stage = stage_of(files)};
     const std::string packed = base::tried(files.front(), [&] {

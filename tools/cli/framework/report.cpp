@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "report/check_page.hpp"
-#include "report/check_report.hpp"
-#include "report/output.hpp"
+#include "record/check_page.hpp"
+#include "record/check_report.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -27,12 +27,12 @@ struct ReportOptions {
     bool markdown = false;
 };
 
-std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
-    std::vector<report::ReportFile> all;
+std::vector<record::ReportFile> read_reports(const std::vector<std::string>& files) {
+    std::vector<record::ReportFile> all;
     for (const std::string& file : files) {
         const std::string text = base::read_file(file);
         try {
-            for (report::CheckReport& report : report::reports_from_json(text)) {
+            for (record::CheckReport& report : record::reports_from_json(text)) {
                 all.push_back({.file = file, .report = std::move(report)});
             }
         } catch (const std::runtime_error& error) {
@@ -43,29 +43,29 @@ std::vector<report::ReportFile> read_reports(const std::vector<std::string>& fil
     return all;
 }
 
-std::string page_of(const report::MergedReports& merged, const ReportOptions& options) {
-    return options.markdown ? report::to_matrix_markdown(merged.reports) : report::to_matrix(merged.reports);
+std::string page_of(const record::MergedReports& merged, const ReportOptions& options) {
+    return options.markdown ? record::to_matrix_markdown(merged.reports) : record::to_matrix(merged.reports);
 }
 
 // What changed since the earlier run, a line each.
-std::vector<std::string> changes_of(const report::MergedReports& merged, const ReportOptions& options) {
+std::vector<std::string> changes_of(const record::MergedReports& merged, const ReportOptions& options) {
     if (options.since.empty()) return {};
-    const report::MergedReports before = report::merge(read_reports({options.since}));
-    std::vector<std::string> changes = report::changes_since(before.reports, merged.reports);
+    const record::MergedReports before = record::merge(read_reports({options.since}));
+    std::vector<std::string> changes = record::changes_since(before.reports, merged.reports);
     if (changes.empty()) changes.emplace_back("nothing changed since " + options.since);
     return changes;
 }
 
 int run_report(const ReportOptions& options) {
-    const report::OutputFile json(options.json);
-    const report::OutputFile html(options.html);
-    const report::MergedReports merged = report::merge(read_reports(options.files));
+    const record::OutputFile json(options.json);
+    const record::OutputFile html(options.html);
+    const record::MergedReports merged = record::merge(read_reports(options.files));
     std::vector<std::string> notes = merged.conflicts;
     std::ranges::move(changes_of(merged, options), std::back_inserter(notes));
     fmt::print("{}", page_of(merged, options));
     for (const std::string& note : notes) fmt::print("\n{}{}\n", options.markdown ? "- " : "", note);
-    json.write(report::to_json(merged.reports));
-    html.write(report::to_check_page(merged.reports, notes));
+    json.write(record::to_json(merged.reports));
+    html.write(record::to_check_page(merged.reports, notes));
     return counts_of(merged.reports).exit_status();
 }
 

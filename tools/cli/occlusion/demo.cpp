@@ -20,8 +20,8 @@
 #include "cli/progress.hpp"
 #include "effect/methods.hpp"
 #include "pictures/plot.hpp"
-#include "report/check_page.hpp"
-#include "report/page.hpp"
+#include "record/check_page.hpp"
+#include "record/page.hpp"
 #include "site/live_page.hpp"
 
 namespace gloam::cli {
@@ -89,7 +89,7 @@ std::string presets_plot() {
 }
 
 // The guides as texts beside the page, with a link to each.
-void add_guides(report::Page& page, report::OutputFolder& out) {
+void add_guides(record::Page& page, record::OutputFolder& out) {
     constexpr std::pair<const char*, const char*> guides[]{{"copy-a-shader", "Copy a shader"},
                                                            {"testing", "Test a function"},
                                                            {"judge-a-driver", "Judge a driver"}};
@@ -101,8 +101,8 @@ void add_guides(report::Page& page, report::OutputFolder& out) {
     }
 }
 
-report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out) {
-    report::Page page("gloam demo");
+record::Page page_of(const std::vector<Shown>& scenes, record::OutputFolder& out) {
+    record::Page page("gloam demo");
     page.paragraph(
         "Ambient occlusion, rendered on " + scenes.front().run.report.device.name +
         ". Choose above each picture: the light with ambient occlusion, without it, and more. The error "
@@ -118,13 +118,13 @@ report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out
     return page;
 }
 
-void add_check(report::Page& page, const CheckOutcome& outcome) {
+void add_check(record::Page& page, const CheckOutcome& outcome) {
     page.fold("The check: " + to_text(outcome.counts));
     page.paragraph(
         fmt::format("Every equation of the library ran on this device with {} inputs, and each result "
                     "was compared with the equation in double precision.",
                     few_inputs));
-    page.table(report::check_table(outcome.reports));
+    page.table(record::check_table(outcome.reports));
 }
 
 std::string pictures_line(const std::vector<Shown>& scenes) {
@@ -137,7 +137,7 @@ std::string pictures_line(const std::vector<Shown>& scenes) {
 }
 
 std::string check_line(const CheckOutcome& outcome) {
-    const report::OutcomeCounts& counts = outcome.counts;
+    const record::OutcomeCounts& counts = outcome.counts;
     if (counts.failed == 0) {
         const std::string all = counts.not_judged == 0
                                     ? "all are as exact as they document"
@@ -150,7 +150,7 @@ std::string check_line(const CheckOutcome& outcome) {
     }
     std::string names;
     std::size_t named = 0;
-    for (const report::CheckReport& report : outcome.reports) {
+    for (const record::CheckReport& report : outcome.reports) {
         for (const check::Answer& row : report.rows) {
             if (!row.failed() || ++named > most_named) continue;
             names += (names.empty() ? "" : ", ") + row.function;
@@ -163,7 +163,7 @@ std::string check_line(const CheckOutcome& outcome) {
 
 // The pictures come first, beginning with the sheet, because the check takes longer than all of them.
 int run_demo(const DemoOptions& demo) {
-    report::OutputFolder out(demo.out);
+    record::OutputFolder out(demo.out);
     const fs::path folder = fs::absolute(demo.out);
     RenderBench bench({.device = demo.device});
     say(demo, "device    " + bench.device.info().name);
@@ -175,7 +175,7 @@ int run_demo(const DemoOptions& demo) {
         out.keep();
         say(demo, "sheet     " + (folder / "sheet.png").string() + " (one picture)");
     }
-    report::Page page = page_of(scenes, out);
+    record::Page page = page_of(scenes, out);
     out.write("index.html", page.html());
     out.keep();
     say(demo, pictures_line(scenes));

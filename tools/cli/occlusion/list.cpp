@@ -14,13 +14,13 @@
 
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
-#include "check/lab.hpp"
 #include "cli/environment.hpp"
 #include "cli/occlusion/names.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "module/compile.hpp"
+#include "subject/lab.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -218,7 +218,7 @@ void take_scene_from_truth(RenderOptions& options) {
 // Returns the exit status: 0, or 1 if the validation layers reported messages.
 int run_render(const RenderOptions& options) {
     std::vector<Run> runs = runs_of(options);
-    report::OutputFolder out(options.out);
+    record::OutputFolder out(options.out);
     RenderBench bench(options);
     std::vector<Rendered> rendered;
     for (const Run& run : runs) {

@@ -19,8 +19,8 @@
 #include "effect/methods.hpp"
 #include "pictures/light.hpp"
 #include "pictures/sheet.hpp"
-#include "report/output.hpp"
-#include "report/page.hpp"
+#include "record/output.hpp"
+#include "record/page.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
@@ -139,7 +139,7 @@ class TruthSource {
 
 // Writes the traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm
 // (the standard errors).
-void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
+void write_truth(record::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
                  const TracedView& traced);
 
 // x, y, z of each vector.
@@ -147,14 +147,14 @@ void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::E
 
 // Writes a frame of docs/gbuffer-format.md. read_gbuffer() and link() restore the view from it, within the
 // rounding of the files.
-void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view);
+void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffer& view);
 
 // STEM_ao.pfm and .png, of the filtered image.
-void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame);
+void write_images(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame);
 
 // STEM_tiles.png: the occlusion, tinted in each tile of 8 x 8 pixels by the frame's work in it: blue
 // background, green a radius below a pixel, white half size, orange in full. view: with its guard band.
-void write_tiles(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
+void write_tiles(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
                  const scene::GBuffer& view);
 
 // Errors of a frame against the truth.
@@ -242,7 +242,7 @@ inline constexpr double brightest_error = 0.25;
                                    const effect::Truth& truth, bool multi_bounce);
 
 // Writes NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.
-void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
+void write_pictures(record::OutputFolder& folder, const Pictures& pictures);
 
 // Sum of the passes of the last frame, ms; NaN where the device has no clock.
 [[nodiscard]] double frame_ms(const RenderReport& report);
@@ -260,7 +260,7 @@ void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 
 // Writes the pictures of a run into a page's folder, under names that begin with `prefix`, and adds them to
 // the page, one of them shown at a time.
-void add_pictures(report::Page& page, report::OutputFolder& folder, const std::string& prefix,
+void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
                   const Rendered& run);
 
 // The name of a run among several: its preset, of a file without folder and suffix, where presets are
@@ -292,7 +292,7 @@ class RenderBench {
 
 // The output of a run: written to `folder`, with names that begin with `prefix`.
 struct RenderOutput {
-    report::OutputFolder* folder = nullptr;  // null: nothing is written
+    record::OutputFolder* folder = nullptr;  // null: nothing is written
     std::string prefix = {};
 };
 

@@ -259,7 +259,7 @@ ViewTruth TruthSource::of(const scene::GBuffer& view, int frame, double radius) 
                                             reference_->channels, view.extent.width, view.extent.height));
 }
 
-void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
+void write_truth(record::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
                  const TracedView& traced) {
     const auto write = [&](const std::string& name, const std::vector<float>& image) {
         folder.write(prefix + name + ".pfm", base::to_pfm(image, size.width, size.height, 1));

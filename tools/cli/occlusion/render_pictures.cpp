@@ -29,7 +29,7 @@ std::vector<float> components_of(const std::vector<glm::vec3>& vectors) {
     return texels;
 }
 
-void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view) {
+void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffer& view) {
     const std::string prefix = scene::frame_prefix(number);
     const auto write = [&](const char* name, const std::vector<float>& texels, int channels) {
         if (texels.empty()) return;
@@ -45,13 +45,13 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
     folder.write(prefix + ".json", scene::frame_json(view, number));
 }
 
-void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
+void write_images(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
     const auto [width, height] = frame.extent;
     folder.write(stem + "_ao.pfm", base::to_pfm(frame.filtered, width, height, 1));
     folder.write(stem + "_ao.png", pictures::to_visibility_png(frame.filtered, width, height));
 }
 
-void write_tiles(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
+void write_tiles(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
                  const scene::GBuffer& view) {
     const std::map<effect::TileWork, glm::vec3> tints{{effect::TileWork::background, {0.5F, 0.65F, 1.0F}},
                                                       {effect::TileWork::below_pixel, {0.6F, 1.0F, 0.5F}},
@@ -119,7 +119,7 @@ Pictures pictures_of(const effect::Composite& composite, std::string name,
     return pictures;
 }
 
-void write_pictures(report::OutputFolder& folder, const Pictures& pictures) {
+void write_pictures(record::OutputFolder& folder, const Pictures& pictures) {
     folder.write(pictures.name + "_plain.png", png_of(pictures, pictures.plain));
     folder.write(pictures.name + "_shaded.png", png_of(pictures, pictures.shaded));
     if (pictures.error.empty()) return;
@@ -160,10 +160,10 @@ std::string sheet_of(const std::vector<Rendered>& runs) {
     return pictures::to_sheet_png(sheet, extent.width, extent.height, columns);
 }
 
-void add_pictures(report::Page& page, report::OutputFolder& folder, const std::string& prefix,
+void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
                   const Rendered& run) {
     const Pictures& last = run.last;
-    std::vector<report::PagePicture> all;
+    std::vector<record::PagePicture> all;
     const auto add = [&](const char* name, const base::RgbBytes& rgb, const std::string& caption) {
         folder.write(prefix + name, png_of(last, rgb));
         all.push_back({prefix + name, caption});

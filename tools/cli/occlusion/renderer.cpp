@@ -88,7 +88,7 @@ std::string name_of(const RenderOptions& options) {
 namespace {
 
 // STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
-void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
+void write_bent_normals(record::OutputFolder& folder, const std::string& stem,
                         const effect::BentNormals& bent) {
     const auto [width, height] = bent.extent;
     const std::vector<float> texels = components_of(bent.direction);
@@ -101,7 +101,7 @@ void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
 
 // STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), STEM_bounce.pfm (the
 // bounced part).
-void write_light(report::OutputFolder& folder, const std::string& stem,
+void write_light(record::OutputFolder& folder, const std::string& stem,
                  const effect::DirectionalLight& light) {
     const auto [width, height] = light.extent;
     std::vector<float> texels = components_of(light.direct);
@@ -327,7 +327,7 @@ class Renderer {
     RenderBench& bench_;
     const RenderOutput& output_;
     TruthSource truth_;
-    std::optional<report::OutputFolder> gbuffer_out_;
+    std::optional<record::OutputFolder> gbuffer_out_;
     std::optional<effect::AmbientOcclusion> effect_;
     std::optional<effect::Directional> directional_;
     std::optional<Before> before_;

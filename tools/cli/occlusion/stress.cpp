@@ -12,7 +12,7 @@
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
 #include "effect/method_functions.hpp"
-#include "report/output.hpp"
+#include "record/output.hpp"
 #include "stress/run.hpp"
 
 namespace gloam::cli {
@@ -58,7 +58,7 @@ int run_stress(const StressOptions& options) {
     const std::vector<stress::Run> runs = stress::select_runs(options.only);
     (void)catalogue::select(catalogue::all_entries(glsl_directory()),
                             options.equations);  // invalid names are reported before anything runs
-    const report::OutputFile json(options.json);
+    const record::OutputFile json(options.json);
     require_good_drivers();
     const effect::MethodFunctions methods;
     const check::Lab lab({.device = options.device,

@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
-#include "check/domain.hpp"
-#include "check/question.hpp"
+#include "judge/question.hpp"
 #include "numeric/random.hpp"
+#include "subject/domain.hpp"
 
 namespace gloam::check::internal {
 

@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "audit/internal/search.hpp"
-#include "check/session.hpp"
 #include "interpreter/program.hpp"
+#include "judge/session.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 

@@ -10,12 +10,12 @@
 
 #include "audit/audit.hpp"
 #include "audit/internal/moves.hpp"
-#include "check/explain.hpp"
-#include "check/interpretation.hpp"
-#include "check/interpreted_kernel.hpp"
-#include "check/lab.hpp"
-#include "check/question.hpp"
+#include "judge/explain.hpp"
+#include "judge/interpretation.hpp"
+#include "judge/question.hpp"
 #include "module/spirv.hpp"
+#include "subject/interpreted_kernel.hpp"
+#include "subject/lab.hpp"
 
 namespace gloam::check::internal {
 

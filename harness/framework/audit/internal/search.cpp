@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "check/reproduction.hpp"
+#include "judge/reproduction.hpp"
 
 namespace gloam::check::internal {
 namespace {

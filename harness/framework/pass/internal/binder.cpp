@@ -6,9 +6,9 @@
 #include <glm/gtc/packing.hpp>
 #include <stdexcept>
 
-#include "check/interpreted_kernel.hpp"
 #include "numeric/numbers.hpp"
 #include "pass/internal/work.hpp"
+#include "subject/interpreted_kernel.hpp"
 
 namespace gloam::check::internal {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "report/json.hpp"
+#include "record/json.hpp"
 
 namespace gloam::experiment::internal {
 
-using report::JsonReader;
+using record::JsonReader;
 
 // Each reads a value within bounds.
 inline void read(const JsonReader& value, std::string& text) {

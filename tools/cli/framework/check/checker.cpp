@@ -14,9 +14,9 @@
 #include "backend/backend.hpp"
 #include "base/compiler_limits.hpp"
 #include "base/text.hpp"
-#include "check/reproduction.hpp"
 #include "cli/environment.hpp"
 #include "interpreter/program.hpp"
+#include "judge/reproduction.hpp"
 #include "module/include.hpp"
 #include "module/spirv.hpp"
 #include "module/steps.hpp"
@@ -223,11 +223,11 @@ check::Question Checker::question_of(const CheckTask& task) {
     return *found;
 }
 
-report::DeviceSummary Checker::device() const {
+record::DeviceSummary Checker::device() const {
     return summary_of(lab_->info());
 }
 
-report::DeviceSummary summary_of(const backend::DeviceInfo& info) {
+record::DeviceSummary summary_of(const backend::DeviceInfo& info) {
     return {.name = base::one_line(info.name),
             .driver = base::one_line(info.driver),
             .type = info.type,

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "backend/backend.hpp"
-#include "check/lab.hpp"
-#include "check/own_function.hpp"
-#include "check/question.hpp"
 #include "cli/commands.hpp"
 #include "cli/framework/check/hand_over.hpp"
-#include "report/check_report.hpp"
+#include "judge/question.hpp"
+#include "record/check_report.hpp"
+#include "subject/lab.hpp"
+#include "subject/own_function.hpp"
 
 // The check of a user's shader file: no reference, no C++.
 namespace gloam::cli {
@@ -81,7 +81,7 @@ struct CheckerOptions {
 };
 
 // A device in the form of reports.
-[[nodiscard]] report::DeviceSummary summary_of(const backend::DeviceInfo& info);
+[[nodiscard]] record::DeviceSummary summary_of(const backend::DeviceInfo& info);
 
 // Runs checks in this process.
 class Checker {
@@ -89,7 +89,7 @@ class Checker {
     // Opens the device. Throws like gpu::Device.
     explicit Checker(CheckerOptions options);
 
-    [[nodiscard]] report::DeviceSummary device() const;
+    [[nodiscard]] record::DeviceSummary device() const;
 
     // Runs a check. It does not throw for errors of the check; the row reports them. After
     // Reason::device_lost and Reason::hang the device cannot be used any more.

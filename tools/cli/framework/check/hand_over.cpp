@@ -10,12 +10,12 @@
 
 #include "backend/sampled.hpp"
 #include "base/text.hpp"
-#include "check/answer.hpp"
-#include "check/lab.hpp"
-#include "check/reproduction.hpp"
+#include "judge/answer.hpp"
+#include "judge/reproduction.hpp"
 #include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
-#include "report/failures.hpp"
+#include "record/failures.hpp"
+#include "subject/lab.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -36,10 +36,10 @@ std::vector<check::Word> encoded(const std::vector<check::Word>& image) {
     return result;
 }
 
-report::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
+record::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
                                const CheckTask& task, const backend::DeviceInfo& device,
                                const std::string& how) {
-    report::KernelReplay replay{
+    record::KernelReplay replay{
         .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
     replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, question.function,
                                    question.file, task.variant),
@@ -62,8 +62,8 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
 }
 
 // The module that failed, then the one before the steps, if it is another.
-std::vector<report::ReplayedModule> modules_of(const check::Reproduction& all) {
-    std::vector<report::ReplayedModule> modules{
+std::vector<record::ReplayedModule> modules_of(const check::Reproduction& all) {
+    std::vector<record::ReplayedModule> modules{
         {all.before.empty() ? "the module" : "after the steps", all.spirv}};
     if (!all.before.empty() && all.before != all.spirv) modules.push_back({"before the steps", all.before});
     return modules;
@@ -102,9 +102,9 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
             const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
             const bool has_layers = std::ranges::any_of(
                 all.images, [](const auto& image) { return image.bound && image.words.empty(); });
-            if (!has_images) hand_over.amber = report::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
+            if (!has_images) hand_over.amber = record::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
             if (!has_layers)
-                hand_over.c_program = report::to_c_program(
+                hand_over.c_program = record::to_c_program(
                     replay("cc repro.c -o repro -lvulkan -lm && ./repro"), modules_of(all));
         }
         hand_over.steps = all.steps;
@@ -125,19 +125,19 @@ struct Kept {
 
 template <class Io>
 void members(Io& io, Kept& kept) {
-    report::each(io, "device", kept.device, "row", kept.row);
+    record::each(io, "device", kept.device, "row", kept.row);
 }
 
 }  // namespace
 
 CheckJournal::CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume)
-    : file_(std::move(path), report::line_of(setup), resume) {
+    : file_(std::move(path), record::line_of(setup), resume) {
     std::size_t number = 1;
     for (const std::string& line : file_.lines()) {
         ++number;
         try {
-            const Kept kept = report::from_line<Kept>(line);
-            check::Answer row = report::answer_from_json(kept.row);
+            const Kept kept = record::from_line<Kept>(line);
+            check::Answer row = record::answer_from_json(kept.row);
             const Key key{kept.device, row.equation, row.variant};
             if (row.ran()) known_[key] = std::move(row);
         } catch (const std::runtime_error& error) {
@@ -147,16 +147,16 @@ CheckJournal::CheckJournal(std::filesystem::path path, const CheckJournalSetup& 
     }
 }
 
-std::optional<check::Answer> CheckJournal::known(const report::DeviceSummary& device,
+std::optional<check::Answer> CheckJournal::known(const record::DeviceSummary& device,
                                                  const CheckTask& task) const {
-    const auto found = known_.find({report::name_of(device), task.equation, task.variant});
+    const auto found = known_.find({record::name_of(device), task.equation, task.variant});
     return found == known_.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool CheckJournal::add(const report::DeviceSummary& device, const check::Answer& row) const {
-    const std::string name = report::name_of(device);
+bool CheckJournal::add(const record::DeviceSummary& device, const check::Answer& row) const {
+    const std::string name = record::name_of(device);
     if (known_.contains({name, row.equation, row.variant})) return true;
-    file_.add(report::line_of(Kept{name, report::to_json(row)}));
+    file_.add(record::line_of(Kept{name, record::to_json(row)}));
     return false;
 }
 
@@ -173,18 +173,18 @@ FailureFolders::FailureFolders(std::filesystem::path folder) {
     if (!folder.empty()) folder_.emplace(std::move(folder));
 }
 
-std::filesystem::path FailureFolders::write(const report::DeviceSummary& device, const check::Answer& row,
-                                            const HandOver& hand_over, const report::RunAgain& again) {
-    const std::string name = report::slug(row.equation) + "-" + report::slug(row.variant);
-    report::OutputFolder out(folder_->path() / report::slug(report::name_of(device)) / name);
+std::filesystem::path FailureFolders::write(const record::DeviceSummary& device, const check::Answer& row,
+                                            const HandOver& hand_over, const record::RunAgain& again) {
+    const std::string name = record::slug(row.equation) + "-" + record::slug(row.variant);
+    record::OutputFolder out(folder_->path() / record::slug(record::name_of(device)) / name);
     const std::string note =
         hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
-    report::RunAgain how = again;
+    record::RunAgain how = again;
     how.amber = !hand_over.amber.empty();
     how.program = !hand_over.c_program.empty();
     how.steps = hand_over.steps;
     how.rules = hand_over.rules;
-    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, how));
+    out.write("report.txt", record::failure_text(device, row, hand_over.smallest, note, how));
     if (hand_over.error.empty() && hand_over.spirv.empty()) {  // of OpenGL
         out.write("shader.glsl", hand_over.glsl);
     } else if (hand_over.error.empty()) {

@@ -11,16 +11,16 @@
 #include <tuple>
 #include <vector>
 
-#include "check/run.hpp"
-#include "report/answer_json.hpp"
-#include "report/check_report.hpp"
-#include "report/failures.hpp"
-#include "report/output.hpp"
+#include "judge/run.hpp"
+#include "record/answer_json.hpp"
+#include "record/check_report.hpp"
+#include "record/failures.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 
 // One check for a worker. The messages between workers and their parent are one line of JSON each:
-// report::line_of(), and report::from_line(), which throws std::runtime_error with the missing or invalid
+// record::line_of(), and record::from_line(), which throws std::runtime_error with the missing or invalid
 // part.
 struct CheckTask {
     std::string equation;  // its ID; or a function of `file`
@@ -36,20 +36,20 @@ struct CheckTask {
 
 template <class Io>
 void members(Io& io, CheckTask& task) {
-    report::each(io, "equation", task.equation, "variant", task.variant, "inputs", task.inputs, "seed",
+    record::each(io, "equation", task.equation, "variant", task.variant, "inputs", task.inputs, "seed",
                  task.seed, "coverage", task.coverage, "file", task.file, "ranges", task.ranges, "includes",
                  task.includes, "defines", task.defines);
 }
 
 // A worker's greeting: its device, or why there is none.
 struct Greeting {
-    report::DeviceSummary device;
+    record::DeviceSummary device;
     std::string error;  // empty: there is a device
 };
 
 template <class Io>
 void members(Io& io, Greeting& greeting) {
-    report::each(io, "device", greeting.device, "error", greeting.error);
+    record::each(io, "device", greeting.device, "error", greeting.error);
 }
 
 // A request to a worker about a failed check.
@@ -65,7 +65,7 @@ struct HandOver {
     std::string assembly;  // empty, as all to `before`, of an OpenGL device
     std::vector<std::uint32_t> spirv;
     std::string amber;
-    std::string c_program = {};           // report::to_c_program()
+    std::string c_program = {};           // record::to_c_program()
     std::vector<std::string> steps = {};  // check::Reproduction
     std::vector<std::string> rules = {};
     std::vector<std::uint32_t> before = {};
@@ -73,15 +73,15 @@ struct HandOver {
     std::string error;                      // why the other members are empty; empty: no error
 };
 
-// Their one line of JSON: report::line_of(), report::from_line().
+// Their one line of JSON: record::line_of(), record::from_line().
 template <class Io>
 void members(Io& io, HandOverRequest& request) {
-    report::each(io, "hand_over", request.task, "ran", request.ran, "worst", request.worst);
+    record::each(io, "hand_over", request.task, "ran", request.ran, "worst", request.worst);
 }
 
 template <class Io>
 void members(Io& io, HandOver& all) {
-    report::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
+    record::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
                  "c_program", all.c_program, "steps", all.steps, "rules", all.rules, "before", all.before,
                  "smallest", all.smallest, "error", all.error);
 }
@@ -108,30 +108,30 @@ struct CheckJournalSetup {
 
 template <class Io>
 void members(Io& io, CheckJournalSetup& setup) {
-    report::each(io, "check_journal", 1, "versions", setup.versions, "inputs", setup.inputs, "seed",
+    record::each(io, "check_journal", 1, "versions", setup.versions, "inputs", setup.inputs, "seed",
                  setup.seed, "validation", setup.validation);
 }
 
 // The rows of a check, written to a file as they come, so that --resume can continue a run that was killed.
 class CheckJournal {
   public:
-    // See report::LineJournal. Also throws std::runtime_error for a line that is not a result, with its
+    // See record::LineJournal. Also throws std::runtime_error for a line that is not a result, with its
     // number.
     CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume);
 
     // The row of a task on a device from an earlier run. nullopt if that run got no result: a hang or a crash
     // can have other causes than the driver, so the task is tried again.
-    [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& device,
+    [[nodiscard]] std::optional<check::Answer> known(const record::DeviceSummary& device,
                                                      const CheckTask& task) const;
 
     // Adds a row. Returns true if it was known already; then it is not added. Throws std::runtime_error if it
     // cannot be written.
-    bool add(const report::DeviceSummary& device, const check::Answer& row) const;
+    bool add(const record::DeviceSummary& device, const check::Answer& row) const;
 
   private:
     using Key = std::tuple<std::string, std::string, std::string>;  // device, equation, variant
 
-    report::LineJournal file_;
+    record::LineJournal file_;
     std::map<Key, check::Answer> known_;
 };
 
@@ -147,11 +147,11 @@ class FailureFolders {
 
     // Writes a failure and returns its folder. report.txt states which parts are missing and why (see
     // HandOver::error).
-    std::filesystem::path write(const report::DeviceSummary& device, const check::Answer& row,
-                                const HandOver& hand_over, const report::RunAgain& again);
+    std::filesystem::path write(const record::DeviceSummary& device, const check::Answer& row,
+                                const HandOver& hand_over, const record::RunAgain& again);
 
   private:
-    std::optional<report::OutputFolder> folder_;
+    std::optional<record::OutputFolder> folder_;
 };
 
 }  // namespace gloam::cli

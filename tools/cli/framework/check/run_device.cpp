@@ -20,7 +20,7 @@ using check::Answer;
 using check::Reason;
 
 std::string refusal_of(const std::string& greeting) {
-    return report::from_line<Greeting>(greeting).error;
+    return record::from_line<Greeting>(greeting).error;
 }
 
 bool is_unusable_after(Reason reason) {
@@ -30,7 +30,7 @@ bool is_unusable_after(Reason reason) {
 // Distributes tasks to several threads and collects their rows; rows are reported in the order of the tasks.
 class Board {
   public:
-    Board(const DeviceRun& run, const report::DeviceSummary& device)
+    Board(const DeviceRun& run, const record::DeviceSummary& device)
         : run_(run), device_(device), rows_(run.tasks.size()) {
         if (!run.known) return;
         for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = run.known(device, run.tasks[i]);
@@ -100,7 +100,7 @@ class Board {
     }
 
     const DeviceRun& run_;
-    const report::DeviceSummary& device_;
+    const record::DeviceSummary& device_;
     std::mutex mutex_;
     std::vector<std::optional<Answer>> rows_;
     std::size_t taken_ = 0;
@@ -112,10 +112,10 @@ class Board {
 // Asks a worker for the row of one task. Throws NoWorker.
 Answer ask(WorkerSession& session, const CheckTask& task, const std::vector<check::Question>& equations) {
     const auto begin = std::chrono::steady_clock::now();
-    Reply reply = session.ask(report::line_of(task));
+    Reply reply = session.ask(record::line_of(task));
     if (reply.error.empty()) {
         try {
-            Answer row = report::answer_from_json(reply.line);
+            Answer row = record::answer_from_json(reply.line);
             if (is_unusable_after(row.reason)) session.dismiss();
             return row;
         } catch (const std::runtime_error& error) {
@@ -131,10 +131,10 @@ Answer ask(WorkerSession& session, const CheckTask& task, const std::vector<chec
 
 // Asks a worker to prepare a failure for a report. Throws NoWorker.
 HandOver ask_more(WorkerSession& session, const CheckTask& task, const Answer& row) {
-    const Reply reply = session.ask(report::line_of(request_for(task, row)));
+    const Reply reply = session.ask(record::line_of(request_for(task, row)));
     if (!reply.error.empty()) return {.error = reply.error};
     try {
-        return report::from_line<HandOver>(reply.line);
+        return record::from_line<HandOver>(reply.line);
     } catch (const std::exception& error) {
         session.dismiss();
         return {.error = fmt::format("the worker's answer makes no sense: {}", error.what())};
@@ -157,12 +157,12 @@ void work(WorkerSession& session, const DeviceRun& run, const std::vector<check:
     }
 }
 
-void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
+void run_in_workers(const DeviceRun& run, record::CheckReport& report) {
     const std::vector<std::string> command = worker_command(run.checker);
     const auto make_session = [&] { return WorkerSession(command, run.checker.timeout, refusal_of); };
     WorkerSession session = make_session();
     try {
-        report.device = report::from_line<Greeting>(session.greeting()).device;
+        report.device = record::from_line<Greeting>(session.greeting()).device;
     } catch (const NoWorker& none) {
         if (none.reason == Reason::error) throw DeviceRefused(none.what());
         report.device.name = run.checker.device.empty() ? "default" : run.checker.device;
@@ -182,7 +182,7 @@ void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
     report.rows = board.finish();
 }
 
-void run_here(const DeviceRun& run, report::CheckReport& report) {
+void run_here(const DeviceRun& run, record::CheckReport& report) {
     std::optional<Checker> checker;
     try {
         checker.emplace(run.checker);
@@ -210,8 +210,8 @@ check::Answer device_row(Reason reason, const std::string& error, std::size_t ch
         .reason = reason};
 }
 
-report::CheckReport run_on_device(const DeviceRun& run) {
-    report::CheckReport report;
+record::CheckReport run_on_device(const DeviceRun& run) {
+    record::CheckReport report;
     (run.in_process ? run_here : run_in_workers)(run, report);
     return report;
 }

@@ -128,7 +128,7 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
     return tasks;
 }
 
-std::string step_summary(const std::vector<report::CheckReport>& reports) {
+std::string step_summary(const std::vector<record::CheckReport>& reports) {
     struct Count {
         std::size_t modules = 0;
         std::size_t changed = 0;
@@ -136,7 +136,7 @@ std::string step_summary(const std::vector<report::CheckReport>& reports) {
         std::size_t not_judged = 0;
     };
     std::map<std::string, Count> counts;
-    for (const report::CheckReport& report : reports) {
+    for (const record::CheckReport& report : reports) {
         for (const check::Answer& row : report.rows) {
             if (row.steps().empty()) continue;
             Count& count = counts[row.variant];

@@ -23,6 +23,6 @@ inline constexpr const char* every_opengl = "gl";
 
 // What came of the steps, a line for each variant that has some: modules changed, failed, not judged. Empty
 // if no variant has steps.
-[[nodiscard]] std::string step_summary(const std::vector<report::CheckReport>& reports);
+[[nodiscard]] std::string step_summary(const std::vector<record::CheckReport>& reports);
 
 }  // namespace gloam::cli

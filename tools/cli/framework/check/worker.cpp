@@ -54,7 +54,7 @@ void list_and_tell(const List& list) {
     } catch (const std::exception& error) {
         listing.error = error.what();
     }
-    replies.send(report::line_of(listing));
+    replies.send(record::line_of(listing));
 }
 
 // Lets the Vulkan loader say on standard output what it does, and ends.
@@ -72,12 +72,12 @@ void run_worker(const CheckerOptions& options) {
     } catch (const std::exception& error) {
         greeting.error = error.what();
     }
-    replies.send(report::line_of(greeting));
+    replies.send(record::line_of(greeting));
     if (!checker) return;
     for (std::string line; std::getline(std::cin, line);) {
         replies.send(is_hand_over_request(line)
-                         ? report::line_of(checker->hand_over(report::from_line<HandOverRequest>(line)))
-                         : report::to_json(checker->run(report::from_line<CheckTask>(line))));
+                         ? record::line_of(checker->hand_over(record::from_line<HandOverRequest>(line)))
+                         : record::to_json(checker->run(record::from_line<CheckTask>(line))));
     }
 }
 

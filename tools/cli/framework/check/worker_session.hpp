@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/process.hpp"
-#include "check/answer.hpp"
+#include "judge/answer.hpp"
 
 namespace gloam::cli {
 

@@ -97,8 +97,8 @@ void Overlays::give_back(std::unique_ptr<Overlay> overlay) {
 
 namespace {
 
-using report::Fate;
-using report::MutantRow;
+using record::Fate;
+using record::MutantRow;
 
 constexpr double patience_factor = 5.0;  // of the time without a fault; other jobs run beside it
 constexpr double least_patience = 5.0;   // seconds

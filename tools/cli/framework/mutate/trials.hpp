@@ -16,7 +16,7 @@
 
 #include "audit/mutant.hpp"
 #include "base/files.hpp"
-#include "report/mutation_report.hpp"
+#include "record/mutation_report.hpp"
 
 namespace gloam::cli {
 
@@ -77,7 +77,7 @@ class Trials {
     // std::runtime_error if the command fails without a fault.
     void run();
 
-    [[nodiscard]] const report::MutationReport& report() const { return report_; }
+    [[nodiscard]] const record::MutationReport& report() const { return report_; }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -86,13 +86,13 @@ class Trials {
     void draw();
     void read_known();
     [[nodiscard]] std::filesystem::path relative(std::size_t file) const;
-    [[nodiscard]] std::string known_reason(const report::MutantRow& row) const;
+    [[nodiscard]] std::string known_reason(const record::MutantRow& row) const;
     [[nodiscard]] bool is_over() const { return Clock::now() > end_; }
     [[nodiscard]] std::vector<std::size_t> left() const;
 
-    void compile(report::MutantRow& row);
+    void compile(record::MutantRow& row);
     void run_unchanged(Overlays& overlays);
-    void try_one(report::MutantRow& row, Overlays& overlays);
+    void try_one(record::MutantRow& row, Overlays& overlays);
 
     const MutateCommand& command_;
     unsigned jobs_;
@@ -100,7 +100,7 @@ class Trials {
     std::list<check::MutantFile> files_;
     std::vector<const check::MutantFile*> by_number_;
     std::filesystem::path root_;  // that is copied
-    report::MutationReport report_;
+    record::MutationReport report_;
     std::vector<std::size_t> order_;                 // of the mutants, as drawn
     std::map<std::size_t, double> unchanged_;        // seconds of the command without a fault, by file
     std::vector<std::array<std::string, 3>> known_;  // file, line, reason

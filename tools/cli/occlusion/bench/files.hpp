@@ -9,7 +9,7 @@
 #include "experiment/results.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"
-#include "report/output.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 
@@ -41,7 +41,7 @@ class ExperimentFiles {
     ExperimentFiles(const ExperimentPaths& paths, const experiment::Experiment& what);
 
     // Begins the journal in the folder, or with `resume` takes its visits over into the record. Throws like
-    // report::LineJournal, and std::runtime_error with the line for one that is no visit.
+    // record::LineJournal, and std::runtime_error with the line for one that is no visit.
     void open_journal(experiment::Record& record, bool resume);
     void keep(const std::string& line) const;  // in the journal, if there is one
 
@@ -55,12 +55,12 @@ class ExperimentFiles {
   private:
     ExperimentPaths paths_;
     std::string old_page_;
-    report::OutputFile json_;
-    report::OutputFile csv_;
-    report::OutputFile page_;
-    report::OutputFile report_;
-    std::optional<report::OutputFolder> out_;
-    std::optional<report::LineJournal> journal_;
+    record::OutputFile json_;
+    record::OutputFile csv_;
+    record::OutputFile page_;
+    record::OutputFile report_;
+    std::optional<record::OutputFolder> out_;
+    std::optional<record::LineJournal> journal_;
 };
 
 }  // namespace gloam::cli

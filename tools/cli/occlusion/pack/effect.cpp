@@ -15,7 +15,7 @@
 #include "cli/occlusion/settings.hpp"
 #include "effect/methods.hpp"
 #include "module/include.hpp"
-#include "report/output.hpp"
+#include "record/output.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -101,7 +101,7 @@ void pack_effect(const EffectPackOptions& options) {
     if (options.plain_uniforms && language == shader::Language::vulkan450)
         throw std::invalid_argument("--uniforms plain: Vulkan has blocks alone; expected another --version");
     const scene::PassLibrary library(glsl_directory());
-    report::OutputFolder folder(options.out);
+    record::OutputFolder folder(options.out);
     for (effect::PlannedPass& pass : plan_of(settings, plan_options(options), library).passes) {
         const std::string file = pass.name + (compute ? ".comp" : ".frag");
         if (!compute) pass.source.file.replace(pass.source.file.size() - 5, 5, ".frag");
@@ -132,7 +132,7 @@ void pack_one_pass(const EffectPackOptions& options) {
         throw std::invalid_argument("--one-pass --version " + options.version +
                                     ": expected 430, 330, 150, 300es or none");
     const scene::PassLibrary library(glsl_directory());
-    report::OutputFolder folder(options.out);
+    record::OutputFolder folder(options.out);
     const auto write = [&](const char* name, const char* pass, std::uint32_t constant, std::uint32_t value) {
         std::vector<std::string> defines;
         if (options.normals == "none") defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");

@@ -19,7 +19,7 @@
 #include "effect/methods.hpp"
 #include "module/include.hpp"
 #include "module/texts.hpp"
-#include "report/output.hpp"
+#include "record/output.hpp"
 #include "site/npm_package.hpp"
 
 namespace gloam::cli {
@@ -69,7 +69,7 @@ struct PackCommand : PackOptions {
 };
 
 void pack_npm(const PackCommand& options) {
-    report::OutputFolder folder(options.npm);
+    record::OutputFolder folder(options.npm);
     for (const auto& [name, text] :
          site::npm_package({.library = glsl_directory(),
                             .files = site_directory(),

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "judge/answer.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <numeric>
+
+#include "module/steps.hpp"
+
+namespace gloam::check {
+
+std::string to_text(const Budget& budget) {
+    std::string text;
+    if (budget.ulp > 0.0)
+        text = fmt::format("{:g} ulp{}", budget.ulp,
+                           budget.of_largest_component ? " of the largest component" : "");
+    if (budget.absolute > 0.0)
+        text += fmt::format("{}{:g} absolute", text.empty() ? "" : " or ", budget.absolute);
+    if (text.empty()) text = "exact";
+    if (budget.backward_ulp > 0) text += fmt::format(" at inputs within {} ulp", budget.backward_ulp);
+    return text;
+}
+
+namespace {
+
+bool is_worse(const Sample& sample, const std::optional<Sample>& worst) {
+    return !worst || sample.fraction > worst->fraction;
+}
+
+}  // namespace
+
+std::string_view name_of(Reason reason) {
+    static constexpr std::array<std::string_view, std::size(all_reasons)> names{
+        "",         "crash", "hang", "device lost",       "out of memory",
+        "error",    "fault", "race", "divergent barrier", "unsupported",
+        "unchanged"};
+    return names.at(static_cast<std::size_t>(reason));
+}
+
+std::string_view name_of(Outcome outcome) {
+    if (outcome == Outcome::not_judged) return "not judged";
+    return outcome == Outcome::ok ? "ok" : "failed";
+}
+
+std::size_t Answer::total(std::size_t ClassCount::* member) const {
+    return std::accumulate(
+        classes.begin(), classes.end(), std::size_t{0},
+        [member](std::size_t sum, const ClassCount& count) { return sum + count.*member; });
+}
+
+std::size_t Answer::judged() const {
+    const std::size_t promised = inputs() - recorded();
+    if (verdict != Verdict::rules || bounded == 0) return promised - open();
+    return promised * (bounded - std::min(open(), bounded)) / bounded;
+}
+
+std::string error_text(const Sample& sample) {
+    if (sample.fraction > 1.0 && sample.ulp == 0.0 && sample.absolute == 0.0)
+        return "not measured: no accuracy is documented for this input";
+    return fmt::format("{:.6g} ulp, {:.6g} absolute", sample.ulp, sample.absolute);
+}
+
+std::vector<InputClass> Answer::not_promised() const {
+    std::vector<InputClass> found;
+    for (std::size_t i = 0; i < input_class_count; ++i) {
+        const ClassCount& c = classes[i];
+        const std::size_t without = c.recorded + (verdict == Verdict::rules ? c.open : 0);
+        if (c.inputs > 0 && without == c.inputs) found.push_back(static_cast<InputClass>(i));
+    }
+    return found;
+}
+
+Outcome Answer::outcome() const {
+    if (is_no_verdict(reason)) return Outcome::not_judged;
+    if (!ran() || outside() > 0 || !fault.empty()) return Outcome::failed;
+    return not_judged_because().empty() ? Outcome::ok : Outcome::not_judged;
+}
+
+std::string Answer::not_judged_because() const {
+    if (is_no_verdict(reason)) return error;
+    if (!ran() || outside() > 0 || !fault.empty()) return {};
+    if (inputs() == 0) return "there are no inputs";
+    const bool is_long = first_undefined.starts_with("more than");
+    const std::string why =
+        undefined == 0 ? ""
+                       : fmt::format("; {}: {}", is_long ? "it takes too long" : "its result is undefined",
+                                     first_undefined);
+    if (recorded() == inputs() && undefined > 0) return "none of its inputs could be judged" + why;
+    if (recorded() == inputs() && verdict == Verdict::rules)
+        return "it documents no accuracy, and there are no precision rules for this device";
+    if (recorded() == inputs()) return "the device promises nothing for any of its inputs";
+    if (judged() == 0) return "every result would pass";
+    if (static_cast<double>(judged()) < least_judged_share * static_cast<double>(inputs()))
+        return fmt::format("{} of {} inputs could be judged, expected {:.0f} % at least{}", judged(),
+                           inputs(), 100.0 * least_judged_share, why);
+    for (std::size_t i = 0; i < input_class_count; ++i) {
+        const ClassCount& c = classes[i];
+        if (verdict == Verdict::budget && c.open > 0 && c.open + c.recorded == c.inputs)
+            return fmt::format("every result would pass for its {} inputs",
+                               name_of(static_cast<InputClass>(i)));
+    }
+    for (std::size_t i = 0; i < predicate.size(); ++i) {
+        if (predicate[i].inputs > 0 && predicate[i].judged == 0)
+            return fmt::format(
+                "no input could be judged whose result is {}: a function that is always {} "
+                "would pass",
+                i == 1, i == 0);
+    }
+    return {};
+}
+
+void Answer::add(const Sample& sample, bool is_outside) {
+    ++count(sample.input_class).inputs;
+    max_ulp = std::max(max_ulp, sample.ulp);
+    max_absolute = std::max(max_absolute, sample.absolute);
+    fraction = std::max(fraction, sample.fraction);
+    budget_fraction = std::max(budget_fraction, sample.budget_fraction);
+    if (sample.fraction > 0.0 && is_worse(sample, worst)) worst = sample;
+    if (sample.forbidden) ++forbidden;
+    if (!is_outside) return;
+    ++count(sample.input_class).outside;
+    auto& first = first_outside.at(static_cast<std::size_t>(sample.input_class));
+    if (!first) first = sample;
+}
+
+void Answer::add_predicate(const std::vector<double>& want, bool was_judged) {
+    for (std::size_t i = 0; i < predicate.size(); ++i) {
+        if (std::ranges::find(want, static_cast<double>(i)) == want.end()) continue;
+        ++predicate[i].inputs;
+        if (was_judged) ++predicate[i].judged;
+    }
+}
+
+std::string Answer::variant_before_steps() const {
+    return variant.substr(0, variant.find(shader::step_separator));
+}
+
+std::string Answer::steps() const {
+    const std::size_t at = variant.find(shader::step_separator);
+    return at == std::string::npos ? "" : variant.substr(at + shader::step_separator.size());
+}
+
+void Answer::add_unbounded(const Sample& sample) {
+    ++unbounded;
+    if (!first_unbounded) first_unbounded = sample;
+}
+
+void Answer::add_undefined(InputClass input_class, const std::string& why) {
+    add_recorded(input_class);
+    if (undefined++ == 0) first_undefined = why;
+}
+
+void Answer::add_guarantee(const Guarantee& more) {
+    guarantee = {std::max(guarantee.ulp, more.ulp), std::max(guarantee.absolute, more.absolute),
+                 std::max(guarantee.fraction, more.fraction)};
+}
+
+void Answer::merge(const Answer& later) {
+    for (std::size_t i = 0; i < input_class_count; ++i) {
+        classes[i].inputs += later.classes[i].inputs;
+        classes[i].outside += later.classes[i].outside;
+        classes[i].recorded += later.classes[i].recorded;
+        classes[i].open += later.classes[i].open;
+        if (!first_outside[i]) first_outside[i] = later.first_outside[i];
+    }
+    for (std::size_t i = 0; i < predicate.size(); ++i) {
+        predicate[i].inputs += later.predicate[i].inputs;
+        predicate[i].judged += later.predicate[i].judged;
+    }
+    if (broken.empty()) broken = later.broken;
+    max_ulp = std::max(max_ulp, later.max_ulp);
+    max_absolute = std::max(max_absolute, later.max_absolute);
+    fraction = std::max(fraction, later.fraction);
+    budget_fraction = std::max(budget_fraction, later.budget_fraction);
+    add_guarantee(later.guarantee);
+    by_rules += later.by_rules;
+    forbidden += later.forbidden;
+    bounded += later.bounded;
+    unbounded += later.unbounded;
+    differs += later.differs;
+    if (undefined == 0) first_undefined = later.first_undefined;
+    undefined += later.undefined;
+    if (!first_unbounded) first_unbounded = later.first_unbounded;
+    if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "numeric/interval.hpp"
+#include "subject/signature.hpp"
+
+namespace gloam::check {
+
+// The largest permitted difference from the reference: an output passes if its error is at most `ulp` units
+// in the last place, or at most `absolute`. Integers and bools must be equal.
+struct Budget {
+    double ulp = 0.0;
+    double absolute = 0.0;
+    // No forward bound exists where the function is discontinuous. Then a result also passes if it is within
+    // the budget for inputs that are moved by at most this many ULP each. Inputs that are small whole numbers
+    // stay: a count, or the end of a range, is meant exactly.
+    int backward_ulp = 0;
+    // Measures each vector or matrix in the ULP of its largest component, not in each component's own.
+    bool of_largest_component = false;
+};
+
+// The budget as text: "4 ulp or 1e-07", "exact", "2 ulp at inputs within 1 ulp".
+[[nodiscard]] std::string to_text(const Budget& budget);
+
+// The part of a function, and of all that it calls, that the inputs of a check reach.
+struct Coverage {
+    std::size_t inputs = 0;  // inputs that were run: until everything was reached, for about a second at most
+
+    // A line, or one way of a branch in it: each side of a condition, each case of a switch.
+    struct Point {
+        std::string file;
+        unsigned line = 0;
+        std::string text;  // of the line
+        std::string way;   // "true", "false, branch 2 of the line", "case 3"; empty: the line itself
+        bool reached = false;
+    };
+    std::vector<Point> points;
+
+    [[nodiscard]] bool is_complete() const;
+};
+
+// "lines 12 of 12, branches 7 of 8", and a line of text for each missed point.
+[[nodiscard]] std::string to_text(const Coverage& coverage);
+
+// What an output is judged by: the function's documented budget, or Vulkan's precision rules.
+enum class Verdict { budget, rules };
+[[nodiscard]] constexpr std::string_view name_of(Verdict verdict) {
+    return verdict == Verdict::budget ? "budget" : "rules";
+}
+
+// The class of an input: the most unusual of its float values, in this order (NaN is the most unusual).
+enum class InputClass { ordinary, branch, zero, subnormal, huge, infinite, nan };
+inline constexpr std::size_t input_class_count = 7;
+
+[[nodiscard]] constexpr std::string_view name_of(InputClass input_class) {
+    constexpr std::array<std::string_view, input_class_count> names{
+        "ordinary", "branch", "zero", "subnormal", "huge", "infinite", "nan"};
+    return names.at(static_cast<std::size_t>(input_class));
+}
+
+// One evaluated input, with its errors.
+struct Sample {
+    // The bounds of each output word that one way through the function permits together.
+    using Outcome = std::vector<numeric::Bounds>;
+
+    std::size_t index = 0;  // position in its run
+    InputClass input_class = InputClass::ordinary;
+    std::string scenario;  // the images that it ran with; empty without images
+    std::string values;    // of the inputs, in decimal and hexadecimal; set when it becomes part of an answer
+    std::vector<Word> inputs;
+    std::vector<Word> got;
+    std::vector<double> want;
+    double ulp = 0.0;  // largest of its outputs
+    double absolute = 0.0;
+    double budget_fraction = 0.0;  // of the budget
+    double fraction =
+        0.0;            // of what the verdict allows: the budget, or the permitted width; above 1 is outside
+    Outcome permitted;  // the hull of all outcomes, if the rules were asked
+    bool forbidden = false;  // the rules do not permit the outputs
+    // If these are forbidden and there are several: each outcome. Beyond most_outcomes, neighbours are merged
+    // as long as their hull does not contain the outputs.
+    std::vector<Outcome> outcomes = {};
+    static constexpr std::size_t most_outcomes = 16;
+
+    // `outcomes`, or `permitted` alone; none if the rules were not asked.
+    [[nodiscard]] std::vector<Outcome> permitted_outcomes() const {
+        if (!outcomes.empty() || permitted.empty()) return outcomes;
+        return {permitted};
+    }
+};
+
+// "3 ulp, 0.1 absolute"; an output that fails without an error was measured against no documented accuracy.
+[[nodiscard]] std::string error_text(const Sample& sample);
+
+// The inputs of a class. A recorded or open input was not judged.
+struct ClassCount {
+    std::size_t inputs = 0;
+    std::size_t outside = 0;   // failed
+    std::size_t recorded = 0;  // the device promises nothing here
+    std::size_t open = 0;      // the device's result was free: nothing but a NaN could have failed
+};
+
+// The inputs of a function with boolean results whose exact results hold one of both values.
+struct PredicateCount {
+    std::size_t inputs = 0;
+    std::size_t judged = 0;  // of these, inputs for which some result would have failed
+};
+
+// The largest errors that Vulkan's rules permit, over the inputs for which the budget is promised and the
+// rules bound the result.
+struct Guarantee {
+    double ulp = 0.0;
+    double absolute = 0.0;
+    double fraction = 0.0;  // of the budget: ULP or absolute error, whichever is less
+};
+
+// The reason why a check has no result, or an unreliable one.
+enum class Reason {
+    none,           // it ran to its end
+    crash,          // the process that ran it exited or was ended by a signal
+    hang,           // the time limit passed
+    device_lost,    // the device was lost
+    out_of_memory,  // of the host or of the device
+    error,          // any other error, for example a shader that does not compile
+    fault,          // the shader accessed a pixel outside an image
+    race,           // two invocations of a group use one word, no barrier orders them, and one writes
+    divergent,      // not all invocations of a group reach a barrier
+    unsupported,    // the function is no text of the device's version of GLSL: not judged
+    unchanged       // the variant's steps left the module as it was: not judged
+};
+inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
+                                         Reason::device_lost, Reason::out_of_memory, Reason::error,
+                                         Reason::fault,       Reason::race,          Reason::divergent,
+                                         Reason::unsupported, Reason::unchanged};
+
+// "", "crash", "hang", "device lost", "out of memory", "error", "fault", "race",
+// "divergent barrier", "unsupported", "unchanged".
+[[nodiscard]] std::string_view name_of(Reason reason);
+
+// Whether a check for this reason says nothing for or against the device.
+[[nodiscard]] constexpr bool is_no_verdict(Reason reason) {
+    return reason == Reason::unsupported || reason == Reason::unchanged;
+}
+
+// What a check says. Every summary, table, page and exit status is made from it.
+enum class Outcome {
+    ok,         // enough inputs were judged, and none failed
+    failed,     // an input failed, or the check did not run to its end
+    not_judged  // too few inputs were judged: Answer::not_judged_because()
+};
+
+// "ok", "failed", "not judged".
+[[nodiscard]] std::string_view name_of(Outcome outcome);
+
+// The least share of a check's inputs that must be judged. The smallest share in the catalogue is 0.34, on
+// OpenGL (DEPTH-quotient, most of whose results are infinite or NaN). With less than a quarter, the verdict
+// is one of a few corners of the domain.
+inline constexpr double least_judged_share = 0.25;
+
+// The result of one question in one variant on one device, or the reason why there is none. Tables, pages and
+// JSON are made from it, and processes exchange it.
+struct Answer {
+    std::string equation;  // the question's name: an ID of the catalogue, else that of the function
+    std::string function;
+    std::string file;
+    std::string variant;
+    Verdict verdict = Verdict::budget;
+    Budget budget;
+    std::array<ClassCount, input_class_count> classes{};
+    std::array<PredicateCount, 2> predicate{};  // for false and true, if all results are boolean
+    double max_ulp = 0.0;          // over judged outputs that the absolute part of the budget does not cover
+    double max_absolute = 0.0;     // over judged outputs
+    double fraction = 0.0;         // worst error as a fraction of what the verdict allows
+    double budget_fraction = 0.0;  // the same of the budget
+    std::size_t by_rules = 0;      // inputs that were judged by the rules
+    std::size_t forbidden = 0;     // of these, inputs whose outputs the rules do not permit
+    std::size_t bounded = 0;       // inputs whose bounds were calculated; the next two count among these
+    Guarantee guarantee;
+    std::size_t unbounded = 0;  // inputs for which the rules permit anything for some output
+    std::optional<Sample> first_unbounded;
+    std::size_t undefined = 0;    // of the recorded inputs: the function's own result is undefined
+    std::string first_undefined;  // why, for the first of them
+    std::optional<Sample> worst;  // largest fraction
+    std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
+    // For inputs as constants of the shader: the number whose results differ in any bit from those of the
+    // same shader with the inputs in memory. All NaNs count as equal.
+    std::size_t differs = 0;
+    std::optional<Coverage> coverage;  // what the inputs reached, if measured
+    std::string fault;                 // an access outside an image; empty: none
+    std::string broken;                // see Question::must_hold; the first such input; empty: none
+    std::string error;                 // why it could not run; empty: it ran
+    Reason reason = Reason::none;
+    double seconds = 0.0;
+    std::string story;  // of a failure, in several lines for people
+
+    [[nodiscard]] std::size_t inputs() const { return total(&ClassCount::inputs); }
+    [[nodiscard]] std::size_t outside() const { return total(&ClassCount::outside); }
+    [[nodiscard]] std::size_t recorded() const { return total(&ClassCount::recorded); }
+    [[nodiscard]] std::size_t open() const { return total(&ClassCount::open); }
+    // Inputs for which some result would have failed. Where the rules alone are the verdict, it is known of
+    // the inputs whose bounds were calculated, and the same share is assumed of the others.
+    [[nodiscard]] std::size_t judged() const;
+    // The worst error as a fraction of the permitted width, or of the budget.
+    [[nodiscard]] double fraction_of_allowed() const {
+        return verdict == Verdict::rules ? fraction : budget_fraction;
+    }
+    [[nodiscard]] bool ran() const { return error.empty(); }
+    [[nodiscard]] Outcome outcome() const;
+    // Why the outcome is `not_judged`; empty otherwise.
+    [[nodiscard]] std::string not_judged_because() const;
+    // The classes for which nothing is promised for any input: by the device, or, where the rules alone are
+    // the verdict, by the rules.
+    [[nodiscard]] std::vector<InputClass> not_promised() const;
+    [[nodiscard]] bool passed() const { return outcome() == Outcome::ok; }
+    // The two parts of `variant`: "shipped" and "spirv-opt -O", which can be empty.
+    [[nodiscard]] std::string variant_before_steps() const;
+    [[nodiscard]] std::string steps() const;
+    [[nodiscard]] bool failed() const { return outcome() == Outcome::failed; }
+
+    // Adds a judged sample; `outside` when it failed.
+    void add(const Sample& sample, bool is_outside);
+    // Counts an added input of a function whose results are all boolean.
+    void add_predicate(const std::vector<double>& want, bool was_judged);
+    void add_open(InputClass input_class) { ++count(input_class).open; }  // of an added sample
+    void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
+    void add_unbounded(const Sample& sample);
+    void add_undefined(InputClass input_class, const std::string& why);
+    void add_guarantee(const Guarantee& guarantee);
+    // Adds the answer of another part of the same run. Parts are merged in the order of their inputs.
+    void merge(const Answer& later);
+
+  private:
+    [[nodiscard]] std::size_t total(std::size_t ClassCount::* member) const;
+    ClassCount& count(InputClass input_class) { return classes.at(static_cast<std::size_t>(input_class)); }
+};
+
+// The values of a signature's inputs as text, each in decimal and hexadecimal: "vec2 (0.5 (0x3f000000), 1
+// (0x3f800000)), int 3".
+[[nodiscard]] std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs);
+// The result and the out and inout values, in order: "0.5 (0x3f000000), true".
+[[nodiscard]] std::string describe_outputs(const Signature& signature, const std::vector<Word>& outputs);
+
+// Verdict, counts by class of input, and the worst input with its outputs and the expected ones.
+[[nodiscard]] std::string describe(const Signature& signature, const Answer& answer);
+
+// Sets Sample::values of every sample of an answer.
+void describe_samples(const Signature& signature, Answer& answer);
+
+// Prints describe()'s text, so that EXPECT_TRUE(answer.passed()) << answer describes the failure.
+std::ostream& operator<<(std::ostream& stream, const Answer& answer);
+
+}  // namespace gloam::check

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "judge/answer.hpp"
+#include "judge/run.hpp"
+
+namespace gloam::check::internal {
+
+// The class of an input. `branch`: it was placed at a branch point.
+[[nodiscard]] InputClass class_of(std::span<const Word> inputs, const std::vector<shader::Scalar>& scalars,
+                                  bool branch);
+
+// Whether an input or its exact result contains NaN, infinity or -0, which some devices do not preserve.
+[[nodiscard]] bool holds_special(const Sample& sample, const std::vector<shader::Scalar>& scalars);
+
+// Makes +0 of every -0, for a device that need not keep its sign: so the kernel and the reference get the
+// same input, and it can be judged. `words`: one input after another.
+void set_positive_zeros(std::span<Word> words, const std::vector<shader::Scalar>& scalars);
+
+// The largest error of the outputs of one input against one candidate for the exact result.
+struct Error {
+    double ulp = 0.0;
+    double absolute = 0.0;
+    double fraction = 0.0;  // of the budget
+};
+
+// The scalar types of a signature's inputs and outputs, which every judge needs.
+struct Scalars {
+    explicit Scalars(const Signature& signature)
+        : inputs(signature.input_scalars()),
+          outputs(signature.output_scalars()),
+          output_values(signature.output_values()),
+          result_words(shader::scalar_count(signature.result)) {}
+
+    std::vector<shader::Scalar> inputs;
+    std::vector<shader::Scalar> outputs;
+    std::vector<std::size_t> output_values;
+    std::size_t result_words;  // of the outputs; those of out parameters follow
+};
+
+// What the budget allows of each output around these exact results.
+[[nodiscard]] std::vector<numeric::Bounds> allowed_around(const Question& question,
+                                                          const std::vector<double>& want);
+
+// Returns true to end the visit.
+using InputVisitor = std::function<bool(const std::vector<Word>& inputs)>;
+
+// Visits the further inputs whose exact results the budget of an input also allows: the input with subnormals
+// flushed to zero, then those within the backward budget. Returns whether a visit ended it.
+bool visit_covered_inputs(const Budget& budget, const std::vector<shader::Scalar>& scalars,
+                          std::span<const Word> inputs, const InputVisitor& visit);
+
+// Measures outputs against the documented budget.
+class BudgetJudge {
+  public:
+    BudgetJudge(const Question& question, const ImageSet& images, const Scalars& scalars)
+        : question_(question), images_(images), scalars_(scalars) {}
+
+    // The error of the outputs of an input; infinite if one is outside the codomain, and otherwise 0 if the
+    // budget is not promised for the input.
+    [[nodiscard]] Error measure(const Sample& sample, bool promised);
+
+    // Whether some result other than NaN is outside the codomain.
+    [[nodiscard]] bool has_codomain() const;
+
+    // The error of a value against another.
+    [[nodiscard]] Error float_error(double got, double want, double unit,
+                                    const numeric::FloatFormat& format) const;
+
+    // ULP of the largest component of each value if the budget measures by it, otherwise 0.
+    [[nodiscard]] double unit_of(std::span<const double> want, const numeric::FloatFormat& format) const;
+
+  private:
+    [[nodiscard]] bool inside_codomain(std::span<const Word> got) const;
+    [[nodiscard]] Error error_against(std::span<const Word> got, const std::vector<double>& want) const;
+    void add_value(Error& error, std::span<const Word> got, std::span<const double> want,
+                   std::span<const shader::Scalar> scalars) const;
+    [[nodiscard]] Error best_error(const Sample& sample);
+
+    const Question& question_;
+    const ImageSet& images_;
+    const Scalars& scalars_;
+    std::vector<double> candidate_;
+};
+
+// Whether an input is an edge, for which functions document the result: it contains a zero, an infinity or a
+// NaN, and otherwise only values of usual size, so that neither overflow nor underflow occurs.
+[[nodiscard]] bool is_edge(const Sample& sample, const Scalars& scalars);
+
+// Whether the outputs at an edge equal those of the reference, independently of the promised accuracy. A
+// float must be within 1/256 of the largest component of its value (0.01 at least), or within the budget. An
+// infinity, a NaN, an integer and a bool must be exact. A branch that rounding decides may go either way, so
+// the reference is also evaluated at inputs a few ULP away.
+[[nodiscard]] bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
+                                 const Sample& sample);
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+#include "judge/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <thread>
+
+#include "base/threads.hpp"
+#include "interpreter/program.hpp"
+#include "judge/answer.hpp"
+#include "judge/internal/budget_judge.hpp"
+#include "judge/interpretation.hpp"
+#include "numeric/numbers.hpp"
+
+namespace gloam::check {
+namespace {
+
+using numeric::Bounds;
+using numeric::infinity;
+
+// Whether each of the bounds contains the other one.
+bool covers(const Sample::Outcome& bounds, const Sample::Outcome& others) {
+    return std::ranges::equal(bounds, others, [](const auto& a, const auto& b) { return a.contains(b); });
+}
+
+// Decides which inputs of a run are judged by the rules, and for which of these all permitted results are
+// calculated. If the verdict is the budget, the rules are a second criterion for the first inputs, which
+// contain all kinds, and for a share of the others.
+class Plan {
+  public:
+    static constexpr std::size_t first_inputs = 512;
+    static constexpr std::size_t other_inputs = 512;
+    // Limits for the inputs whose bounds are calculated, and for the instructions of all these bounds: less
+    // than half a second.
+    static constexpr std::size_t most_bounded = 2048;
+    static constexpr double most_steps = 4e6;
+
+    Plan(Verdict verdict, std::size_t count, bool every_bound)
+        : bounds_(verdict == Verdict::rules),
+          every_(bounds_ ? 1 : std::max<std::size_t>(count / other_inputs, 1)),
+          bounds_every_(every_bound ? 1 : 0) {}
+
+    // Sets the number of instructions for the bounds of one input.
+    void set_cost(double steps, std::size_t count) {
+        if (bounds_every_ != 0) return;
+        const auto by_cost = static_cast<std::size_t>(steps * static_cast<double>(count) / most_steps);
+        bounds_every_ = 1 + std::max(by_cost, (count - 1) / most_bounded);
+    }
+    [[nodiscard]] bool needs_cost() const { return bounds_ && bounds_every_ == 0; }
+    [[nodiscard]] bool by_rules(std::size_t i) const { return i < first_inputs || i % every_ == 0; }
+    [[nodiscard]] bool bounded(std::size_t i) const { return bounds_ && i % bounds_every_ == 0; }
+
+  private:
+    bool bounds_;
+    std::size_t every_;
+    std::size_t bounds_every_;
+};
+
+class Judge {
+  public:
+    Judge(const Question& question, const JudgeOptions& options, const ImageSet& images,
+          const Decoded* decoded, const Plan& plan)
+        : question_(question),
+          options_(options),
+          images_(images),
+          plan_(plan),
+          scalars_(question.signature),
+          budget_(question, images, scalars_),
+          predicate_(std::ranges::all_of(
+              scalars_.outputs, [](shader::Scalar scalar) { return scalar == shader::Scalar::bool_; })) {
+        if (decoded != nullptr) rules_.emplace(*decoded, scalars_.outputs, scalars_.result_words);
+    }
+
+    void add(Answer& answer, Sample& sample, bool branch) {
+        sample.input_class = internal::class_of(sample.inputs, scalars_.inputs, branch);
+        if (options_.recorded_only) {
+            answer.add_recorded(sample.input_class);
+            return;
+        }
+        try {
+            find_want(sample);
+        } catch (const interpreter::Error& error) {
+            const bool is_long = error.kind() == interpreter::Error::Kind::too_many_steps;
+            if ((question_.defined && !is_long) || !error.is_of_input()) throw;
+            answer.add_undefined(sample.input_class, error.what());
+            return;
+        }
+        if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {
+            answer.add_recorded(sample.input_class);
+            if (predicate_) answer.add_predicate(sample.want, false);
+            return;
+        }
+        const bool promised = !question_.promised || question_.promised(sample.inputs);
+        const bool edge = options_.edges && question_.reference && internal::is_edge(sample, scalars_);
+        const internal::Error error = budget_.measure(sample, promised);
+        sample.ulp = error.ulp;
+        sample.absolute = error.absolute;
+        sample.budget_fraction = error.fraction;
+        sample.fraction = error.fraction;
+        const bool by_budget = options_.verdict == Verdict::budget && (promised || budget_.has_codomain());
+        const bool free = rules_ && plan_.by_rules(sample.index)
+                              ? ask_rules(answer, sample, promised, !by_budget && !edge)
+                              : true;
+        const bool accurate = promised && sample.budget_fraction <= 1.0;
+        if (edge && !accurate && !internal::holds_at_edge(question_, images_, scalars_, sample))
+            sample.fraction = infinity;
+        answer.add(sample, sample.fraction > 1.0);
+        const bool holds = std::ranges::find(sample.got, Word{0}) == sample.got.end();
+        if (question_.must_hold && !holds && answer.broken.empty())
+            answer.broken = describe_inputs(question_.signature, sample.inputs);
+        const bool open = free && !by_budget && !edge;
+        if (open) answer.add_open(sample.input_class);
+        if (predicate_) answer.add_predicate(sample.want, !open);
+    }
+
+    // Number of instructions for the bounds of an input.
+    [[nodiscard]] double cost_of(const InputRow& input) {
+        const std::uint64_t before = rules_->steps();
+        static_cast<void>(rules_->all_permitted(input));
+        return static_cast<double>(rules_->steps() - before);
+    }
+
+  private:
+    void find_want(Sample& sample) {
+        if (question_.reference) {
+            question_.reference(images_, sample.inputs, sample.want);
+        } else {
+            rules_->calculate({sample.index, sample.inputs}, sample.want);
+        }
+        if (sample.want.size() != scalars_.outputs.size()) {
+            throw std::logic_error(fmt::format("the reference gave {} output words, the signature has {}",
+                                               sample.want.size(), scalars_.outputs.size()));
+        }
+    }
+
+    // Whether the rules permit every result; false if that was not asked. `only_rules`: nothing else judges
+    // this input.
+    bool ask_rules(Answer& answer, Sample& sample, bool promised, bool only_rules) {
+        const InputRow input{sample.index, sample.inputs};
+        const bool bounded = plan_.bounded(sample.index);
+        const bool must_know = only_rules && options_.verdict == Verdict::budget;
+        ++answer.by_rules;
+        if (!bounded && !must_know &&
+            (rules_->is_exact(input, sample.got) || rules_->is_permitted(input, sample.got))) {
+            if (options_.verdict == Verdict::rules) sample.fraction = 0.0;
+            return false;
+        }
+        measure(input, sample);
+        if (bounded) add_bounds(answer, sample, promised);
+        if (options_.verdict == Verdict::budget)
+            sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
+        return (bounded || must_know) && permits_every(sample);
+    }
+
+    // Sets the permitted bounds, the fraction of their width, and whether the outputs are forbidden: then the
+    // fraction is above 1, and the outcomes are set.
+    void measure(const InputRow& input, Sample& sample) {
+        permitted_ = rules_->all_permitted(input);
+        sample.permitted = hull_of(permitted_);
+        sample.fraction = infinity;
+        for (const Sample::Outcome& outcome : permitted_)
+            sample.fraction = std::min(sample.fraction, fraction_of(sample, outcome));
+        sample.forbidden = sample.fraction > 1.0;
+        if (sample.forbidden) sample.outcomes = outcomes_beside(sample.got);
+    }
+
+    [[nodiscard]] double fraction_of(const Sample& sample, const Sample::Outcome& outcome) const {
+        double fraction = 0.0;
+        for (std::size_t i = 0; i < outcome.size(); ++i)
+            fraction = std::max(fraction, fraction_of_width(number_at(scalars_.outputs[i], sample.got[i]),
+                                                            sample.want[i], outcome[i]));
+        return fraction;
+    }
+
+    // Sample::outcomes.
+    [[nodiscard]] std::vector<Sample::Outcome> outcomes_beside(std::span<const Word> got) const {
+        std::vector<Sample::Outcome> all;
+        for (const Sample::Outcome& outcome : permitted_) {
+            if (std::ranges::any_of(all, [&](const auto& other) { return covers(other, outcome); })) continue;
+            std::erase_if(all, [&](const auto& other) { return covers(outcome, other); });
+            all.push_back(outcome);
+        }
+        if (all.size() < 2) return {};
+        std::ranges::sort(all, [](const auto& a, const auto& b) {
+            return std::ranges::lexicographical_compare(a, b, {}, &Bounds::low, &Bounds::low);
+        });
+        for (bool merged = true; merged && all.size() > Sample::most_outcomes;) {
+            merged = false;
+            for (std::size_t i = 0; i + 1 < all.size() && all.size() > Sample::most_outcomes; ++i) {
+                Sample::Outcome both = all[i];
+                std::ranges::transform(both, all[i + 1], both.begin(), numeric::hull);
+                if (rules_->holds(both, got)) continue;
+                all[i] = std::move(both);
+                all.erase(all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+                merged = true;
+            }
+        }
+        return all;
+    }
+
+    // But for NaN: any number for each float and integer, both values for each bool.
+    [[nodiscard]] bool permits_every(const Sample& sample) const {
+        for (std::size_t i = 0; i < sample.permitted.size(); ++i) {
+            const Bounds& bounds = sample.permitted[i];
+            const bool is_bool = scalars_.outputs[i] == shader::Scalar::bool_;
+            if (bounds.low > (is_bool ? 0.0 : -infinity) || bounds.high < (is_bool ? 1.0 : infinity))
+                return false;
+        }
+        return true;
+    }
+
+    void add_bounds(Answer& answer, const Sample& sample, bool promised) {
+        ++answer.bounded;
+        const bool anything = std::ranges::any_of(sample.permitted, &Bounds::is_anything);
+        if (anything) answer.add_unbounded(sample);
+        if (!anything && promised && sample.input_class <= InputClass::zero)
+            answer.add_guarantee(largest_permitted(sample));
+    }
+
+    // The largest error, as the budget measures it, that the rules permit.
+    [[nodiscard]] Guarantee largest_permitted(const Sample& sample) const {
+        Guarantee largest;
+        std::size_t first = 0;
+        for (const std::size_t words : scalars_.output_values) {
+            const numeric::FloatFormat& format = format_of(scalars_.outputs[first]);
+            const double unit = budget_.unit_of(std::span(sample.want).subspan(first, words), format);
+            for (std::size_t i = first; i < first + words; ++i) {
+                if (!shader::is_float(scalars_.outputs[i])) continue;
+                for (const double end : {sample.permitted[i].low, sample.permitted[i].high}) {
+                    const internal::Error error = budget_.float_error(end, sample.want[i], unit, format);
+                    largest = {std::max(largest.ulp, error.ulp), std::max(largest.absolute, error.absolute),
+                               std::max(largest.fraction, error.fraction)};
+                }
+            }
+            first += words;
+        }
+        return largest;
+    }
+
+    const Question& question_;
+    const JudgeOptions& options_;
+    const ImageSet& images_;
+    const Plan& plan_;
+    internal::Scalars scalars_;
+    internal::BudgetJudge budget_;
+    bool predicate_;  // all results are boolean
+    std::optional<Interpretation> rules_;
+    Permitted permitted_;  // by the rules, of the input that was measured last
+};
+
+// The decoded modules. Empty if there are none. Also empty if they are not needed and the interpreter does
+// not know an instruction of them; then no input is judged by the rules.
+std::optional<Decoded> decoded_modules(const KernelModules& modules, const ImageSet& images, bool needed) {
+    if (modules.empty()) return std::nullopt;
+    try {
+        return std::optional<Decoded>(std::in_place, modules, images);
+    } catch (const interpreter::Error& error) {
+        if (needed || error.kind() != interpreter::Error::Kind::unknown_instruction) throw;
+        return std::nullopt;
+    }
+}
+
+// The mean cost of evenly distributed inputs of the run, in instructions.
+double mean_cost(Judge& judge, const Domain::Inputs& inputs) {
+    constexpr std::size_t probes = 32;
+    const std::size_t step = std::max<std::size_t>(inputs.count() / probes, 1);
+    double sum = 0.0;
+    std::size_t probed = 0;
+    for (std::size_t i = 0; i < inputs.count(); i += step, ++probed) sum += judge.cost_of({i, inputs.row(i)});
+    return sum / static_cast<double>(std::max<std::size_t>(probed, 1));
+}
+
+}  // namespace
+
+Answer empty_answer(const Question& question, Verdict verdict) {
+    return {.equation = question.name.empty() ? question.function : question.name,
+            .function = question.function,
+            .file = question.file,
+            .verdict = verdict,
+            .budget = question.budget};
+}
+
+Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,
+             std::span<const Word> outputs, const ImageSet& images, const std::string& scenario,
+             std::span<double> fractions) {
+    const bool needs_modules =
+        !options.recorded_only && (options.verdict == Verdict::rules || !question.reference);
+    if (needs_modules && options.modules.empty())
+        throw std::invalid_argument(
+            "cannot be judged by Vulkan's rules without the modules that gave the outputs");
+    const std::optional<Decoded> decoded = decoded_modules(options.modules, images, needs_modules);
+    const Decoded* const modules = decoded ? &*decoded : nullptr;
+    Plan plan(options.verdict, inputs.count(), !fractions.empty());
+    if (plan.needs_cost() && !options.recorded_only) {
+        Judge probe(question, options, images, modules, plan);
+        plan.set_cost(mean_cost(probe, inputs), inputs.count());
+    }
+    const std::size_t width = question.signature.output_words();
+    const auto part = [&](std::size_t begin, std::size_t end) {
+        Judge judge(question, options, images, modules, plan);
+        Answer answer;
+        Sample sample{.scenario = scenario};
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto row = inputs.row(i);
+            const auto got = outputs.subspan(i * width, width);
+            sample.index = i;
+            sample.inputs.assign(row.begin(), row.end());
+            sample.got.assign(got.begin(), got.end());
+            sample.want.clear();
+            sample.permitted.clear();
+            sample.outcomes.clear();
+            sample.fraction = 0.0;
+            sample.forbidden = false;
+            judge.add(answer, sample, inputs.branch[i]);
+            if (!fractions.empty()) fractions[i] = sample.fraction;
+        }
+        return answer;
+    };
+    const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
+    std::vector<Answer> parts(shares.size());
+    base::for_each_index(parts.size(), 0,
+                         [&](std::size_t i) { parts[i] = part(shares[i].begin, shares[i].end); });
+    Answer all = empty_answer(question, options.verdict);
+    for (const Answer& answer : parts) all.merge(answer);
+    if (all.outside() == 0 && !all.broken.empty())
+        throw std::runtime_error(
+            fmt::format("{} must hold, and is false for {}", question.function, all.broken));
+    describe_samples(question.signature, all);
+    return all;
+}
+
+}  // namespace gloam::check

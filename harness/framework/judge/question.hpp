@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "judge/answer.hpp"
+#include "subject/domain.hpp"
+#include "subject/images.hpp"
+#include "subject/own_function.hpp"
+#include "subject/signature.hpp"
+
+namespace gloam::check {
+
+// A reference without its C++ types: input words in, one double for each output word out, as number_at()
+// reads it. If a question has none, the module interpreted in double replaces it.
+using Reference =
+    std::function<void(const ImageSet& images, std::span<const Word> inputs, std::vector<double>& outputs)>;
+
+// The range in which every output except a bool must be, for every input. NaN is never inside.
+struct Codomain {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+};
+
+// The check of a function: the source of its inputs, its expected results and their accuracy.
+struct Question {
+    std::string name;  // for reports: an ID of the catalogue; empty: the function's name
+    std::string file;
+    std::string function;
+    Signature signature;
+    Domain domain;
+    Reference reference;  // empty: the rules judge, and the module in double is the reference
+                          // in double
+    Budget budget;
+    Codomain codomain;
+    // Inputs for which the budget is promised; empty: all. For other inputs, for example after overflow, only
+    // the codomain and the documented results for zero, infinity and NaN are judged.
+    std::function<bool(std::span<const Word>)> promised;
+    // Whether every input of the domain has a defined result. If not, an input for which the function reads
+    // outside an array, for example, is not judged; otherwise it is a failure.
+    bool defined = true;
+    // Whether every bool of the result has to be true: a false one that the rules permit is a failure of the
+    // function itself.
+    bool must_hold = false;
+    std::vector<ImageScenario> scenarios;  // empty: the function reads no image
+    bool only_rules = false;               // it documents no accuracy: judged by the rules in every variant
+};
+
+namespace detail {
+
+// Calls a reference, with the images as first argument if it takes them.
+template <class Callable, class... Values>
+decltype(auto) call(const Callable& callable, const ImageSet& images, Values&... values) {
+    if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
+        return callable(images, values...);
+    } else {
+        return callable(values...);
+    }
+}
+
+template <class Function>
+struct ReferenceOf;
+
+template <class R, class... P>
+struct ReferenceOf<R(P...)> {
+    // Appends the result, then every out and inout parameter.
+    template <class Callable>
+    static void run(const Callable& callable, const ImageSet& images, std::span<const Word> words,
+                    std::vector<double>& outputs) {
+        std::tuple<InDouble<typename ParameterOf<P>::value>...> arguments{};
+        const auto with = [&](auto&... values) {
+            ((is_input<P> ? void(values = take_words<std::remove_cvref_t<decltype(values)>>(words)) : void()),
+             ...);
+            if constexpr (std::is_void_v<R>) {
+                call(callable, images, values...);
+            } else {
+                append_numbers(static_cast<InDouble<R>>(call(callable, images, values...)), outputs);
+            }
+            ((is_output<P> ? append_numbers(values, outputs) : void()), ...);
+        };
+        std::apply(with, arguments);
+    }
+};
+
+}  // namespace detail
+
+// Makes a reference from a callable with the types of the signature, with double in place of float: (double,
+// glm::dvec3) for float(float, glm::vec3). Out and inout parameters are references. The images (const
+// ImageSet&) can be the first argument.
+template <class Function, class Callable>
+[[nodiscard]] Reference make_reference(Callable callable) {
+    return [callable](const ImageSet& images, std::span<const Word> words, std::vector<double>& outputs) {
+        outputs.clear();
+        detail::ReferenceOf<Function>::run(callable, images, words, outputs);
+    };
+}
+
+// Makes a `promised` test from a predicate on typed inputs. It is called with the exact values of in and
+// inout parameters.
+template <class Function, class Predicate>
+[[nodiscard]] std::function<bool(std::span<const Word>)> make_predicate(Predicate predicate) {
+    return [predicate](std::span<const Word> words) {
+        return std::apply(predicate, take_words<typename SignatureOf<Function>::Inputs>(words));
+    };
+}
+
+// The check of any function by the rules alone. Its domain follows from its types where no range is given;
+// the images behind its prototypes have random content.
+//   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,
+//   NaN, the largest and the smallest;
+//   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
+//   double and float16_t: as float, in their format; other integers: half of them 0 to 7, the others of any
+//   size and sign;
+//   bool: both; a vector, matrix or structure: of these.
+// Of a quad, most neighbours differ a little (neighbours()).
+// If every parameter has a range, their inputs are promised to have defined results.
+// Throws std::invalid_argument for a range without a parameter of this name.
+[[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own,
+                                   const Ranges& ranges);
+
+}  // namespace gloam::check

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "judge/reproduction.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "judge/explain.hpp"
+#include "judge/internal/budget_judge.hpp"
+#include "judge/interpretation.hpp"
+#include "judge/session.hpp"
+#include "module/spirv.hpp"
+#include "module/steps.hpp"
+#include "module/texts.hpp"
+#include "numeric/numbers.hpp"
+#include "subject/interpreted_kernel.hpp"
+#include "subject/kernel_code.hpp"
+
+namespace gloam::check {
+namespace {
+
+using shader::Scalar;
+using Constants = shader::Variant::Constants;
+using Words = std::vector<Word>;
+
+ImageScenario scenario_of(const Question& question, const std::string& name) {
+    if (question.scenarios.empty() && name.empty()) return {};
+    const auto found = std::ranges::find(question.scenarios, name, &ImageScenario::name);
+    if (found == question.scenarios.end()) {
+        throw std::invalid_argument(fmt::format("{}: it has no images \"{}\"", question.function, name));
+    }
+    return *found;
+}
+
+Session session_of(const Lab& lab, const Question& question, const RunOptions& options,
+                   const std::string& scenario) {
+    return {lab,
+            question,
+            lab.kernel(question.file, question.function, question.signature),
+            scenario_of(question, scenario),
+            options.seed,
+            verdict_of(lab.options().variant, question)};
+}
+
+// The inputs of a check and what they give, in memory in every variant.
+Session::Evaluated evaluated(const Lab& lab, const Question& question, const RunOptions& options,
+                             const ImageScenario& scenario) {
+    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+    Domain::Inputs inputs =
+        domain_of(lab, question)
+            .draw(options.inputs, input_seed_of(question, scenario, options.seed), scenario.size);
+    KernelCore::Result result = kernel.run(inputs.words, inputs.count(), images_of(scenario, options.seed));
+    return {std::move(inputs), std::move(result)};
+}
+
+// The generated shader for one input. If the variant makes inputs literals, the input is in the text.
+std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
+    if (constants == Constants::none) return kernel_code(source);
+    if (constants == Constants::literals) source.preserve_nan = false;  // as in a Session
+    return constant_kernel_code(source, constants, inputs, 1);
+}
+
+Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,
+                             const ImageSet& images, std::vector<Word> inputs) {
+    const KernelSource source = lab.source(question.file, question.function, question.signature);
+    const Constants constants = lab.options().variant.constants;
+    const shader::Source text{.name = "kernel of " + question.function,
+                              .text = code_of(source, constants, inputs)};
+    shader::CompileOptions in_stage = lab.compile_options();
+    in_stage.stage = stage_of(source.team);
+    KernelModule module = kernel_module(source, lab.compile(text, in_stage));
+    try {
+        lab.take_steps(module, text);
+    } catch (const shader::StepError&) {  // the module before them is what there is
+    }
+    Reproduction all{.glsl = shader::pack({text}, {.stage = in_stage.stage}, lab.options().include_roots),
+                     .spirv = std::move(module.spirv),
+                     .steps = lab.options().variant.steps,
+                     .before = std::move(module.before),
+                     .team = source.team,
+                     .scenario = scenario,
+                     .inputs = std::move(inputs),
+                     .specialized = constants == Constants::specialization,
+                     .outputs = question.signature.output_scalars()};
+    all.assembly = shader::disassemble(all.spirv);
+    std::vector<std::vector<Word>> words = image_words(source.images, images, question.function);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const ImagePrototype& image = source.images[i];
+        all.images.push_back(
+            {.name = image.name, .words = std::move(words[i]), .bound = !image.is_prototype()});
+    }
+    if (const auto language = lab.language())
+        all.opengl = gl_kernel_code(*language, source, lab.options().include_roots);
+    return all;
+}
+
+using Steps = std::vector<std::string>;
+
+// The shortest list, one word at a time, that still fails: halves first, then quarters, to single words.
+Steps shortest(Steps words, std::size_t least, const std::function<bool(const Steps&)>& fails) {
+    for (std::size_t size = std::max<std::size_t>(words.size() / 2, 1); size > 0; size /= 2) {
+        for (std::size_t at = 0; at < words.size() && words.size() > least;) {
+            Steps fewer = words;
+            const auto begin = fewer.begin() + static_cast<std::ptrdiff_t>(at);
+            fewer.erase(begin, begin + static_cast<std::ptrdiff_t>(std::min(size, words.size() - at)));
+            if (fewer.size() >= least && fails(fewer)) {
+                words = std::move(fewer);
+            } else {
+                at += size;
+            }
+        }
+    }
+    return words;
+}
+
+// The fewest of these steps, and the fewest parts of each, for which `fails` holds: no step and no part can
+// be left out alone. `fails` holds for all of them.
+Steps shortest_steps(const Steps& steps, const std::function<bool(const Steps&)>& fails) {
+    Steps left = shortest(steps, 1, fails);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const Steps parts = shader::parts_of(left[i]);
+        if (parts.size() < 2) continue;
+        const auto with = [&](const Steps& fewer) {
+            Steps changed = left;
+            changed[i] = shader::with_parts(left[i], fewer);
+            return changed;
+        };
+        left = with(shortest(parts, 1, [&](const Steps& fewer) { return fails(with(fewer)); }));
+    }
+    return left;
+}
+
+// The same lab with other steps.
+Lab with_steps(const Lab& lab, const std::vector<std::string>& steps) {
+    LabOptions options = lab.options();
+    options.variant.steps = steps;
+    return {std::move(options), lab.backend()};
+}
+
+// What the lab with these steps answers; `cannot` where one of them cannot be taken, or makes a module that
+// cannot be run. Steps that leave the module as it is do not fail.
+bool after(const Steps& steps, const Lab& lab, bool cannot, const std::function<bool(const Lab&)>& fails) {
+    try {
+        return fails(with_steps(lab, steps));
+    } catch (const backend::Fault&) {
+        return cannot;
+    } catch (const shader::StepError&) {
+        return cannot;
+    } catch (const shader::Unchanged&) {
+        return false;
+    } catch (const backend::Unsupported&) {
+        return false;
+    }
+}
+
+Reproduction reproduce_with(const Lab& lab, const Question& question, const RunOptions& options,
+                            const Sample& failing) {
+    const Session session = session_of(lab, question, options, failing.scenario);
+    Sample smallest =
+        shrink(question, failing, [&](const auto& inputs) { return session.first_failing(inputs); });
+    Reproduction all = without_verdict(lab, question, failing.scenario, session.images(), smallest.inputs);
+    all.outcomes = allowed_outcomes(question, session.images(), smallest);
+    if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
+    all.failure = smallest;
+    try {
+        all.rules = rules_of(explain(lab.judged_options(),
+                                     lab.source(question.file, question.function, question.signature),
+                                     smallest.inputs, session.images()));
+    } catch (const std::exception&) {  // a shader that the interpreter cannot run has a report still
+    }
+    return all;
+}
+
+}  // namespace
+
+Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options) {
+    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+    const std::vector<std::string>& steps = lab.options().variant.steps;
+    const auto fails = [&](const Steps& fewer) {
+        return after(fewer, lab, true, [&](const Lab& other) {
+            static_cast<void>(evaluated(other, question, options, scenario));
+            return false;
+        });
+    };
+    const bool reducible = !steps.empty() && fails(steps);
+    const Lab of_fewest = with_steps(lab, reducible ? shortest_steps(steps, fails) : steps);
+    return without_verdict(of_fewest, question, scenario.name, images_of(scenario, options.seed),
+                           question.domain.draw(1, options.seed, scenario.size).words);
+}
+
+Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options,
+                       const Sample& failing) {
+    const std::vector<std::string>& steps = lab.options().variant.steps;
+    if (steps.empty()) return reproduce_with(lab, question, options, failing);
+    const auto fails = [&](const Steps& fewer) {
+        return after(fewer, lab, false, [&](const Lab& other) {
+            const Session session = session_of(other, question, options, failing.scenario);
+            return session.first_failing(std::span(&failing.inputs, 1)).has_value();
+        });
+    };
+    return reproduce_with(with_steps(lab, shortest_steps(steps, fails)), question, options, failing);
+}
+
+Reproduction reproduce_fault(const Lab& lab, const Question& question, const RunOptions& options) {
+    for (const ImageScenario& scenario : question.scenarios) {
+        const auto [inputs, result] = evaluated(lab, question, options, scenario);
+        if (!result.fault) continue;
+        const std::span<const Word> row = inputs.row(result.fault->input);
+        return without_verdict(lab, question, scenario.name, images_of(scenario, options.seed),
+                               {row.begin(), row.end()});
+    }
+    throw std::invalid_argument(fmt::format("{}: no access falls outside an image", question.function));
+}
+
+std::vector<Sample::Outcome> allowed_outcomes(const Question& question, const ImageSet& images,
+                                              const Sample& sample) {
+    if (sample.forbidden) return sample.permitted_outcomes();
+    const std::vector<Scalar> scalars = question.signature.output_scalars();
+    using numeric::Bounds;
+    const Bounds codomain{question.codomain.low, question.codomain.high, false};
+    std::vector<Bounds> bounds(scalars.size(), codomain);
+    // Elsewhere only the codomain is promised.
+    if (question.promised && !question.promised(sample.inputs)) return {bounds};
+    bounds = internal::allowed_around(question, sample.want);
+    std::vector<double> want;
+    const auto add = [&](const std::vector<Word>& inputs) {
+        question.reference(images, inputs, want);
+        std::ranges::transform(bounds, internal::allowed_around(question, want), bounds.begin(),
+                               numeric::hull);
+        return false;
+    };
+    internal::visit_covered_inputs(question.budget, question.signature.input_scalars(), sample.inputs, add);
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (!shader::is_float(scalars[i]) || bounds[i].empty()) continue;
+        bounds[i].low = std::max(bounds[i].low, codomain.low);
+        bounds[i].high = std::min(bounds[i].high, codomain.high);
+    }
+    return {bounds};
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "judge/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/program.hpp"
+#include "judge/explain.hpp"
+#include "judge/session.hpp"
+#include "subject/interpreted_kernel.hpp"
+
+namespace gloam::check {
+namespace {
+
+// A few inputs of all kinds: the beginning of a larger draw.
+Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t seed,
+                          glm::ivec2 image_size) {
+    constexpr std::size_t spread = 16;
+    return domain.draw(spread * count, seed, image_size).where([](std::size_t i) { return i % spread == 0; });
+}
+
+// Each input is compiled code, so the scenarios of a question share the number of inputs.
+std::size_t constants_of_each(std::size_t scenarios) {
+    constexpr std::size_t least = 8;
+    return std::max(least, most_constants / std::max<std::size_t>(scenarios, 1));
+}
+
+// Inputs of many words are fewer: those of a run take 256 MiB at most.
+std::size_t inputs_of_run(const Question& question, std::size_t wanted) {
+    constexpr std::size_t most_words = std::size_t{1} << 26U;
+    const std::size_t words = question.signature.input_words() + question.signature.output_words();
+    return std::min(wanted, most_words / std::max<std::size_t>(words, 1));
+}
+
+}  // namespace
+
+Verdict verdict_of(const shader::Variant& variant, const Question& question) {
+    const bool by_rules = variant.strict || variant.relaxed || !variant.steps.empty() ||
+                          question.only_rules || !question.reference;
+    return by_rules ? Verdict::rules : Verdict::budget;
+}
+
+namespace {
+
+Answer judged(const Lab& lab, const Question& question, const RunOptions& options) {
+    std::optional<Domain> domain;
+    const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
+    const auto run = [&](const Session& session, const ImageScenario& scenario, std::size_t share,
+                         Answer& answer) {
+        const std::uint64_t seed = session.input_seed();
+        if (!domain) domain = domain_of(lab, question);
+        const Domain::Inputs drawn =
+            constants ? few_inputs(*domain, constants_of_each(question.scenarios.size()), seed, scenario.size)
+                      : domain->draw(share, seed, scenario.size);
+        Domain::Inputs inputs = session.without_long_runs(drawn, answer);
+        if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
+    };
+    return answered(lab, question, inputs_of_run(question, options.inputs), options.seed,
+                    verdict_of(lab.options().variant, question), run);
+}
+
+// Throws the error that invocations disturb each other with the lines of the source, which the module of a
+// kernel need not have.
+void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t seed) {
+    constexpr std::size_t most_inputs = 4096;
+    const KernelModule module = lined_module(lab, question);
+    const interpreter::Program program(module.spirv);
+    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+    const ImageSet images = images_of(scenario, seed);
+    const std::vector<std::vector<Word>> words = image_words(module.prototypes, images, question.function);
+    InterpretedKernel<double> kernel(program, module, words);
+    const Domain::Inputs inputs = question.domain.draw(most_inputs, seed, scenario.size);
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        for (const auto order : {interpreter::Order::backward, interpreter::Order::forward}) {
+            kernel.set_order(order);
+            std::vector<Word> row(inputs.row(i).begin(), inputs.row(i).end());
+            question.domain.adjust(row);
+            try {
+                kernel.run(row);
+            } catch (const interpreter::Error& error) {
+                if (!error.is_of_group()) continue;
+                throw interpreter::Error(
+                    error.kind(), fmt::format("{}: {}: {}", question.file, question.function, error.what()));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Answer run(const Lab& lab, const Question& question, const RunOptions& options) {
+    try {
+        return judged(lab, question, options);
+    } catch (const interpreter::Error& error) {
+        if (error.is_of_group() && !lab.compile_options().lines)
+            throw_with_lines(lab, question, options.seed);
+        throw;
+    }
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "judge/session.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "base/threads.hpp"
+#include "judge/explain.hpp"
+#include "judge/internal/budget_judge.hpp"
+#include "judge/interpretation.hpp"
+#include "module/spirv.hpp"
+#include "subject/kernel_code.hpp"
+#include "subject/scalars.hpp"
+
+namespace gloam::check {
+
+Session::Session(const Lab& lab, const Question& question, KernelCore kernel, ImageScenario scenario,
+                 std::uint64_t seed, Verdict verdict)
+    : lab_(lab),
+      question_(question),
+      kernel_(std::move(kernel)),
+      scenario_(std::move(scenario)),
+      input_seed_(input_seed_of(question, scenario_, seed)),
+      images_(images_of(scenario_, seed)),
+      options_{.edges = !question.only_rules && !lab.options().variant.relaxed,
+               .nan = lab.keeps_nan(),
+               .verdict = verdict} {
+    const auto constants = lab.options().variant.constants;
+    if (constants == shader::Variant::Constants::none) return;
+    constants_ = lab.source(question.file, question.function, question.signature);
+    // SPIRV-Tools folds nothing where the shader declares that NaN keeps its meaning.
+    if (constants == shader::Variant::Constants::literals) constants_->preserve_nan = false;
+    options_.nan = options_.nan && constants_->preserve_nan;
+}
+
+Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
+    if (inputs.width != kernel_.input_words()) {
+        throw std::invalid_argument(fmt::format("{}: the domain draws {} words, the function takes {}",
+                                                answer.function, inputs.width, kernel_.input_words()));
+    }
+    if (!options_.nan) internal::set_positive_zeros(inputs.words, question_.signature.input_scalars());
+    KernelCore::Result outputs;
+    try {
+        outputs = kernel_.run(inputs.words, inputs.count(), images_);
+    } catch (const backend::UndefinedResult&) {
+        outputs = run_each(inputs);
+    }
+    lab_.require_silent_validation();
+    if (outputs.fault && answer.fault.empty()) {
+        answer.fault = to_text(*outputs.fault);
+        answer.reason = Reason::fault;
+    }
+    if (!constants_) return {std::move(inputs), std::move(outputs)};
+    KernelCore::Result folded = run_constants(inputs);
+    lab_.require_silent_validation();
+    const std::size_t width = kernel_.output_words();
+    const std::vector<shader::Scalar> scalars = question_.signature.output_scalars();
+    for (std::size_t i = 0; i < inputs.count(); ++i)
+        if (!same_bits(scalars, std::span(outputs.outputs).subspan(i * width, width),
+                       std::span(folded.outputs).subspan(i * width, width)))
+            ++answer.differs;
+    return {std::move(inputs), std::move(folded)};
+}
+
+namespace {
+
+// Of an input. lavapipe ends all loops of a group of invocations after 65,535 rounds of one of them, and a
+// round takes two instructions at least: such an input stays out of the verdict, and away from the others.
+constexpr std::uint64_t most_long = 2 * 65'535;
+constexpr std::uint64_t least_long = 4'096;      // the same where most inputs take many
+constexpr std::uint64_t most_all = 400'000'000;  // of all inputs, about
+
+bool has_loop(const KernelModule& module) {
+    return shader::has_loop(module.spirv) || (!module.before.empty() && shader::has_loop(module.before));
+}
+
+}  // namespace
+
+// Rounded to float32 or not, a loop may take another number of rounds.
+std::vector<char> Session::long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const {
+    const KernelModules modules{std::make_shared<const KernelModule>(kernel_.module())};
+    const Decoded decoded(modules, images_);
+    const Decoded::Part& part = decoded.parts().front();
+    std::vector<char> is_long(inputs.count(), 0);
+    const auto mark = [&](auto& kernel, std::size_t i) {
+        kernel.machine().set_limit(limit);
+        try {
+            kernel.run(inputs.row(i));
+        } catch (const interpreter::Error& error) {
+            if (error.kind() == interpreter::Error::Kind::too_many_steps) is_long[i] = 1;
+        }
+    };
+    const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
+    base::for_each_index(shares.size(), 0, [&](std::size_t share) {
+        InterpretedKernel<float> floats(part.program, part.module, part.images);
+        InterpretedKernel<double> doubles(part.program, part.module, part.images);
+        for (std::size_t i = shares[share].begin; i < shares[share].end; ++i) {
+            mark(floats, i);
+            if (is_long[i] == 0) mark(doubles, i);
+        }
+    });
+    return is_long;
+}
+
+Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& answer) const {
+    const KernelModule& module = kernel_.module();
+    if (question_.reference || module.spirv.empty() || !has_loop(module)) return inputs;
+    constexpr std::size_t probes = 64;
+    std::uint64_t limit = most_long;
+    std::vector<char> is_long;
+    try {
+        const std::size_t every = std::max<std::size_t>(inputs.count() / probes, 1);
+        const std::vector<char> probed =
+            long_runs(inputs.where([&](std::size_t i) { return i % every == 0; }), most_long);
+        const auto shown = static_cast<std::uint64_t>(std::ranges::count(probed, 1));
+        const std::uint64_t all =
+            shown * most_long * inputs.count() / std::max<std::size_t>(probed.size(), 1);
+        if (all > most_all) limit = std::max(least_long, most_long * most_all / all);
+        is_long = long_runs(inputs, limit);
+    } catch (const interpreter::Error&) {  // an unknown instruction: nothing will be judged
+        return inputs;
+    }
+    const std::vector<shader::Scalar> scalars = question_.signature.input_scalars();
+    for (std::size_t i = 0; i < inputs.count(); ++i)
+        if (is_long[i] != 0)
+            answer.add_undefined(internal::class_of(inputs.row(i), scalars, inputs.branch[i]),
+                                 fmt::format("more than {} instructions", limit));
+    return inputs.where([&](std::size_t i) { return is_long[i] == 0; });
+}
+
+KernelCore::Result Session::run_each(const Domain::Inputs& inputs) const {
+    constexpr Word undefined = 0xdeadbeefU;
+    KernelCore::Result all;
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        try {
+            const KernelCore::Result one = kernel_.run(inputs.row(i), 1, images_);
+            all.outputs.insert(all.outputs.end(), one.outputs.begin(), one.outputs.end());
+            all.modules = one.modules;
+        } catch (const backend::UndefinedResult&) {
+            all.outputs.insert(all.outputs.end(), kernel_.output_words(), undefined);
+        }
+    }
+    return all;
+}
+
+KernelCore::Result Session::run_constants(const Domain::Inputs& inputs) const {
+    constexpr std::size_t of_a_module = 4;
+    KernelCore::Result all;
+    for (std::size_t first = 0; first < inputs.count(); first += of_a_module) {
+        const std::size_t count = std::min(of_a_module, inputs.count() - first);
+        const auto words = std::span(inputs.words).subspan(first * inputs.width, count * inputs.width);
+        KernelCore::Result part = lab_.constant_kernel(*constants_, words, count).run({}, count, images_);
+        all.outputs.insert(all.outputs.end(), part.outputs.begin(), part.outputs.end());
+        all.modules.insert(all.modules.end(), part.modules.begin(), part.modules.end());
+        if (!part.fault) continue;
+        part.fault->input += first;
+        part.fault->count += all.fault ? all.fault->count : 0;
+        all.fault = part.fault;
+    }
+    return all;
+}
+
+void Session::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {
+    const KernelCore::Result& result = evaluated.result;
+    JudgeOptions options = options_;
+    options.modules = result.modules;
+    options.recorded_only =
+        result.modules.empty() && (options.verdict == Verdict::rules || !question_.reference);
+    answer.merge(check::judge(question_, options, evaluated.inputs, result.outputs, images_, scenario_.name,
+                              fractions));
+}
+
+std::optional<Sample> Session::first_failing(std::span<const std::vector<Word>> inputs) const {
+    const std::size_t at_once = constants_ ? most_constants : std::size_t{1} << 20U;
+    for (; !inputs.empty(); inputs = inputs.subspan(std::min(at_once, inputs.size()))) {
+        Evaluated some{.inputs = {.width = kernel_.input_words()}, .result = {}};
+        for (const std::vector<Word>& words : inputs.first(std::min(at_once, inputs.size())))
+            some.inputs.add(words);
+        some.result = constants_ ? run_constants(some.inputs)
+                                 : kernel_.run(some.inputs.words, some.inputs.count(), images_);
+        Answer answer;
+        judge(some, answer);
+        std::optional<Sample> first;
+        for (const auto& sample : answer.first_outside)
+            if (sample && (!first || sample->index < first->index)) first = sample;
+        if (first) return first;
+    }
+    return std::nullopt;
+}
+
+std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario, std::uint64_t seed) {
+    return seed ^ numeric::hash_of(question.function + scenario.name);
+}
+
+ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
+    numeric::Random random(seed ^ numeric::hash_of(scenario.name));
+    return scenario.make ? scenario.make(scenario.size, random) : ImageSet{};
+}
+
+Domain domain_of(const Lab& lab, const Question& question) {
+    const KernelSource source = lab.source(question.file, question.function, question.signature);
+    const shader::Spirv module =
+        lab.compile({.name = "kernel of " + question.function, .text = kernel_code(source)},
+                    {.stage = stage_of(source.team),
+                     .include_roots = lab.options().include_roots,
+                     .variant = {}});  // the same inputs in every variant
+    return question.domain.and_numbers(question.signature, shader::float_constants(module));
+}
+
+void for_each_scenario(const Question& question, std::size_t inputs,
+                       const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit) {
+    if (question.scenarios.empty()) return visit(ImageScenario{}, inputs);
+    const std::size_t scenarios = question.scenarios.size();
+    for (std::size_t i = 0; i < scenarios; ++i) {
+        const std::size_t share = inputs / scenarios + (i < inputs % scenarios ? 1 : 0);
+        if (share > 0) visit(question.scenarios[i], share);
+    }
+}
+
+namespace {
+
+constexpr std::size_t most_lines = 16;
+
+ImageSet images_behind(const Question& question, const Sample& sample, std::uint64_t seed) {
+    const auto found = std::ranges::find(question.scenarios, sample.scenario, &ImageScenario::name);
+    return found == question.scenarios.end() ? ImageSet{} : images_of(*found, seed);
+}
+
+std::string explanation_of(const Lab& lab, const Question& question, const Sample& sample,
+                           std::uint64_t seed) {
+    try {
+        const KernelSource source = lab.source(question.file, question.function, question.signature);
+        return "  the worst input, operation by operation, rounded correctly:\n" +
+               to_text(explain(lab.judged_options(), source, sample.inputs,
+                               images_behind(question, sample, seed)),
+                       most_lines);
+    } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story
+        return fmt::format("  the worst input cannot be explained: {}\n", error.what());
+    }
+}
+
+// Why a result has an infinite error although it is finite. NaN is outside every codomain, and says so
+// itself.
+std::string codomain_text(const Question& question, const Sample& sample) {
+    const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
+    const Codomain& range = question.codomain;
+    for (std::size_t i = 0; i < sample.got.size(); ++i) {
+        if (scalars[i] == shader::Scalar::bool_) continue;
+        const double value = number_at(scalars[i], sample.got[i]);
+        if (value < range.low || value > range.high)
+            return fmt::format("  the worst result is outside the codomain [{}, {}]\n", range.low,
+                               range.high);
+    }
+    return {};
+}
+
+// Whether the device may return this result for the module that it was given itself.
+bool is_right(const Lab& lab, const Question& question, KernelModule given, const Sample& sample,
+              std::uint64_t seed) {
+    const auto constants = lab.options().variant.constants;
+    if (constants != shader::Variant::Constants::none) {
+        KernelSource source = lab.source(question.file, question.function, question.signature);
+        source.preserve_nan = source.preserve_nan && constants != shader::Variant::Constants::literals;
+        given = lab.constant_kernel(source, sample.inputs, 1).module();
+    }
+    given.before.clear();
+    const ImageSet images = images_behind(question, sample, seed);
+    const KernelModules modules{std::make_shared<const KernelModule>(std::move(given))};
+    const Decoded decoded(modules, images);
+    const internal::Scalars scalars(question.signature);
+    Interpretation rules(decoded, scalars.outputs, scalars.result_words);
+    const InputRow input{.words = sample.inputs};
+    return rules.is_exact(input, sample.got) || rules.is_permitted(input, sample.got);
+}
+
+// Of a result that the module before a compiler forbids: whether the compiler or the device is at fault.
+std::string culprit_text(const Lab& lab, const Question& question, const KernelModule& given,
+                         const Sample& sample, std::uint64_t seed) {
+    if (given.before.empty() || !sample.forbidden) return {};
+    const shader::Variant& variant = lab.options().variant;
+    const std::string compiler = variant.steps.empty() ? "SPIRV-Tools" : "the compiler's step";
+    try {
+        if (is_right(lab, question, given, sample, seed))
+            return fmt::format(
+                "  the module that the device was given permits the worst result, and the one before "
+                "forbids it: {} is at fault, not the device (variant {})\n",
+                compiler, variant.name);
+        return "  the module that the device was given forbids the worst result, too: the device is at "
+               "fault\n";
+    } catch (const interpreter::Error&) {  // it has an instruction that the interpreter does not know
+        return {};
+    }
+}
+
+void tell_story(const Lab& lab, const Question& question, const KernelModule& given, std::uint64_t seed,
+                Answer& answer) {
+    if (!answer.failed()) return;
+    answer.story = describe(question.signature, answer);
+    if (answer.worst && answer.verdict == Verdict::budget)
+        answer.story += codomain_text(question, *answer.worst);
+    if (answer.outside() == 0 || !answer.worst) return;
+    answer.story += culprit_text(lab, question, given, *answer.worst, seed);
+    answer.story += explanation_of(lab, question, *answer.worst, seed);
+}
+
+}  // namespace
+
+Answer answered(
+    const Lab& lab, const Question& question, std::size_t inputs, std::uint64_t seed, Verdict verdict,
+    const std::function<void(const Session&, const ImageScenario&, std::size_t share, Answer&)>& visit) {
+    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+    Answer answer = empty_answer(question, verdict);
+    answer.variant = lab.options().variant.name;
+    for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        visit(Session(lab, question, kernel, scenario, seed, verdict), scenario, share, answer);
+    });
+    tell_story(lab, question, kernel.module(), seed, answer);
+    return answer;
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "judge/answer.hpp"
+#include "judge/question.hpp"
+#include "judge/run.hpp"
+#include "subject/lab.hpp"
+
+namespace gloam::check {
+
+// A question that is ready to evaluate inputs, with the images of one scenario: in memory, or as constants of
+// the shader where the lab's variant says so. The lab and the question must outlive it.
+class Session {
+  public:
+    // `seed` makes the images.
+    Session(const Lab& lab, const Question& question, KernelCore kernel, ImageScenario scenario,
+            std::uint64_t seed, Verdict verdict);
+
+    // Inputs as the device was given them, with what it made of them.
+    struct Evaluated {
+        Domain::Inputs inputs;
+        KernelCore::Result result;
+    };
+    // Evaluates inputs, and notes an access outside an image in the answer; of constants also how many
+    // results differ from those with the inputs in memory. On a device that need not keep the sign of zero,
+    // +0 takes the place of -0. What is undefined for the interpreter, which stops there, gets words that no
+    // function returns.
+    [[nodiscard]] Evaluated run(Domain::Inputs inputs, Answer& answer) const;
+
+    // The inputs of a function without a reference that come to their end in a bounded number of instructions
+    // of the interpreter; the others are counted in the answer, and no device gets them.
+    [[nodiscard]] Domain::Inputs without_long_runs(const Domain::Inputs& inputs, Answer& answer) const;
+
+    // Judges what run() returned, and adds the results to the answer. `fractions`: as in check::judge().
+    void judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions = {}) const;
+
+    // The first of these inputs that fails, with its outputs.
+    [[nodiscard]] std::optional<Sample> first_failing(std::span<const std::vector<Word>> inputs) const;
+
+    [[nodiscard]] const ImageSet& images() const { return images_; }
+
+    // The seed of this scenario's inputs.
+    [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
+
+  private:
+    [[nodiscard]] std::vector<char> long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const;
+    // One input after another.
+    [[nodiscard]] KernelCore::Result run_each(const Domain::Inputs& inputs) const;
+    // Every few inputs form a module of their own and cost one compilation.
+    [[nodiscard]] KernelCore::Result run_constants(const Domain::Inputs& inputs) const;
+
+    const Lab& lab_;
+    const Question& question_;
+    KernelCore kernel_;
+    std::optional<KernelSource> constants_;  // of kernels whose inputs are constants
+    ImageScenario scenario_;
+    std::uint64_t input_seed_;
+    ImageSet images_;
+    JudgeOptions options_;
+};
+
+// The most inputs as constants in one run.
+inline constexpr std::size_t most_constants = 64;
+
+// The domain of a question, and the numbers of its function's module (Domain::and_numbers): what it compares
+// with is an input. Throws like Lab::kernel().
+[[nodiscard]] Domain domain_of(const Lab& lab, const Question& question);
+
+// Calls visit(scenario, share) for each scenario of a question with its share of `inputs`. A function without
+// images gets one call with an empty scenario.
+void for_each_scenario(const Question& question, std::size_t inputs,
+                       const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit);
+
+// The seed of a scenario's inputs in a run with seed `seed`.
+[[nodiscard]] std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario,
+                                          std::uint64_t seed);
+
+// The images of a scenario in a run with seed `seed`; empty for a scenario without images.
+[[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
+
+// The answer to a question by what visit() adds for each scenario, with the story of a failure: what was
+// found, and the worst input operation by operation. Throws like Lab::kernel().
+[[nodiscard]] Answer answered(
+    const Lab& lab, const Question& question, std::size_t inputs, std::uint64_t seed, Verdict verdict,
+    const std::function<void(const Session&, const ImageScenario&, std::size_t share, Answer&)>& visit);
+
+}  // namespace gloam::check

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "record/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "numeric/numbers.hpp"
+#include "record/answer_json.hpp"
+#include "record/page.hpp"
+
+namespace gloam::record {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+CheckReport read_report(const JsonReader& json) {
+    CheckReport report;
+    MemberReader::read(json.member("device"), report.device);
+    if (json.has("versions")) report.versions = json.member("versions").name();
+    if (json.has("inputs")) report.inputs = json.member("inputs").count();
+    if (json.has("seed")) report.seed = json.member("seed").count();
+    for (const JsonReader& row : json.member("results").elements()) {
+        report.rows.push_back(read_answer(row));
+    }
+    return report;
+}
+
+}  // namespace
+
+std::string name_of(const DeviceSummary& device) {
+    return device.driver.empty() ? device.name : device.name + " (" + device.driver + ")";
+}
+
+std::string api_of(const DeviceSummary& device) {
+    const bool names_itself = device.type.starts_with("opengl") || device.type.starts_with("webg");
+    return names_itself ? device.api_version : "Vulkan " + device.api_version;
+}
+
+std::string to_json(const std::vector<CheckReport>& reports) {
+    ordered_json all = ordered_json::array();
+    for (const CheckReport& report : reports) {
+        ordered_json results = ordered_json::array();
+        for (const check::Answer& row : report.rows) results.push_back(MemberWriter::json_of(row));
+        ordered_json object{{"gloam", base::version()}, {"device", MemberWriter::json_of(report.device)}};
+        if (!report.versions.empty()) object["versions"] = report.versions;
+        if (report.inputs > 0) {
+            object["inputs"] = report.inputs;
+            object["seed"] = report.seed;
+        }
+        object["results"] = std::move(results);
+        all.push_back(std::move(object));
+    }
+    // Bytes that are no UTF-8 are replaced.
+    return (all.size() == 1 ? all.front() : all).dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+           "\n";
+}
+
+std::vector<CheckReport> reports_from_json(std::string_view text) {
+    const ordered_json json = parse_json(text);
+    const JsonReader all(json, "");
+    if (!all.is_array()) return {read_report(all)};
+    std::vector<CheckReport> reports;
+    for (const JsonReader& report : all.elements()) reports.push_back(read_report(report));
+    return reports;
+}
+
+namespace {
+
+// In an attribute of XML.
+std::string escaped(std::string_view text) {
+    return base::replaced(escaped_html(text), "\n", "&#10;");
+}
+
+std::string test_case(const check::Answer& row) {
+    std::string xml =
+        fmt::format("    <testcase classname=\"{}\" name=\"{} {}\" time=\"{:.3f}\"", escaped(row.file),
+                    escaped(row.equation), escaped(row.variant), row.seconds);
+    if (row.passed()) return xml + "/>\n";
+    if (!row.failed())
+        return xml + fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n",
+                                 escaped(row.not_judged_because()));
+    return xml + fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\"/>\n    </testcase>\n",
+                             row.ran() ? "failure" : "error",
+                             row.reason == check::Reason::none ? "outside" : name_of(row.reason),
+                             escaped(row.ran() ? row.story : row.error));
+}
+
+std::size_t errors(const CheckReport& report) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        report.rows, [](const check::Answer& row) { return row.failed() && !row.ran(); }));
+}
+
+}  // namespace
+
+std::string to_junit(const std::vector<CheckReport>& reports) {
+    std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    for (const CheckReport& report : reports) {
+        xml += fmt::format(
+            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n",
+            escaped(report.device.name), report.rows.size(),
+            report.count(check::Outcome::failed) - errors(report), errors(report),
+            report.count(check::Outcome::not_judged));
+        if (!report.versions.empty())
+            xml += fmt::format("    <properties><property name=\"versions\" value=\"{}\"/></properties>\n",
+                               escaped(report.versions));
+        for (const check::Answer& row : report.rows) xml += test_case(row);
+        xml += "  </testsuite>\n";
+    }
+    return xml + "</testsuites>\n";
+}
+
+namespace {
+
+// Widths of the longest ID, function and variant.
+constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
+
+// Where the rules alone are the verdict, an infinite error may be right: for an overflow, say.
+Cell error_cell(const check::Answer& row, double error, const std::string& text) {
+    const bool permitted = row.verdict == check::Verdict::rules && row.passed() && std::isinf(error);
+    return {permitted ? "permitted" : text, error};
+}
+
+}  // namespace
+
+std::size_t CheckReport::count(check::Outcome outcome) const {
+    return static_cast<std::size_t>(std::ranges::count(rows, outcome, &check::Answer::outcome));
+}
+
+OutcomeCounts counts_of(const std::vector<CheckReport>& reports) {
+    OutcomeCounts all;
+    for (const CheckReport& report : reports) {
+        all.checks += report.rows.size();
+        all.failed += report.count(check::Outcome::failed);
+        all.not_judged += report.count(check::Outcome::not_judged);
+    }
+    return all;
+}
+
+int OutcomeCounts::exit_status() const {
+    constexpr int could_not_run = 2;
+    if (failed > 0) return 1;
+    return checks > 0 && not_judged == checks ? could_not_run : 0;
+}
+
+std::string to_text(const OutcomeCounts& counts) {
+    std::string text = fmt::format("{} checks, {} failed", counts.checks, counts.failed);
+    return counts.not_judged == 0 ? text : text + fmt::format(", {} not judged", counts.not_judged);
+}
+
+const std::vector<Column>& error_columns() {
+    static const std::vector<Column> columns{
+        {.title = "judged", .meaning = "inputs for which some result would have failed", .numeric = true},
+        {.title = "worst ulp",
+         .meaning = "largest error in units in the last place of the printed equation in double precision; "
+                    "permitted: it is infinite, and the rules permit that",
+         .numeric = true},
+        {.title = "worst abs", .meaning = "largest absolute error", .numeric = true},
+        {.title = "of allowed",
+         .meaning = "the largest error as a fraction of what is allowed; more than 1 fails",
+         .numeric = true}};
+    return columns;
+}
+
+std::vector<Cell> error_cells(const check::Answer& row) {
+    if (!row.ran()) return std::vector<Cell>(error_columns().size(), "-");
+    const double used = row.fraction_of_allowed();
+    return {row.judged(),
+            error_cell(row, row.max_ulp, fmt::format("{:.3g}", row.max_ulp)),
+            error_cell(row, row.max_absolute, fmt::format("{:.2e}", row.max_absolute)),
+            {numeric::to_short_text(used), used}};
+}
+
+std::string table_header() {
+    const std::vector<Column>& c = error_columns();
+    return fmt::format(line_format, "equation", "function", "variant", c[0].title, c[1].title, c[2].title,
+                       c[3].title, "judged by", "verdict");
+}
+
+std::string table_legend() {
+    std::string text;
+    for (const Column& column : error_columns()) text += column.title + ": " + column.meaning + "\n";
+    return text +
+           "judged by: rules = what Vulkan's precision rules permit, budget = the accuracy that the function "
+           "documents\n";
+}
+
+std::string verdict_of(const check::Answer& row) {
+    if (!row.ran())
+        return row.reason == check::Reason::error ? "could not run" : std::string(name_of(row.reason));
+    std::string verdict =
+        row.failed() ? fmt::format("{} outside", row.outside()) : std::string(name_of(row.outcome()));
+    if (!row.fault.empty()) verdict += ", reads outside its image";
+    if (row.differs > 0) verdict += fmt::format(", {} differ from run time", row.differs);
+    return verdict;
+}
+
+std::string remark_on(const check::Answer& row) {
+    const std::string why = row.not_judged_because();
+    if (!why.empty() || !row.ran()) return why;
+    std::string remark;
+    if (row.open() > 0)
+        remark = fmt::format("any result would pass for {} of {}", row.open(),
+                             row.verdict == check::Verdict::rules ? row.bounded : row.inputs());
+    std::string separator = remark.empty() ? "not promised: " : "; not promised: ";
+    for (const check::InputClass input_class : row.not_promised()) {
+        remark += separator + std::string(name_of(input_class));
+        separator = ", ";
+    }
+    return remark;
+}
+
+std::string table_line(const check::Answer& row, const std::string& verdict) {
+    const std::vector<Cell> cells = error_cells(row);
+    const std::string why = row.reason == check::Reason::unsupported ? base::one_line(row.error) : "";
+    const std::string remark = row.ran() ? remark_on(row) : why;
+    return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), cells[0].text,
+                       cells[1].text, cells[2].text, cells[3].text, row.ran() ? name_of(row.verdict) : "-",
+                       verdict.empty() ? verdict_of(row) : verdict) +
+           (remark.empty() ? "" : "; " + remark) + (row.steps().empty() ? "" : "; after " + row.steps());
+}
+
+namespace {
+
+struct Origin {
+    check::Answer row;
+    std::string file;
+};
+
+// By equation, then variant; the row of a device that could not be opened comes last.
+using Key = std::tuple<bool, std::string, std::string>;
+using Rows = std::map<Key, Origin>;
+
+Key key_of(const check::Answer& row) {
+    return {row.equation == "device", row.equation, row.variant};
+}
+
+auto severity(const check::Answer& row) {
+    const double share =
+        row.inputs() == 0 ? 0.0 : static_cast<double>(row.outside()) / static_cast<double>(row.inputs());
+    return std::tuple(row.failed(), !row.ran(), !row.fault.empty(), share, row.fraction_of_allowed());
+}
+
+bool tell_the_same(check::Answer a, check::Answer b) {
+    a.seconds = b.seconds = 0.0;
+    return to_json(a) == to_json(b);
+}
+
+std::string outcome(const check::Answer& row) {
+    if (!row.ran()) return std::string(name_of(row.reason));
+    if (!row.fault.empty()) return "a fault";
+    if (!row.failed() && !row.passed()) return "not judged";
+    return fmt::format("{} of {} inputs outside, worst error {:.3g} of what is allowed", row.outside(),
+                       row.inputs(), row.fraction_of_allowed());
+}
+
+void unite(Rows& rows, const check::Answer& row, const ReportFile& from,
+           std::vector<std::string>& conflicts) {
+    const auto [at, is_new] = rows.try_emplace(key_of(row), Origin{row, from.file});
+    Origin& known = at->second;
+    if (is_new || tell_the_same(known.row, row)) return;
+    conflicts.push_back(fmt::format("{} {} on {}: {} says {}; {} says {}; the worse is kept", row.equation,
+                                    row.variant, name_of(from.report.device), known.file, outcome(known.row),
+                                    from.file, outcome(row)));
+    if (severity(row) > severity(known.row)) known = {row, from.file};
+}
+
+}  // namespace
+
+MergedReports merge(const std::vector<ReportFile>& files) {
+    MergedReports merged;
+    std::vector<Rows> rows;  // of merged.reports
+    for (const ReportFile& file : files) {
+        const std::string device = line_of(file.report.device);
+        const auto known = std::ranges::find_if(merged.reports, [&](const CheckReport& report) {
+            return report.inputs == file.report.inputs && report.seed == file.report.seed &&
+                   line_of(report.device) == device;
+        });
+        const auto index = static_cast<std::size_t>(known - merged.reports.begin());
+        if (known == merged.reports.end()) {
+            merged.reports.push_back(
+                {file.report.device, {}, file.report.versions, file.report.inputs, file.report.seed});
+            rows.emplace_back();
+        }
+        for (const check::Answer& row : file.report.rows) unite(rows[index], row, file, merged.conflicts);
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (auto& [key, origin] : rows[i]) merged.reports[i].rows.push_back(std::move(origin.row));
+    }
+    return merged;
+}
+
+}  // namespace gloam::record

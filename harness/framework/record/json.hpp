@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gloam::record {
+
+// JSON has no infinity and no NaN; they become the strings "inf", "-inf" and "nan".
+[[nodiscard]] nlohmann::ordered_json number_json(double value);
+
+// Reads JSON of a known structure. Every reader throws std::runtime_error with the place in the document,
+// what was found and what was expected: "results[3].inputs: expected a count, found "many"".
+class JsonReader {
+  public:
+    JsonReader(const nlohmann::ordered_json& json, std::string where)
+        : json_(&json), where_(std::move(where)) {}
+
+    // A member of an object; it must exist.
+    [[nodiscard]] JsonReader member(const std::string& name) const;
+    [[nodiscard]] bool has(const char* name) const;
+    // The elements of an array, or the values of an object with their names.
+    [[nodiscard]] std::vector<JsonReader> elements() const;
+    [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;
+
+    [[nodiscard]] const nlohmann::ordered_json& json() const { return *json_; }
+    [[nodiscard]] bool is_null() const { return json_->is_null(); }
+    [[nodiscard]] bool is_array() const { return json_->is_array(); }
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::vector<std::string> texts() const;
+    // A text for tables, titles and messages: one line, or empty.
+    [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string word_of(const std::vector<std::string>& words) const;
+    [[nodiscard]] double number() const;
+    [[nodiscard]] double number(double least, double most) const;
+    [[nodiscard]] int integer(int least, int most) const;
+    [[nodiscard]] std::size_t count() const;
+    [[nodiscard]] std::size_t count_up_to(std::size_t most) const;
+    [[nodiscard]] bool flag() const;
+    [[nodiscard]] std::uint32_t word() const;
+
+    [[noreturn]] void expected(const std::string& what) const;
+
+  private:
+    [[nodiscard]] std::string path_of(const std::string& member) const;
+
+    const nlohmann::ordered_json* json_;
+    std::string where_;
+};
+
+// Parses a text. Throws std::runtime_error with the line and column of invalid JSON, or with the bound of
+// base::JsonBounds that the text exceeds.
+[[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
+
+}  // namespace gloam::record

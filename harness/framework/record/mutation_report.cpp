@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "record/mutation_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "record/table.hpp"
+
+namespace gloam::record {
+namespace {
+
+constexpr std::array fate_names{"untried", "invalid", "same", "known", "killed", "too long", "survived"};
+
+// How many of some mutants had each fate.
+struct Tally {
+    std::array<std::size_t, fate_names.size()> counts{};
+
+    void add(Fate fate) { ++counts[static_cast<std::size_t>(fate)]; }
+    [[nodiscard]] std::size_t of(Fate fate) const { return counts[static_cast<std::size_t>(fate)]; }
+    [[nodiscard]] std::size_t noticed() const { return of(Fate::killed) + of(Fate::too_long); }
+    [[nodiscard]] std::size_t judged() const { return noticed() + of(Fate::survived); }
+    [[nodiscard]] std::string share() const {
+        if (judged() == 0) return "-";
+        return fmt::format("{:.1f} %",
+                           100.0 * static_cast<double>(noticed()) / static_cast<double>(judged()));
+    }
+};
+
+std::string in_a_line(const std::string& text) {
+    constexpr std::size_t longest = 80;
+    std::istringstream words(text);
+    std::string all;
+    for (std::string word; words >> word;) all += (all.empty() ? "" : " ") + word;
+    return base::shortened(base::one_line(all), longest);
+}
+
+// "'a < b' -> 'a <= b'"
+std::string change_text(const shader::Mutation& mutation) {
+    return fmt::format("'{}' -> '{}'", in_a_line(mutation.before), in_a_line(mutation.after));
+}
+
+std::string place_text(const MutationReport& report, const MutantRow& row) {
+    return fmt::format("{}:{}", report.files.at(row.file), row.mutation.line);
+}
+
+// "x = 1: 0.5 becomes 1"; empty where no input shows a difference.
+std::string shown_by(const check::MutantComparison& comparison) {
+    if (comparison.words.empty()) return {};
+    return fmt::format("{}({}): {} becomes {}", comparison.function, comparison.values, comparison.before,
+                       comparison.after);
+}
+
+// The gravest first.
+std::vector<const MutantRow*> survivors(const MutationReport& report) {
+    std::vector<const MutantRow*> rows;
+    for (const MutantRow& row : report.mutants)
+        if (row.fate == Fate::survived || row.fate == Fate::known) rows.push_back(&row);
+    std::ranges::stable_sort(rows, [](const MutantRow* a, const MutantRow* b) {
+        return std::pair(a->fate, a->comparison.difference) > std::pair(b->fate, b->comparison.difference);
+    });
+    return rows;
+}
+
+std::string verdict_of(const MutantRow& row) {
+    return row.fate == Fate::known ? "known: " + row.reason : name_of(row.comparison.difference);
+}
+
+}  // namespace
+
+std::string name_of(Fate fate) {
+    return fate_names.at(static_cast<std::size_t>(fate));
+}
+
+std::size_t MutationReport::missed() const {
+    return static_cast<std::size_t>(std::ranges::count_if(mutants, [](const MutantRow& row) {
+        return row.fate == Fate::survived && row.comparison.difference >= check::Difference::real;
+    }));
+}
+
+std::string to_text(const MutationReport& report) {
+    std::vector<Tally> tallies(report.files.size() + 1);
+    for (const MutantRow& row : report.mutants)
+        for (const std::size_t i : {row.file, report.files.size()}) tallies[i].add(row.fate);
+    Table table{{{"file"}}};
+    for (const char* name : fate_names) table.columns.push_back({name});
+    table.columns.push_back({"share"});
+    for (std::size_t i = 0; i < tallies.size(); ++i) {
+        const bool some = std::ranges::any_of(tallies[i].counts, [](std::size_t count) { return count > 0; });
+        if (!some || (tallies.size() == 2 && i == 1)) continue;  // the only file is all
+        std::vector<Cell>& row =
+            table.rows.emplace_back(1, i < report.files.size() ? report.files[i] : "all");
+        row.insert(row.end(), tallies[i].counts.begin(), tallies[i].counts.end());
+        row.emplace_back(tallies[i].share());
+    }
+    std::string text = aligned(table);
+    if (tallies.back().judged() > 0 && tallies.back().noticed() == 0)
+        text +=
+            "no fault was noticed: expected a command that reads the shaders in the folder GLOAM_SHADERS\n";
+    for (const MutantRow* row : survivors(report)) {
+        text += fmt::format("{}: {} in {}: {}\n", place_text(report, *row), change_text(row->mutation),
+                            row->mutation.function.empty() ? "no function" : row->mutation.function,
+                            verdict_of(*row));
+        if (row->fate == Fate::survived && !row->comparison.words.empty())
+            text += "  " + shown_by(row->comparison) + "\n";
+    }
+    return base::for_terminal(text);
+}
+
+std::string to_mutation_json(const MutationReport& report) {
+    using nlohmann::ordered_json;
+    ordered_json json{
+        {"gloam", base::version()}, {"command", report.command}, {"mutants", ordered_json::array()}};
+    for (const MutantRow& row : report.mutants) {
+        ordered_json one{{"file", report.files.at(row.file)}, {"line", row.mutation.line},
+                         {"kind", row.mutation.kind},         {"function", row.mutation.function},
+                         {"before", row.mutation.before},     {"after", row.mutation.after},
+                         {"fate", name_of(row.fate)},         {"seconds", row.seconds}};
+        if (row.fate == Fate::known) one["reason"] = row.reason;
+        if (row.fate == Fate::survived) {
+            const check::MutantComparison& found = row.comparison;
+            one["difference"] = name_of(found.difference);
+            one["inputs"] = found.inputs;
+            if (!found.words.empty()) {
+                one["input"] = found.values;
+                one["words"] = found.words;
+                one["result"] = found.before;
+                one["result_with_fault"] = found.after;
+            }
+        }
+        json["mutants"].push_back(std::move(one));
+    }
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gloam::record

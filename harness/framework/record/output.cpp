@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "record/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <sys/file.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+
+namespace gloam::record {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The target of a link; the link itself if its target does not exist.
+fs::path end_of_links(const fs::path& path) {
+    std::error_code none;
+    if (!fs::is_symlink(path, none)) return path;
+    fs::path end = fs::weakly_canonical(path, none);
+    return none || end.empty() ? path : end;
+}
+
+// Devices (/dev/full) and files that this process has open (/dev/stdout) are written in place.
+bool is_written_in_place(const fs::path& path) {
+    std::error_code none;
+    const fs::file_status status = fs::status(path, none);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return true;
+    fs::path link = path;
+    constexpr int most_links = 40;
+    for (int i = 0; i < most_links && fs::is_symlink(link, none); ++i) {
+        const fs::path folder = fs::canonical(link.has_parent_path() ? link.parent_path() : ".", none);
+        if (folder.string().starts_with("/proc/")) return true;
+        link = folder / fs::read_symlink(link, none);
+    }
+    return false;
+}
+
+// named: in the message of an error.
+void write_in_place(const fs::path& path, std::string_view text, const fs::path& named) {
+    base::FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!file.is_open()) base::fail_to_write(named, errno);
+    if (const int error = base::write_all(std::move(file), text)) base::fail_to_write(named, error);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::error_code none;
+    if (fs::is_directory(path_, none)) base::fail_to_write(path_, EISDIR);
+    const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+    if (access(folder.c_str(), W_OK) != 0) base::fail_to_write(path_, errno);
+}
+
+void OutputFile::write(std::string_view text) const {
+    if (path_.empty()) return;
+    if (is_written_in_place(path_)) {
+        write_in_place(path_, text, path_);
+    } else {
+        base::write_file(end_of_links(path_), text);
+    }
+}
+
+namespace {
+
+using base::fail_to_write;
+
+// Names can come from data, and must not lead out of the folder.
+void require_file_name(const std::string& name) {
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
+        name.find('\0') != std::string::npos)
+        throw std::invalid_argument("output file \"" + name + "\": expected a name without a folder");
+}
+
+// Locks the folder for this process until the end of the scope.
+class FolderLock {
+  public:
+    explicit FolderLock(const fs::path& folder)
+        : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (!file_.is_open()) return;  // keep() reports the reason
+        while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+
+  private:
+    base::FileDescriptor file_;
+};
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path folder)
+    : folder_(folder.empty() ? fs::path(".") : std::move(folder)),
+      waiting_(base::TemporaryFolder::in(folder_)) {}
+
+void OutputFolder::write(const std::string& name, std::string_view bytes) {
+    require_file_name(name);
+    const fs::path file = folder_ / name;
+    std::error_code none;
+    if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
+    names_.insert(name);
+    write_in_place(waiting_.path() / name, bytes, file);
+}
+
+void OutputFolder::keep() {
+    const FolderLock lock(folder_);
+    for (const std::string& name : names_)
+        if (rename((waiting_.path() / name).c_str(), (folder_ / name).c_str()) != 0)
+            fail_to_write(folder_ / name, errno);
+    names_.clear();
+}
+
+namespace {
+
+constexpr std::size_t longest_journal = std::size_t{1} << 30;  // bytes
+constexpr std::size_t longest_quote = 300;
+
+}  // namespace
+
+LineJournal::LineJournal(std::filesystem::path path, const std::string& heading, bool resume)
+    : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::string kept = heading + "\n";
+    if (resume && std::filesystem::exists(path_)) {
+        const std::string text = base::read_file(path_, longest_journal);
+        const std::string whole = text.substr(0, text.rfind('\n') + 1);
+        if (!whole.empty()) {
+            take_over(whole, heading);
+            kept = whole;
+        }
+    }
+    base::write_file(path_, kept);
+}
+
+void LineJournal::take_over(std::string_view text, const std::string& heading) {
+    const std::size_t first = text.find('\n');
+    const std::string_view found = text.substr(0, first);
+    if (found != heading) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot resume what was measured otherwise: expected {}, found {}",
+                        path_.string(), heading, base::shortened(found, longest_quote)));
+    }
+    for (std::size_t at = first + 1; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        lines_.emplace_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+}
+
+void LineJournal::add(std::string_view line) const {
+    if (path_.empty()) return;
+    base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
+    if (!file.is_open()) base::fail_to_write(path_, errno);
+    const std::string text = std::string(line) + "\n";
+    if (const int error = base::write_all(std::move(file), text)) base::fail_to_write(path_, error);
+}
+
+}  // namespace gloam::record

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "numeric/random.hpp"
+#include "subject/signature.hpp"
+
+namespace gloam::check {
+
+// The state on which a draw may depend.
+struct DrawContext {
+    numeric::Random& random;
+    glm::ivec2 image_size{1};  // of the run's images, for pixel coordinates
+};
+
+// How the values of one parameter are chosen: at random, or from a few fixed values that every run includes.
+struct Values {
+    struct Fixed {
+        std::vector<Word> words;
+        bool branch = false;  // at or beside a branch point
+    };
+
+    std::function<void(DrawContext&, std::vector<Word>&)> draw;  // appends one value
+    std::vector<Fixed> fixed;
+    // Whether a value may be drawn; empty: unknown. A search for worse inputs stays inside.
+    std::function<bool(std::span<const Word>)> contains;
+    // Positions of the words that hold sizes of the run's images, two words each.
+    std::vector<std::size_t> image_sizes;
+    bool only_drawn = false;  // see only_as_drawn
+
+    // Of one value.
+    [[nodiscard]] std::size_t words() const;
+    // Whether a value may be an input: it is a fixed value, or it may be drawn.
+    [[nodiscard]] bool admits(std::span<const Word> words) const;
+
+    // Each returns the same values with more fixed ones.
+    // Adds every special value of a float type (numeric::special_values): as a scalar, in each component of a
+    // vector, and in all components.
+    [[nodiscard]] Values and_special(shader::Scalar scalar = shader::Scalar::float_) const;
+    // Adds branch points of a float parameter: each point and the floats one ULP on either side.
+    [[nodiscard]] Values and_near(std::initializer_list<double> points,
+                                  shader::Scalar scalar = shader::Scalar::float_) const;
+    // Adds branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
+    [[nodiscard]] Values and_near_integers(std::initializer_list<long> points) const;
+
+    // The same values without degenerate inputs (check/domain.hpp). For a parameter whose documented
+    // values are only the drawn ones, for example the result of another function, or the size of the image
+    // that contains a pixel.
+    [[nodiscard]] Values only_as_drawn() const;
+
+    template <class T>
+    [[nodiscard]] Values and_value(const T& value, bool branch = false) const {
+        Values more = *this;
+        Fixed fixed_value{.words = {}, .branch = branch};
+        append_words(value, fixed_value.words);
+        more.fixed.push_back(std::move(fixed_value));
+        return more;
+    }
+};
+
+// Numbers of a float type, uniform in [low, high]. Fixed values: the ends; if 0 is between them, also both
+// zeros and the smallest normal and subnormal numbers of each sign.
+[[nodiscard]] Values uniform(double low, double high, shader::Scalar scalar = shader::Scalar::float_);
+// Numbers whose logarithm is uniform in [log low, log high], 0 < low < high.
+[[nodiscard]] Values log_uniform(double low, double high, shader::Scalar scalar = shader::Scalar::float_);
+// The same with either sign.
+[[nodiscard]] Values signed_log_uniform(double low, double high,
+                                        shader::Scalar scalar = shader::Scalar::float_);
+// float with any bit pattern.
+[[nodiscard]] Values any_float();
+// int or uint: integers in [low, high]; the ends are fixed values.
+[[nodiscard]] Values integers(long low, long high);
+// int or uint: 0, or a value in [1, high] whose logarithm is uniform.
+[[nodiscard]] Values log_integers(long high);
+[[nodiscard]] Values booleans();
+// vecN or ivecN with independent components. A fixed value of the component is set in each component alone
+// and in all.
+[[nodiscard]] Values vector(int components, const Values& component);
+// A vector with separate values for each component, or a structure with values for each member.
+[[nodiscard]] Values vector(const std::vector<Values>& components);
+// Directions, uniform on the unit circle (2) or sphere (3), or unit quaternions (4); the axes as fixed
+// values.
+[[nodiscard]] Values unit_vector(int components);
+// A unit vector times a length.
+[[nodiscard]] Values vector_of_length(int components, const Values& length);
+// ivec2: a pixel of the run's image, corners included; and the size of the image.
+[[nodiscard]] Values image_pixel();
+[[nodiscard]] Values image_size();
+// One of two kinds of values with equal probability; the fixed values of both.
+[[nodiscard]] Values either(const Values& a, const Values& b);
+// The values of a quad's four invocations (0, 0), (1, 0), (0, 1), (1, 1), each of this type, from those of
+// one. In half of the quads floats change by small steps along x and y, the same in both rows and columns, in
+// a quarter they are drawn apart, in the rest all are equal; so are integers and bools, unless they are drawn
+// apart. Each fixed value is that of all four. `pixels`: of a vec4 that is the coordinate of a pixel: x and y
+// are those of a quad.
+[[nodiscard]] Values neighbours(const shader::Type& type, const Values& one, bool pixels = false);
+// The variable for gl_FragCoord in a function of a file (shader::Excerpt).
+inline constexpr const char* fragment_coordinate = "gloam_FragCoord";
+// Values of T made by any function.
+template <class T, class Make>
+[[nodiscard]] Values made_by(Make make) {
+    Values values;
+    values.draw = [make](DrawContext& context, std::vector<Word>& words) {
+        append_words(static_cast<T>(make(context.random)), words);
+    };
+    return values;
+}
+// Always the same value.
+template <class T>
+[[nodiscard]] Values constant(const T& value) {
+    return made_by<T>([value](numeric::Random&) { return value; });
+}
+
+// Inputs that independent draws hardly ever produce: vectors that are equal, opposite or parallel to each
+// other or lie along an axis; numbers of a struct or array that are zero, negative, infinite or NaN; images
+// whose sides are 0 or 1; floats at which a function branches. Parameters with Values::only_as_drawn are not
+// changed.
+class Degenerate {
+  public:
+    Degenerate() = default;
+    // One Values for each in and inout parameter of the signature. `only_vectors`: no change of one number.
+    Degenerate(const Signature& signature, const std::vector<Values>& parameters, bool only_vectors = false);
+
+    // Adds changes of one float to a number or to one of the floats beside it.
+    void add_numbers(const Signature& signature, const std::vector<Values>& parameters,
+                     std::span<const float> numbers);
+
+    // Changes of one number: how many there are, and applying one of them to an input. Those to numbers that
+    // were added follow the others, and leave an input as it is whose parameter would not be in its Values.
+    [[nodiscard]] std::size_t count() const { return changes_.size(); }
+    [[nodiscard]] std::size_t count_of_numbers() const { return numbers_.size(); }
+    void change(std::size_t i, std::span<Word> row) const;
+
+    // Replaces one vector, chosen at random, by an axis or by another vector of the input, if its Values
+    // admit the result. Values without a test admit every vector of the same length. Returns whether a vector
+    // was changed.
+    bool relate(numeric::Random& random, std::span<Word> row) const;
+
+  private:
+    struct Change {
+        std::size_t word;
+        Word (*changed)(Word before);
+    };
+    struct Number {
+        std::size_t word = 0;
+        Word bits = 0;
+        std::size_t parameter = 0;  // whose Values decide
+        std::size_t first = 0;      // its first word
+        std::size_t size = 0;       // its words
+        bool anywhere = false;      // the float may be infinite, and therefore any number
+    };
+    struct Vector {
+        std::size_t first;
+        std::size_t size;
+        const Values* values;  // null: it may not be changed
+    };
+    void add_vectors(const shader::Type& type, std::size_t first, const Values* values);
+
+    std::shared_ptr<const std::vector<Values>> parameters_;
+    std::vector<Change> changes_;
+    std::vector<Number> numbers_;
+    std::vector<Vector> vectors_;
+};
+
+// The inputs of a check: one Values for each in and inout parameter, in order, and the relations between
+// them.
+class Domain {
+  public:
+    Domain() = default;
+    // Throws std::invalid_argument for a fixed value of another type than those that are drawn.
+    Domain(std::initializer_list<Values> parameters) : Domain(std::vector<Values>(parameters)) {}
+    explicit Domain(std::vector<Values> parameters);
+
+    // Adds a relation for branch points that depend on another parameter. In one of sixteen inputs, float
+    // parameter `target` becomes float parameter `source` times `factor`, or one of the floats one ULP beside
+    // it. Positions count in and inout parameters from 0. Throws std::invalid_argument for a position out of
+    // range.
+    [[nodiscard]] Domain tied(std::size_t target, std::size_t source, double factor = 1.0) const;
+
+    // Adds a function that may change the words of every input after it was drawn, for example to keep min <=
+    // max.
+    [[nodiscard]] Domain adjusted(std::function<void(std::span<Word>)> adjust) const;
+
+    // Adds an input that every run includes, for example the worst one that a search found. It is passed to
+    // the function without adjustment, with the size of the run's images.
+    template <class... T>
+    [[nodiscard]] Domain and_input(const T&... values) const {
+        std::vector<Word> words;
+        (append_words(values, words), ...);
+        return and_words(words);
+    }
+    [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
+
+    // Adds degenerate inputs (check/domain.hpp) of a function with this signature. `only_vectors`: those that
+    // relate vectors, equal, opposite or parallel ones, and axes. Throws std::invalid_argument, as the next
+    // one does, if this is no domain of such a function.
+    [[nodiscard]] Domain and_degenerate(const Signature& signature, bool only_vectors = false) const;
+
+    // Adds inputs in which one float is one of the numbers, of either sign, or a float beside it: those at
+    // which a function branches. Values that contain infinity take every number; those that have no test, or
+    // are only drawn, none.
+    [[nodiscard]] Domain and_numbers(const Signature& signature, std::span<const float> numbers) const;
+
+    struct Inputs {
+        std::vector<Word> words;   // one input after another
+        std::vector<bool> branch;  // input was placed at a branch point
+        std::size_t width = 0;     // words of one input
+
+        void add(std::span<const Word> row, bool at_branch = false);
+        // Those at the positions that are wanted.
+        [[nodiscard]] Inputs where(const std::function<bool(std::size_t)>& wanted) const;
+        [[nodiscard]] std::size_t count() const { return branch.size(); }
+        [[nodiscard]] std::span<const Word> row(std::size_t i) const {
+            return std::span(words).subspan(i * width, width);
+        }
+    };
+
+    // Draws `count` inputs; the same seed gives the same inputs on every machine. They begin with the given
+    // inputs. Then every fixed value and every degenerate change occurs at least once; if there are too many,
+    // a part of them takes half of the inputs. The rest is a mixture of random inputs, inputs with one fixed
+    // value, inputs with fixed values only, and degenerate inputs. Inputs with added numbers come last, at
+    // most an eighth of all.
+    [[nodiscard]] Inputs draw(std::size_t count, std::uint64_t seed,
+                              glm::ivec2 image_size = glm::ivec2(1)) const;
+
+    // For a search: inputs as drawn, before adjustment; and the adjustment of such an input.
+    [[nodiscard]] Inputs draw_unadjusted(std::size_t count, std::uint64_t seed,
+                                         glm::ivec2 image_size = glm::ivec2(1)) const;
+    void adjust(std::span<Word> row) const;
+
+    // Whether an input certainly belongs to this domain: each parameter has a value that its Values admit, or
+    // its value in `known`, an input that was drawn; and no adjustment would change it.
+    [[nodiscard]] bool holds(std::span<const Word> input, std::span<const Word> known) const;
+
+    [[nodiscard]] const std::vector<Values>& parameters() const { return parameters_; }
+
+  private:
+    struct Tie {
+        std::size_t target;
+        std::size_t source;
+        double factor;
+    };
+    struct Forced;
+    void require_fits(const Signature& signature) const;
+    void set_image_sizes(std::span<Word> row, glm::ivec2 size) const;
+    [[nodiscard]] std::vector<Forced> all_forced() const;
+    void append_row(DrawContext& context, Inputs& inputs, const Forced& forced) const;
+    bool make_degenerate(DrawContext& context, std::span<Word> row, const Forced& forced) const;
+    void append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const;
+    bool apply_tie(DrawContext& context, std::span<Word> row, const std::vector<std::size_t>& offsets) const;
+
+    std::vector<Values> parameters_;
+    std::vector<Tie> ties_;
+    std::vector<std::function<void(std::span<Word>)>> adjustments_;
+    std::vector<std::vector<Word>> given_;
+    Degenerate degenerate_;
+};
+
+// The range of values for a float or integer parameter, ends included.
+struct Range {
+    double low = 0.0;
+    double high = 0.0;
+};
+// Ranges by the parameters' names.
+using Ranges = std::map<std::string, Range>;
+
+// Parses "x=0:1" as a name and a range. Throws std::invalid_argument for any other text, or low > high.
+[[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
+
+}  // namespace gloam::check

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backend/sampled.hpp"
+#include "numeric/random.hpp"
+#include "subject/signature.hpp"
+
+namespace gloam::check {
+
+// The effect of an access outside the image: a fault of the shader, reported with its pixel; or a fetch reads
+// the nearest pixel inside and a store is dropped.
+enum class Border { fault, clamp };
+
+// A small image behind a prototype such as `float gloam_fetch_depth(ivec2 pixel);`, or, for stores, `void
+// gloam_store_depth(ivec2 pixel, float depth);`. Row 0 is the top row. At least 1 x 1.
+struct Image {
+    shader::Type element;
+    glm::ivec2 size{0};
+    Border border = Border::fault;
+    std::vector<Word> words;  // row by row, each pixel's scalars in order
+    // Of a sampler's image, whose element is vec4, ivec4 or uvec4. The words are those of all layers and
+    // levels, as in backend/sampled.hpp. Floats must be representable in 16 bits. Of a sampler that compares,
+    // the first component is the depth, in [0, 1].
+    struct Sampling {
+        bool linear = false;
+        backend::Wrap wrap = backend::Wrap::repeat;
+        unsigned levels = 1;
+        unsigned depth = 1;  // or layers; six for each cube
+        backend::Compare compare = backend::Compare::less_equal;
+    };
+    std::optional<Sampling> sampling = {};
+
+    // The pixel at (x, y), clamped to the image. T must be the element's type.
+    template <class T>
+    [[nodiscard]] T at(glm::ivec2 pixel) const {
+        if (!(type_of<T>() == element)) {
+            throw std::invalid_argument("image pixels are " + shader::to_glsl(element) + ", asked for " +
+                                        shader::to_glsl(type_of<T>()));
+        }
+        pixel = glm::clamp(pixel, glm::ivec2(0), size - 1);
+        const std::size_t scalars = word_count<T>();
+        const std::size_t index = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) +
+                                  static_cast<std::size_t>(pixel.x);
+        std::span<const Word> rest = std::span(words).subspan(index * scalars, scalars);
+        return take_words<T>(rest);
+    }
+};
+
+// Images by the name of their prototype.
+using ImageSet = std::map<std::string, Image>;
+
+// An image whose pixel (x, y) is pixel(glm::ivec2(x, y)), of type T. Throws std::invalid_argument if a side
+// is below 1.
+template <class T, std::invocable<glm::ivec2> Pixel>
+[[nodiscard]] Image make_image(glm::ivec2 size, Pixel&& pixel, Border border = Border::fault) {
+    if (size.x < 1 || size.y < 1) throw std::invalid_argument("an image has at least 1 x 1 pixels");
+    Image image{.element = type_of<T>(), .size = size, .border = border, .words = {}};
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) append_words(static_cast<T>(pixel(glm::ivec2(x, y))), image.words);
+    }
+    return image;
+}
+
+// Images for one run of a function that reads images; a check runs every scenario with its share of the
+// inputs.
+struct ImageScenario {
+    std::string name;  // "3 x 3", "all background"
+    glm::ivec2 size{1};
+    std::function<ImageSet(glm::ivec2 size, numeric::Random& random)> make;
+};
+
+// The given scenarios and three more of the largest scenario's size: all pixels 0; all pixels 1; and a
+// mixture of pixels that are 0, 1, zeros and ones by component, or unchanged. A pixel of three numbers 1
+// becomes a unit vector along an axis. If an image has infinite pixels, the mixture has more of them.
+[[nodiscard]] std::vector<ImageScenario> with_exact_ends(std::vector<ImageScenario> scenarios);
+
+}  // namespace gloam::check

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "subject/kernel_code.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "source/tokens.hpp"
+#include "subject/internal/kernel_text.hpp"
+
+namespace gloam::check {
+
+std::string kernel_code(const KernelSource& source) {
+    return internal::kernel_text(source, internal::main_of(source));
+}
+
+shader::Stage stage_of(const backend::Team& team) {
+    return team.kind == backend::Team::Kind::quad ? shader::Stage::fragment : shader::Stage::compute;
+}
+
+KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv) {
+    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
+    return {{.spirv = std::move(spirv),
+             .input_words = signature.input_words(),
+             .output_words = signature.output_words(),
+             .images = {source.images.begin(), source.images.end()},
+             .layer_size = image_sides,
+             .name = source.function.name,
+             .team = source.team},
+            source.images};
+}
+
+shader::Source quad_vertices() {
+    return {
+        .name = "vertices of a quad",
+        .text =
+            "#version 450\nvoid main() {\n    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
+            "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n"};
+}
+
+}  // namespace gloam::check
+
+namespace gloam::check::internal {
+namespace {
+
+using shader::Direction;
+using shader::Scalar;
+using shader::Type;
+
+void add_paths(const Type& type, const std::string& variable, ScalarPaths& paths) {
+    if (type.scalar == Scalar::void_) return;
+    if (!type.sizes.empty()) {
+        const Type element = shader::element_of(type);
+        for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
+            add_paths(element, fmt::format("{}[{}]", variable, i), paths);
+        return;
+    }
+    if (type.scalar == Scalar::structure) {
+        for (const shader::Member& member : type.members)
+            add_paths(member.type, variable + "." + member.name, paths);
+        return;
+    }
+    for (int column = 0; column < type.columns; ++column) {
+        const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
+        for (int row = 0; row < type.rows; ++row)
+            paths.emplace_back(type.scalar, type.rows > 1 ? fmt::format("{}[{}]", base, row) : base);
+    }
+}
+
+// How a scalar becomes its word, and a word its scalar; those of uint are equal.
+struct Conversion {
+    Scalar scalar;
+    const char* to_word;
+    const char* to_scalar;
+};
+constexpr std::array conversions{
+    Conversion{Scalar::float16_, "floatBitsToUint(float({}))", "float16_t(uintBitsToFloat({}))"},
+    Conversion{Scalar::float_, "floatBitsToUint({})", "uintBitsToFloat({})"},
+    Conversion{Scalar::int_, "uint({})", "int({})"},
+    Conversion{Scalar::bool_, "({} ? 1u : 0u)", "({} != 0u)"}};
+
+std::string converted(Scalar scalar, const char* Conversion::* how, const std::string& text) {
+    const auto found = std::ranges::find(conversions, scalar, &Conversion::scalar);
+    return found == conversions.end() ? text : fmt::format(fmt::runtime((*found).*how), text);
+}
+
+}  // namespace
+
+std::string word_of_scalar(Scalar scalar, const std::string& value) {
+    return converted(scalar, &Conversion::to_word, value);
+}
+
+std::string scalar_of_word(Scalar scalar, const std::string& word) {
+    return converted(scalar, &Conversion::to_scalar, word);
+}
+
+ScalarPaths scalar_paths(const Type& type, const std::string& variable) {
+    ScalarPaths paths;
+    add_paths(type, variable, paths);
+    return paths;
+}
+
+void append_read(std::string& code, const Type& type, const std::string& variable, const InputText& input,
+                 std::size_t offset) {
+    for (const auto& [scalar, path] : scalar_paths(type, variable))
+        code += fmt::format("    {} = {};\n", path, input(scalar, offset++));
+}
+
+namespace {
+
+constexpr std::string_view header = R"(#version 450
+#extension GL_GOOGLE_include_directive : require
+)";
+
+// 4466 is the capability SignedZeroInfNanPreserve, 4461 its execution mode, for 32-bit floats.
+constexpr std::string_view preserve = R"(#extension GL_EXT_spirv_intrinsics : require
+spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4466], 4461, 32);
+)";
+
+constexpr std::string_view vulkan_run = R"(
+layout(push_constant) uniform GloamGeneratedRun {
+    uint gloam_kernel_count;
+    uint gloam_kernel_row_length;
+    uint gloam_kernel_canary;
+};
+)";
+
+// Buffers without a set are in set 0 of Vulkan; OpenGL has no sets. {0}: how the outputs are used, {1}: the
+// position of the invocation's input.
+constexpr std::string_view storage = R"(
+layout(std430, binding = 0) readonly buffer GloamGeneratedInputs {{ uint gloam_kernel_inputs[]; }};
+layout(std430, binding = 1) {0}buffer GloamGeneratedOutputs {{ uint gloam_kernel_outputs[]; }};
+layout(std430, binding = 2) buffer GloamGeneratedFaults {{ uint gloam_kernel_faults[]; }};
+uint gloam_kernel_input() {{ return {1}.y * gloam_kernel_row_length + {1}.x; }}
+void gloam_kernel_fault(uint image, ivec2 pixel) {{
+    if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {{
+        gloam_kernel_faults[1] = image;
+        gloam_kernel_faults[2] = uint(pixel.x);
+        gloam_kernel_faults[3] = uint(pixel.y);
+        gloam_kernel_faults[4] = gloam_kernel_input();
+    }}
+}}
+)";
+
+// The #extension lines for the kernel's own conversions.
+std::string number_extensions(const KernelSource& source) {
+    std::vector<Scalar> scalars = scalars_of(source.function.result);
+    for (const shader::Parameter& parameter : source.function.parameters)
+        append_scalars(parameter.type, scalars);
+    for (const ImagePrototype& image : source.images) append_scalars(image.element, scalars);
+    return std::ranges::find(scalars, Scalar::float16_) == scalars.end()
+               ? ""
+               : "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n";
+}
+
+// The position of the invocation's input.
+const char* input_position(const backend::Team& team) {
+    if (team.kind == backend::Team::Kind::quad) return "(uvec2(gl_FragCoord.xy) / 2u)";
+    return team.kind == backend::Team::Kind::group ? "gl_WorkGroupID" : "gl_GlobalInvocationID";
+}
+
+// The size of the work groups, unless the function's file states it.
+std::string group_layout(const KernelSource& source) {
+    const auto& team = source.team;
+    const bool stated = source.text.find("local_size_x") != std::string::npos;
+    if (stated || team.kind == backend::Team::Kind::quad) return {};
+    if (team.kind == backend::Team::Kind::alone)
+        return fmt::format("layout(local_size_x = {}) in;\n", kernel_group_size);
+    return fmt::format("layout(local_size_x = {}, local_size_y = {}, local_size_z = {}) in;\n", team.size[0],
+                       team.size[1], team.size[2]);
+}
+
+std::string image_interface(const ImagePrototype& image, std::size_t index) {
+    if (!image.macro.empty())
+        return fmt::format("#define {} {}\n", image.macro, KernelBinding::first_image + index);
+    if (image.sampled)
+        return fmt::format("layout(binding = {}) uniform highp {} {};\n", KernelBinding::first_image + index,
+                           image.sampler, image.variable);
+    return fmt::format(
+        "layout(std430, binding = {}) readonly buffer GloamGeneratedImage{} {{ uint gloam_kernel_image{}[]; "
+        "}};\n",
+        KernelBinding::first_image + index, index, index);
+}
+
+// The definition of a prototype: it finds the pixel or reports the fault.
+std::string image_definition(const ImagePrototype& image, std::size_t index, const ImageWordText& read) {
+    const auto read_word = [&](const std::string& at) { return read(index, at); };
+    const std::size_t scalars = scalars_of(image.element).size();
+    const std::string type = name_of(image.element);
+    std::string code = fmt::format(
+        "{} {}(ivec2 gloam_kernel_pixel) {{\n"
+        "    ivec2 gloam_kernel_size = ivec2({}, {});\n"
+        "    ivec2 gloam_kernel_inside = clamp(gloam_kernel_pixel, ivec2(0), gloam_kernel_size - 1);\n"
+        "    if (gloam_kernel_inside != gloam_kernel_pixel && {} == 0u)\n"
+        "        gloam_kernel_fault({}u, gloam_kernel_pixel);\n"
+        "    uint gloam_kernel_at = {}u + uint(gloam_kernel_inside.y * gloam_kernel_size.x +\n"
+        "                                       gloam_kernel_inside.x) * {}u;\n"
+        "    {} gloam_kernel_value;\n",
+        type, image.name, read_word("0"), read_word("1"), read_word("2"), index, image_header_words, scalars,
+        type);
+    const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
+        return scalar_of_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
+    };
+    append_read(code, image.element, "gloam_kernel_value", word, 0);
+    return code + "    return gloam_kernel_value;\n}\n";
+}
+
+// Whether this word can be the name of a macro.
+bool can_be_macro(std::string_view word) {
+    return !word.starts_with("GL_") && word.find("__") == std::string_view::npos && word != "defined";
+}
+
+// Directives that undefine every name that a text uses, so that macros of the user's file do not affect the
+// text.
+std::string without_macros(std::string_view text) {
+    std::set<std::string> words;
+    for (const shader::Token& token : shader::tokens_of(text))
+        if (token.is_word() && can_be_macro(token.text)) words.insert(token.text);
+    std::string code;
+    for (const std::string& word : words) code += fmt::format("#undef {}\n", word);
+    return code;
+}
+
+}  // namespace
+
+std::string kernel_text(const KernelSource& source, const std::string& rest) {
+    std::string code(header);
+    code += number_extensions(source);
+    if (source.preserve_nan) code += preserve;
+    code += group_layout(source);
+    return code.append(vulkan_run) + storage_interface(source) + file_and_rest(source, word_of_buffer, rest);
+}
+
+std::string storage_interface(const KernelSource& source) {
+    const bool alone = source.team.kind == backend::Team::Kind::alone;
+    std::string code = fmt::format(storage, alone ? "writeonly " : "", input_position(source.team));
+    for (std::size_t i = 0; i < source.images.size(); ++i) code += image_interface(source.images[i], i);
+    return code;
+}
+
+std::string file_and_rest(const KernelSource& source, const ImageWordText& read, const std::string& rest) {
+    std::string ours;
+    for (std::size_t i = 0; i < source.images.size(); ++i)
+        if (source.images[i].is_prototype()) ours += image_definition(source.images[i], i, read);
+    ours += rest;
+    const std::string file = source.text.empty() ? fmt::format("#include \"{}\"\n", source.file)
+                                                 : source.text + "#line 1 \"kernel\"\n";
+    return file + without_macros(ours) + ours;
+}
+
+std::string word_of_buffer(std::size_t image, const std::string& at) {
+    return fmt::format("gloam_kernel_image{}[{}]", image, at);
+}
+
+std::string input_of_buffer(Scalar scalar, std::size_t word) {
+    return scalar_of_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
+}
+
+}  // namespace gloam::check::internal

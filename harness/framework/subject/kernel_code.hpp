@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "module/compile.hpp"
+#include "subject/images.hpp"
+#include "subject/signature.hpp"
+
+namespace gloam::check {
+
+// A prototype T name(ivec2 pixel) or a sampler with a synthetic image behind it, or an image of the function
+// itself.
+struct ImagePrototype : backend::KernelImage {
+    std::string name;
+    shader::Type element;
+    std::string sampler = {};  // shader::is_sampler_type() of what is sampled, which stands for no prototype
+    // The kernel's variable for a parameter of that type. Empty: the file has one, whose binding is `macro`,
+    // as that of an image that the function loads or stores: scratch memory that the kernel fills.
+    std::string variable = {};
+    std::string macro = {};
+
+    [[nodiscard]] bool is_prototype() const { return !sampled && layered.empty(); }
+};
+
+// What a compute shader is generated from.
+struct KernelSource {
+    std::string file;           // as in #include "file"
+    shader::Function function;  // as the compiler reports it; of a team: together()
+    std::vector<ImagePrototype> images;
+    bool preserve_nan =
+        false;  // declare SignedZeroInfNanPreserve: NaN, infinity and -0 then mean what they say
+    std::string
+        text;  // in the place of the #include: an excerpt of the file (shader::Excerpt::text); may be empty
+    backend::Team team = {};
+};
+
+// The stage of its kernel.
+[[nodiscard]] shader::Stage stage_of(const backend::Team& team);
+
+// The vertex shader before the kernel of a quad.
+[[nodiscard]] shader::Source quad_vertices();
+
+using backend::kernel_group_size;
+using backend::KernelBinding;
+using backend::KernelFaults;
+using backend::KernelRun;
+
+// Words before an image's pixels: width, height, border.
+inline constexpr std::size_t image_header_words = 3;
+
+// The text of a shader that calls the function once for each input; of a team, once in each invocation.
+[[nodiscard]] std::string kernel_code(const KernelSource& source);
+
+// A compiled kernel, as it is passed to a driver or the interpreter. Its `spirv` follows the interface of
+// kernel_code().
+struct KernelModule : backend::KernelProgram {
+    std::vector<ImagePrototype> prototypes = {};  // of `images`
+    // The module before the variant's optimizer and the steps of a compiler, whose rules hold for the
+    // results. Empty: there were none.
+    shader::Spirv before = {};
+    bool rounds_to_even = false;              // what runs it rounds each correctly rounded result so
+    bool judged_by_rules = true;              // off where the version of GLSL has no precision rules to ask
+    backend::SamplerPrecision samplers = {};  // of the device that runs it, as the next
+    std::uint32_t subgroup_size = 1;
+};
+[[nodiscard]] KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv);
+
+// The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;
+// otherwise each evaluated its fixed_inputs.
+using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
+
+// The GLSL literal of the scalar that begins with these words, exactly: finite floats as decimals, others by
+// their bits.
+[[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
+
+// The text of a compute shader like that of kernel_code(), but with `count` inputs as constants; invocation i
+// evaluates input i. `inputs`: each of the same number of words, one after another. They stand in the text as
+// literals; or word w is the specialization constant w of type uint. Throws backend::Unsupported for a team.
+[[nodiscard]] std::string constant_kernel_code(const KernelSource& source,
+                                               shader::Variant::Constants constants,
+                                               std::span<const Word> inputs, std::size_t count);
+
+// The kernel of a function as a device takes it whose kernels are texts in this language
+// (backend/gl/kernel.hpp): a compute shader, else a fragment shader. It includes nothing. Throws
+// backend::Unsupported for a function that is no text of this language.
+[[nodiscard]] std::string gl_kernel_code(shader::Language language, const KernelSource& source,
+                                         const std::vector<std::filesystem::path>& include_roots);
+
+}  // namespace gloam::check

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "subject/domain.hpp"
+#include "subject/lab.hpp"
+
+namespace gloam::check {
+
+// A function of a file from elsewhere that can be checked.
+struct OwnFunction {
+    std::string name;           // "f", or "f(vec2, float)" if the file defines others of this name
+    shader::Function function;  // of a team: together()
+    std::string excerpt;        // shader::Excerpt::text
+    std::vector<ImagePrototype> images = {};
+    // Functions with derivatives or discard run in quads, those with shared memory, barriers or subgroups in
+    // work groups of the file's size, of 64 invocations where it states none.
+    backend::Team team = {};
+    std::string comment = {};  // of shader::Excerpt::comments
+
+    [[nodiscard]] Signature signature() const {
+        return {.result = function.result, .parameters = function.parameters, .team = team};
+    }
+    // What its kernel is generated from.
+    [[nodiscard]] KernelSource kernel_source(const std::string& file) const {
+        return {.file = file, .function = function, .images = images, .text = excerpt, .team = team};
+    }
+    // Whether it is a property (Question::must_hold): it gives bools alone, and its name begins with test_ or
+    // a line of its comment is "must hold".
+    [[nodiscard]] bool is_property() const;
+};
+
+// One that cannot.
+struct LeftOut {
+    std::string name;  // "f(vec2, sampler2D)"
+    std::string why;
+    bool is_error = false;  // its text is no valid GLSL
+};
+
+struct OwnFunctions {
+    std::vector<OwnFunction> found;
+    std::vector<LeftOut> left_out;
+};
+
+// The functions that a file itself defines, without main and those of its includes, in their order: those of
+// LabOptions::excerpts. `names`: only these, each "f" for all functions of this name, or "f(vec2, float)";
+// empty: all. Throws std::invalid_argument for a name that the file does not define.
+[[nodiscard]] OwnFunctions own_functions(const LabOptions& options, const std::string& file,
+                                         const std::vector<std::string>& names = {});
+
+// Random content for prototypes and samplers. Where there are samplers, they have different filters, edges
+// and levels.
+[[nodiscard]] std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images);
+
+// The inputs of a function that is checked by the rules alone. They follow from its types where no range is
+// given:
+//   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,
+//   NaN, the largest and the smallest;
+//   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
+//   double and float16_t: as float, in their format; other integers: half of them 0 to 7, the others of any
+//   size and sign;
+//   bool: both; a vector, matrix or structure: of these.
+// Of a quad, most neighbours differ a little (neighbours()).
+[[nodiscard]] Domain domain_of(const OwnFunction& own, const Ranges& ranges);
+
+}  // namespace gloam::check

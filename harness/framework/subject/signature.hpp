@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "module/compile.hpp"
+#include "module/texts.hpp"
+#include "subject/scalars.hpp"
+#include "subject/values_in_words.hpp"
+
+namespace gloam::check {
+
+// Marks a GLSL `out` parameter in a C++ signature: float(glm::vec2, Out<float>). A reference, float&, is
+// `inout`.
+template <class T>
+struct Out {
+    using type = T;
+};
+
+// A type of the signature with double in place of float and Float16, for references.
+template <class T>
+struct InDoubleOf {
+    using type = T;
+};
+template <>
+struct InDoubleOf<float> {
+    using type = double;
+};
+template <>
+struct InDoubleOf<Float16> {
+    using type = double;
+};
+template <glm::length_t N, class T>
+struct InDoubleOf<glm::vec<N, T>> {
+    using type = glm::vec<N, typename InDoubleOf<T>::type>;
+};
+template <glm::length_t C, glm::length_t R, class T>
+struct InDoubleOf<glm::mat<C, R, T>> {
+    using type = glm::mat<C, R, typename InDoubleOf<T>::type>;
+};
+template <class T, std::size_t N>
+struct InDoubleOf<std::array<T, N>> {
+    using type = std::array<typename InDoubleOf<T>::type, N>;
+};
+template <class T>
+struct InDoubleOf<Quad<T>> {
+    using type = Quad<typename InDoubleOf<T>::type>;
+};
+template <class T, std::uint32_t X, std::uint32_t Y, std::uint32_t Z>
+struct InDoubleOf<Group<T, X, Y, Z>> {
+    using type = Group<typename InDoubleOf<T>::type, X, Y, Z>;
+};
+template <class T>
+using InDouble = typename InDoubleOf<T>::type;
+
+// One parameter type of a C++ signature.
+template <class P>
+struct ParameterOf {
+    using value = P;
+    static constexpr auto direction = shader::Direction::in;
+};
+template <class T>
+struct ParameterOf<T&> {
+    using value = T;
+    static constexpr auto direction = shader::Direction::inout;
+};
+template <class T>
+struct ParameterOf<Out<T>> {
+    using value = T;
+    static constexpr auto direction = shader::Direction::out;
+};
+template <class P>
+inline constexpr bool is_input = ParameterOf<P>::direction != shader::Direction::out;
+template <class P>
+inline constexpr bool is_output = ParameterOf<P>::direction != shader::Direction::in;
+
+// A signature without its C++ types, for the wrapper, the domain and the judge.
+struct Signature {
+    shader::Type result;
+    std::vector<shader::Parameter> parameters;
+    // Of a function that needs other invocations: they run together, and the types above are arrays of the
+    // function's own, with an element for each (together()).
+    backend::Team team = {};
+
+    [[nodiscard]] std::size_t input_words() const;
+    // Number of words of the result (unless void) and of every out and inout parameter, in order.
+    [[nodiscard]] std::size_t output_words() const;
+    [[nodiscard]] std::vector<shader::Scalar> input_scalars() const;
+    [[nodiscard]] std::vector<shader::Scalar> output_scalars() const;
+    // Word counts of the output values (scalar, vector, matrix), one entry for each value.
+    [[nodiscard]] std::vector<std::size_t> output_values() const;
+};
+
+// The function with variables at file scope as further parameters: those that it uses, of these names; and
+// the images that it uses.
+[[nodiscard]] shader::Function with_globals(shader::Function function, const shader::Excerpt& excerpt);
+
+// Width and height of the images that a function under test loads and stores, of which each input has its
+// own.
+inline constexpr std::array<std::uint32_t, 2> image_sides{5, 4};
+
+// The pixels of such an image: rows of values with the channels of the format, "rg32f".
+[[nodiscard]] shader::Type pixels_of(std::string_view format);
+
+// Whether each invocation of a team has its own value of a parameter. Samplers and uniforms are those of all.
+[[nodiscard]] bool is_of_each(const shader::Parameter& parameter);
+
+// A function as a team calls it: its result and its is_of_each() parameters are arrays with an element for
+// each invocation.
+[[nodiscard]] shader::Function together(shader::Function function, const backend::Team& team);
+
+// "float f(vec2, out float)"; structures are written in full.
+[[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);
+
+// The same for a compiled function; its structures are written in full, member by member.
+[[nodiscard]] std::string to_glsl_with_layouts(shader::Function function);
+
+// Whether a compiled function has this signature: the same types (structures by layout) and directions.
+[[nodiscard]] bool matches(const Signature& signature, const shader::Function& function);
+
+namespace detail {
+
+template <class T>
+struct Wrap {
+    using type = std::tuple<T>;
+};
+template <>
+struct Wrap<void> {
+    using type = std::tuple<>;
+};
+template <bool Keep, class T>
+using KeepIf = std::conditional_t<Keep, std::tuple<T>, std::tuple<>>;
+
+}  // namespace detail
+
+template <class Function>
+struct SignatureOf;
+
+template <class R, class... P>
+struct SignatureOf<R(P...)> {
+    using Result = R;
+    // Values that a call takes and returns: tuples of plain types.
+    using Inputs = decltype(std::tuple_cat(detail::KeepIf<is_input<P>, typename ParameterOf<P>::value>{}...));
+    using Outputs = decltype(std::tuple_cat(
+        typename detail::Wrap<R>::type{}, detail::KeepIf<is_output<P>, typename ParameterOf<P>::value>{}...));
+
+    [[nodiscard]] static Signature describe() {
+        const backend::Team team = team_of_all<R, typename ParameterOf<P>::value...>();
+        const bool alone = team.kind == backend::Team::Kind::alone;
+        return {.result = type_of<R>(),
+                .parameters = {shader::Parameter{
+                    .name = {},
+                    .type = type_of<typename ParameterOf<P>::value>(),
+                    .direction = ParameterOf<P>::direction,
+                    .uniform = !alone && !is_of_team<typename ParameterOf<P>::value>}...},
+                .team = team};
+    }
+
+  private:
+    // Of the first type that has one; all that have one have the same.
+    template <class... All>
+    static constexpr backend::Team team_of_all() {
+        backend::Team team;
+        ((team = is_of_team<All> ? team_of<All> : team), ...);
+        const auto fits = [&team](const backend::Team& other) {
+            return other.kind == backend::Team::Kind::alone || other == team;
+        };
+        if (!(fits(team_of<All>) && ...))
+            throw std::invalid_argument("a signature of quads and groups, or of two sizes");
+        return team;
+    }
+};
+
+}  // namespace gloam::check

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+#include "subject/domain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "base/number.hpp"
+#include "numeric/numbers.hpp"
+
+namespace gloam::check {
+namespace {
+
+using Words = std::vector<Word>;
+
+using shader::Scalar;
+
+Values float_values(Scalar scalar, double low, double high, std::function<double(numeric::Random&)> make) {
+    Values values;
+    values.contains = [=](std::span<const Word> words) {
+        const auto value = from_word<double>(words.front());
+        if (!(value >= low && value <= high)) return false;
+        return scalar != Scalar::float16_ || float_word(scalar, value) == words.front();
+    };
+    values.draw = [scalar, make = std::move(make)](DrawContext& context, Words& words) {
+        words.push_back(float_word(scalar, make(context.random)));
+    };
+    return values;
+}
+
+double squared_length(std::span<const Word> vector) {
+    double squared = 0.0;
+    for (const Word word : vector) squared += from_word<double>(word) * from_word<double>(word);
+    return squared;
+}
+
+Values and_number(Values values, Scalar scalar, double number) {
+    values.fixed.push_back({.words = {float_word(scalar, number)}});
+    return values;
+}
+
+void require_order(double low, double high) {
+    if (!(low <= high)) throw std::invalid_argument("a range needs low <= high");
+}
+
+}  // namespace
+
+std::size_t Values::words() const {
+    numeric::Random random(0);
+    DrawContext context{.random = random};
+    Words drawn;
+    draw(context, drawn);
+    return drawn.size();
+}
+
+bool Values::admits(std::span<const Word> words) const {
+    const auto same = [words](const Fixed& value) { return std::ranges::equal(value.words, words); };
+    return (contains && contains(words)) || std::ranges::any_of(fixed, same);
+}
+
+Values Values::and_special(Scalar scalar) const {
+    Values more = *this;
+    const std::size_t count = words();
+    numeric::Random random(1);
+    for (const double special : numeric::special_values(format_of(scalar))) {
+        const Word word = float_word(scalar, special);
+        more.fixed.push_back({.words = Words(count, word)});
+        for (std::size_t i = 0; count > 1 && i < count; ++i) {
+            DrawContext context{.random = random};
+            Fixed one{.words = {}, .branch = false};
+            draw(context, one.words);
+            one.words[i] = word;
+            more.fixed.push_back(std::move(one));
+        }
+    }
+    return more;
+}
+
+Values Values::and_near(std::initializer_list<double> points, Scalar scalar) const {
+    Values more = *this;
+    for (const double point : points) {
+        for (const int steps : {-1, 0, 1}) {
+            const Word word = stepped_float(scalar, float_word(scalar, point), steps);
+            more.fixed.push_back({.words = {word}, .branch = true});
+        }
+    }
+    return more;
+}
+
+Values Values::and_near_integers(std::initializer_list<long> points) const {
+    Values more = *this;
+    for (const long point : points) {
+        for (const long offset : {-1L, 0L, 1L}) {
+            more.fixed.push_back({.words = {static_cast<Word>(point + offset)}, .branch = true});
+        }
+    }
+    return more;
+}
+
+Values Values::only_as_drawn() const {
+    Values same = *this;
+    same.image_sizes.clear();
+    same.only_drawn = true;
+    return same;
+}
+
+Values uniform(double low, double high, Scalar scalar) {
+    require_order(low, high);
+    Values values = float_values(scalar, low, high,
+                                 [low, high](numeric::Random& random) { return random.uniform(low, high); });
+    values = and_number(and_number(std::move(values), scalar, low), scalar, high);
+    const numeric::FloatFormat& format = format_of(scalar);
+    for (const double size : {0.0, format.smallest_subnormal(), format.smallest_normal()})
+        for (const double side : {size, -size})
+            if (side >= low && side <= high) values = and_number(std::move(values), scalar, side);
+    return values;
+}
+
+Values log_uniform(double low, double high, Scalar scalar) {
+    require_order(low, high);
+    if (!(low > 0.0)) throw std::invalid_argument("log_uniform needs 0 < low");
+    const Values values = float_values(scalar, low, high, [low, high](numeric::Random& random) {
+        return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low, high);
+    });
+    return and_number(and_number(values, scalar, low), scalar, high);
+}
+
+Values signed_log_uniform(double low, double high, Scalar scalar) {
+    const Values magnitude = log_uniform(low, high, scalar);
+    Values values;
+    values.draw = [magnitude](DrawContext& context, Words& words) {
+        magnitude.draw(context, words);
+        words.back() ^= context.random.below(2) == 0 ? 0U : 0x80000000U;
+    };
+    values.contains = [magnitude](std::span<const Word> words) {
+        Words positive(words.begin(), words.end());
+        positive.back() &= 0x7fffffffU;
+        return magnitude.contains(positive);
+    };
+    for (const double end : {low, -low, high, -high}) values = and_number(std::move(values), scalar, end);
+    return values;
+}
+
+Values any_float() {
+    Values values;
+    values.draw = [](DrawContext& context, Words& words) {
+        words.push_back(static_cast<Word>(context.random.bits()));
+    };
+    values.contains = [](std::span<const Word>) { return true; };
+    return values;
+}
+
+Values integers(long low, long high) {
+    require_order(static_cast<double>(low), static_cast<double>(high));
+    Values values;
+    values.draw = [=](DrawContext& context, Words& words) {
+        const auto count = static_cast<std::uint64_t>(high - low) + 1U;
+        words.push_back(static_cast<Word>(low + static_cast<long>(context.random.below(count))));
+    };
+    for (const long end : {low, high}) values.fixed.push_back({.words = {static_cast<Word>(end)}});
+    // The distance from `low`, modulo 2^32, must not exceed that of `high`.
+    values.contains = [first = static_cast<Word>(low), last = static_cast<Word>(high)](
+                          std::span<const Word> words) { return words[0] - first <= last - first; };
+    return values;
+}
+
+Values log_integers(long high) {
+    Values values;
+    values.draw = [high](DrawContext& context, Words& words) {
+        const double drawn = std::exp(context.random.uniform(0.0, std::log(static_cast<double>(high) + 1.0)));
+        words.push_back(static_cast<Word>(std::min(static_cast<long>(drawn), high)));
+    };
+    values.fixed = {{.words = {0U}}, {.words = {1U}}, {.words = {static_cast<Word>(high)}}};
+    values.contains = [high](std::span<const Word> words) { return words[0] <= static_cast<Word>(high); };
+    return values;
+}
+
+Values booleans() {
+    Values values = made_by<bool>([](numeric::Random& random) { return random.below(2) == 1; });
+    values.contains = [](std::span<const Word> words) { return words[0] <= 1U; };
+    return values;
+}
+
+Values vector(int components, const Values& component) {
+    Values values = vector(std::vector<Values>(static_cast<std::size_t>(components), component));
+    for (const Values::Fixed& fixed : component.fixed) {
+        Values::Fixed all{.words = {}, .branch = fixed.branch};
+        for (int i = 0; i < components; ++i) {
+            all.words.insert(all.words.end(), fixed.words.begin(), fixed.words.end());
+        }
+        values.fixed.push_back(std::move(all));
+    }
+    return values;
+}
+
+namespace {
+
+// Fixed values of a vector take words x words: of a large one, each of so many is taken.
+std::size_t fixed_stride(const std::vector<Values>& components) {
+    constexpr std::size_t most_words = std::size_t{1} << 20U;
+    std::size_t fixed = 0;
+    for (const Values& component : components) fixed += component.fixed.size();
+    return fixed * components.size() / most_words + 1;
+}
+
+}  // namespace
+
+Values vector(const std::vector<Values>& components) {
+    Values values;
+    values.draw = [components](DrawContext& context, Words& words) {
+        for (const Values& component : components) component.draw(context, words);
+    };
+    std::vector<std::size_t> sizes;
+    for (const Values& component : components) sizes.push_back(component.words());
+    values.contains = [components, sizes](std::span<const Word> words) {
+        for (std::size_t i = 0; i < components.size(); words = words.subspan(sizes[i++]))
+            if (!components[i].admits(words.first(sizes[i]))) return false;
+        return true;
+    };
+    numeric::Random random(2);
+    std::size_t first = 0;
+    std::size_t met = 0;
+    const std::size_t one_of = fixed_stride(components);
+    for (std::size_t i = 0; i < components.size(); first += sizes[i++]) {
+        const Values& component = components[i];
+        for (const std::size_t size : component.image_sizes) values.image_sizes.push_back(first + size);
+        for (const Values::Fixed& fixed : component.fixed) {
+            if (met++ % one_of != 0) continue;
+            DrawContext context{.random = random};
+            Values::Fixed one{.words = {}, .branch = fixed.branch};
+            values.draw(context, one.words);
+            std::ranges::copy(fixed.words, one.words.begin() + static_cast<std::ptrdiff_t>(first));
+            values.fixed.push_back(std::move(one));
+        }
+    }
+    return values;
+}
+
+namespace {
+
+// Uniform on the unit sphere of four dimensions: two points on circles, whose squared radii add up to 1.
+void draw_quaternion(numeric::Random& random, Words& words) {
+    const double share = random.unit();
+    for (const double radius : {std::sqrt(1.0 - share), std::sqrt(share)}) {
+        const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+        words.push_back(to_word(static_cast<float>(radius * std::cos(angle))));
+        words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
+    }
+}
+
+}  // namespace
+
+Values unit_vector(int components) {
+    if (components < 2 || components > 4) throw std::invalid_argument("unit_vector has 2, 3 or 4 components");
+    Values values;
+    values.draw = [components](DrawContext& context, Words& words) {
+        if (components == 4) {
+            draw_quaternion(context.random, words);
+            return;
+        }
+        const double angle = context.random.uniform(0.0, 2.0 * std::numbers::pi);
+        const double z = components == 3 ? context.random.uniform(-1.0, 1.0) : 0.0;
+        const double radius = std::sqrt(1.0 - z * z);
+        words.push_back(to_word(static_cast<float>(radius * std::cos(angle))));
+        words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
+        if (components == 3) words.push_back(to_word(static_cast<float>(z)));
+    };
+    values.contains = [](std::span<const Word> words) {
+        return std::abs(squared_length(words) - 1.0) <= 0x1p-22;  // within the rounding error of drawn values
+    };
+    for (int axis = 0; axis < components; ++axis) {
+        for (const float sign : {1.0F, -1.0F}) {
+            Values::Fixed fixed{.words = Words(static_cast<std::size_t>(components), to_word(0.0F))};
+            fixed.words[static_cast<std::size_t>(axis)] = to_word(sign);
+            values.fixed.push_back(std::move(fixed));
+        }
+    }
+    return values;
+}
+
+Values vector_of_length(int components, const Values& length) {
+    const Values direction = unit_vector(components);
+    Values values;
+    values.draw = [direction, length](DrawContext& context, Words& words) {
+        Words scale;
+        length.draw(context, scale);
+        const std::size_t first = words.size();
+        direction.draw(context, words);
+        for (std::size_t i = first; i < words.size(); ++i) {
+            words[i] = to_word(from_word<float>(words[i]) * from_word<float>(scale.front()));
+        }
+    };
+    values.contains = [length](std::span<const Word> words) {
+        const Word measured = to_word(std::sqrt(squared_length(words)));
+        return length.admits(std::span(&measured, 1));
+    };
+    return values;
+}
+
+Values either(const Values& a, const Values& b) {
+    Values values;
+    values.draw = [a, b](DrawContext& context, Words& words) {
+        (context.random.below(2) == 0 ? a : b).draw(context, words);
+    };
+    values.fixed = a.fixed;
+    values.fixed.insert(values.fixed.end(), b.fixed.begin(), b.fixed.end());
+    values.contains = [a, b](std::span<const Word> words) { return a.admits(words) || b.admits(words); };
+    return values;
+}
+
+Values image_pixel() {
+    Values values;
+    values.draw = [](DrawContext& context, Words& words) {
+        for (int axis = 0; axis < 2; ++axis) {
+            words.push_back(static_cast<Word>(
+                context.random.below(static_cast<std::uint64_t>(context.image_size[axis]))));
+        }
+    };
+    return values;
+}
+
+Values image_size() {
+    Values values;
+    values.draw = [](DrawContext& context, Words& words) { append_words(context.image_size, words); };
+    values.image_sizes = {0};
+    return values;
+}
+
+std::pair<std::string, Range> range_from(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::size_t colon = text.find(':', std::min(equals, text.size()));
+    const auto ends = [&]() -> std::optional<Range> {
+        if (equals == 0 || equals == std::string::npos || colon == std::string::npos) return std::nullopt;
+        const auto low = base::number_from<double>(text.substr(equals + 1, colon - equals - 1));
+        const auto high = base::number_from<double>(text.substr(colon + 1));
+        return low && high ? std::optional(Range{*low, *high}) : std::nullopt;
+    }();
+    if (!ends) throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", text));
+    if (!(ends->low <= ends->high))
+        throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
+    return {text.substr(0, equals), *ends};
+}
+
+}  // namespace gloam::check

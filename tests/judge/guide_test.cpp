@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The snippets of docs/testing.md, which snippets.py makes tests of.
+#include "judge/matchers.hpp"
+#include "pass/pass.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::check::guide_test {
+
+Lab guide_lab() {
+    LabOptions options = test::make_lab(FIXTURES "/guide").options();
+    options.include_roots.emplace_back(GUIDE);
+    return {std::move(options), test::SharedDevice::get()};
+}
+
+#include "snippets.inc"
+
+TEST(Guide, AMatcherNamesTheWorstComponent) {
+    testing::StringMatchResultListener words;
+    EXPECT_FALSE(
+        testing::ExplainMatchResult(WithinUlp(glm::dvec2(1, 2), 2), glm::vec2(1.0F, 2.00001F), &words));
+    EXPECT_THAT(words.str(), HasSubstr("84 ulp off in component 1"));
+    EXPECT_FALSE(testing::ExplainMatchResult(WithinUlp(glm::dvec2(1), 2), 1.0F, &words));
+    EXPECT_THAT(words.str(), HasSubstr("1 numbers, expected 2"));
+    const Answer failed{.error = "no driver"};
+    EXPECT_FALSE(testing::ExplainMatchResult(Passes(), failed, &words));
+}
+
+// The snippets of docs/copy-a-shader.md: near = 1, reversed, infinite far plane, so p22 = 0 and p32 = 1.
+TEST(Guide, AnEnginesDepthAndLight) {
+    const Lab lab = guide_lab();
+    const Function<float(float, float, float)> depth(lab, "engine.glsl", "engine_depth");
+    EXPECT_EQ(depth(0.25F, 0.0F, 1.0F), 4.0F);
+    EXPECT_EQ(depth(0.0F, 0.0F, 1.0F), INFINITY);
+    const Function<glm::vec3(glm::vec3, glm::vec3, float)> light(lab, "engine.glsl", "engine_light");
+    EXPECT_EQ(light(glm::vec3(4), glm::vec3(1), 0.75F), glm::vec3(2));
+}
+
+// The guide's text on a budget that is too narrow.
+TEST(Guide, ANarrowBudgetFailsAndSaysWhere) {
+    const Lab lab = guide_lab();
+    const auto other = [](double x) { return x / (1.0 + 1.001 * x); };
+    const Answer answer = Function<float(float)>(lab, "tone.glsl", "tone_reinhard")
+                              .compare(other, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
+    EXPECT_FALSE(answer.passed());
+    std::ostringstream text;
+    text << answer;
+    EXPECT_THAT(text.str(), HasSubstr("tone_reinhard"));
+}
+
+}  // namespace gloam::check::guide_test

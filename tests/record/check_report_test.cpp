@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "record/check_report.hpp"
+#include "record/answer_json.hpp"
+#include "record/check_page.hpp"
+#include "record/rows.hpp"
+
+namespace gloam::record::check_report_test {
+
+check::Answer crashed(const std::string& equation) {
+    check::Answer row = passing_row(equation);
+    row.error = "ended by signal 9 (Killed)\x1b[0m";
+    row.reason = check::Reason::crash;
+    return row;
+}
+
+TEST(CheckReport, OneDeviceIsAnObjectSeveralAnArrayAndBothAreReadBack) {
+    const CheckReport a = report_of("A", {failing_row(), passing_row("EQ-2")});
+    const CheckReport b = report_of("B", {crashed("EQ-3")});
+    EXPECT_EQ(to_json({a}).front(), '{');
+    EXPECT_EQ(to_json({a, b}).front(), '[');
+    for (const std::vector<CheckReport>& reports : {std::vector{a}, std::vector{a, b}}) {
+        const std::vector<CheckReport> back = reports_from_json(to_json(reports));
+        EXPECT_EQ(to_json(back), to_json(reports));
+        EXPECT_TRUE(back.front().device.preserves_signed_zero_inf_nan);
+        EXPECT_FALSE(back.front().device.flushes_denormals);
+        EXPECT_EQ(back.front().count(check::Outcome::failed), 1U);
+    }
+}
+
+TEST(CheckReport, JunitTellsFailuresFromErrors) {
+    const std::string xml =
+        to_junit({report_of("A & B", {failing_row(), passing_row("EQ-2"), crashed("EQ-3")})});
+    EXPECT_THAT(
+        xml,
+        HasSubstr("<testsuite name=\"A &amp; B\" tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"0\">"));
+    EXPECT_THAT(xml, HasSubstr("<failure type=\"fault\" message=\"line one&#10;line &lt;two&gt;"));
+    EXPECT_THAT(xml,
+                HasSubstr("<error type=\"crash\" message=\"ended by signal 9 (Killed)\xEF\xBF\xBD[0m\""));
+    EXPECT_THAT(xml, HasSubstr("name=\"EQ-2 shipped\" time=\"0.000\"/>"));
+    EXPECT_THAT(xml, Not(HasSubstr("\x1b")));
+}
+
+TEST(CheckReport, WhatWasNotJudgedIsCountedApart) {
+    const std::vector<CheckReport> reports{
+        report_of("A", {failing_row(), passing_row("EQ-2"), unjudged_row("EQ-3"), unsupported_row("EQ-4")})};
+    EXPECT_EQ(to_text(counts_of(reports)), "4 checks, 1 failed, 2 not judged");
+    EXPECT_THAT(to_junit(reports), AllOf(HasSubstr("failures=\"1\" errors=\"0\" skipped=\"2\">"),
+                                         HasSubstr("<skipped message=\"the device promises nothing"),
+                                         HasSubstr("<skipped message=\"h is no GLSL 3.30\"/>")));
+    const std::string page = to_check_page(reports);
+    EXPECT_THAT(page,
+                AllOf(HasSubstr("4 checks, 1 failed, 2 not judged"), HasSubstr(">not judged</button>")));
+}
+
+TEST(CheckReport, TheExitStatusSaysWhetherAnythingWasJudged) {
+    const auto status = [](std::vector<check::Answer> rows) {
+        return counts_of({report_of("A", std::move(rows))}).exit_status();
+    };
+    EXPECT_EQ(status({passing_row("EQ-1"), unjudged_row("EQ-2")}), 0);
+    EXPECT_EQ(status({failing_row(), unjudged_row("EQ-2")}), 1);
+    EXPECT_EQ(status({unsupported_row("EQ-1"), unjudged_row("EQ-2")}), 2);
+    EXPECT_EQ(status({}), 0) << "a part of the checks without any";
+}
+
+TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
+    EXPECT_THAT(table_line(passing_row("EQ-2")), HasSubstr("ok"));
+    EXPECT_THAT(table_line(failing_row()), HasSubstr("3 outside, reads outside its image"));
+    EXPECT_THAT(table_line(crashed("EQ-3")), AllOf(HasSubstr("crash"), Not(HasSubstr("budget"))));
+    check::Answer row = crashed("EQ-3");
+    row.reason = check::Reason::error;
+    EXPECT_THAT(table_line(row), HasSubstr("could not run"));
+    EXPECT_THAT(table_line(unjudged_row("EQ-3")), HasSubstr("not judged; the device promises nothing"));
+    EXPECT_THAT(table_line(unsupported_row("EQ-4")), HasSubstr("unsupported"));
+}
+
+// By the rules, an overflow may be right. By a budget it never is.
+TEST(CheckReport, AnInfiniteErrorIsSaidToBePermittedWhereItIs) {
+    check::Answer row = passing_row("EQ-2");
+    row.max_ulp = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(table_line(row), HasSubstr(" inf "));
+    row.verdict = check::Verdict::rules;
+    EXPECT_THAT(table_line(row), AllOf(HasSubstr(" permitted "), Not(HasSubstr("inf"))));
+    ordinary(row).outside = 1;
+    EXPECT_THAT(table_line(row), HasSubstr(" inf "));
+}
+
+// A verdict that says less than "ok" does not read as if it said all.
+TEST(CheckReport, WhatWasNotJudgedIsRemarked) {
+    check::Answer row = passing_row("EQ-2");
+    row.classes.back() = {.inputs = 10, .recorded = 10};
+    ordinary(row).open = 3;
+    EXPECT_EQ(verdict_of(row), "ok");
+    EXPECT_EQ(remark_on(row), "any result would pass for 3 of 60; not promised: nan");
+    EXPECT_THAT(table_line(row), EndsWith(" ok; " + remark_on(row)));
+    row.variant = "strict | spirv-opt -O";
+    EXPECT_THAT(table_line(row),
+                AllOf(HasSubstr(" strict  "), EndsWith(remark_on(row) + "; after spirv-opt -O")));
+    EXPECT_EQ(remark_on(passing_row("EQ-2")), "");
+    EXPECT_EQ(remark_on(unsupported_row("EQ-4")), "h is no GLSL 3.30");
+}
+
+std::vector<std::string> equations_of(const CheckReport& report) {
+    std::vector<std::string> names;
+    for (const check::Answer& row : report.rows) names.push_back(row.equation + " " + row.variant);
+    return names;
+}
+
+TEST(Merge, ShardsBecomeTheWhole) {
+    const MergedReports merged =
+        merge({{"a", report_of("A", {passing_row("EQ-1"), passing_row("EQ-3")})},
+               {"b", report_of("A", {passing_row("EQ-2", "strict"), passing_row("EQ-2")})}});
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    ASSERT_EQ(merged.reports.size(), 1U);
+    EXPECT_THAT(equations_of(merged.reports[0]),
+                ElementsAre("EQ-1 shipped", "EQ-2 shipped", "EQ-2 strict", "EQ-3 shipped"));
+}
+
+TEST(Merge, DriversAreToldApartByAllTheySay) {
+    CheckReport newer = report_of("A", {passing_row("EQ-1")});
+    newer.device.driver = "driver 1.3";
+    const MergedReports merged = merge({{"a", report_of("A", {passing_row("EQ-1")})},
+                                        {"b", newer},
+                                        {"c", report_of("B", {crashed("EQ-1")})}});
+    ASSERT_EQ(merged.reports.size(), 3U);
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.reports[1].device.driver, "driver 1.3");
+    EXPECT_EQ(merged.reports[2].count(check::Outcome::failed), 1U);
+}
+
+TEST(Merge, TheSameRowTwiceIsOneWhateverItsTime) {
+    check::Answer later = passing_row("EQ-1");
+    later.seconds = 9.0;
+    const MergedReports merged =
+        merge({{"a", report_of("A", {passing_row("EQ-1")})}, {"b", report_of("A", {later})}});
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.reports.at(0).rows.size(), 1U);
+}
+
+TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
+    check::Answer little = passing_row("EQ-1");
+    ordinary(little).outside = 1;
+    check::Answer larger_error = passing_row("EQ-1");
+    larger_error.budget_fraction = 0.9;
+    check::Answer fault = passing_row("EQ-1");
+    fault.fault = "pixel";
+    const std::vector<check::Answer> ascending{passing_row("EQ-1"), larger_error, little, fault,
+                                               crashed("EQ-1")};
+    for (std::size_t i = 1; i < ascending.size(); ++i) {
+        for (const bool swapped : {false, true}) {
+            const check::Answer& first = ascending[swapped ? i : i - 1];
+            const check::Answer& second = ascending[swapped ? i - 1 : i];
+            const MergedReports merged =
+                merge({{"a.json", report_of("A", {first})}, {"b.json", report_of("A", {second})}});
+            ASSERT_EQ(merged.reports.at(0).rows.size(), 1U);
+            EXPECT_EQ(to_json(merged.reports[0].rows[0]), to_json(ascending[i])) << i;
+            ASSERT_EQ(merged.conflicts.size(), 1U);
+            EXPECT_THAT(merged.conflicts[0], HasSubstr("EQ-1 shipped on A (driver 1.2): a.json says "));
+            EXPECT_THAT(merged.conflicts[0], HasSubstr("b.json says "));
+        }
+    }
+}
+
+check::Answer with_error(const std::string& equation, double fraction) {
+    check::Answer row = passing_row(equation);
+    row.budget_fraction = fraction;
+    return row;
+}
+
+TEST(Changes, TwoBuildsAreCompared) {
+    const CheckReport before =
+        report_of("A", {with_error("EQ-1", 0.2), with_error("EQ-2", 0.5), with_error("EQ-3", 0.001),
+                        crashed("EQ-4"), passing_row("EQ-5"), with_error("EQ-6", 0.5), passing_row("EQ-7")});
+    CheckReport now =
+        report_of("A", {with_error("EQ-1", 0.45), with_error("EQ-2", 0.25), with_error("EQ-3", 0.002),
+                        passing_row("EQ-4"), crashed("EQ-5"), with_error("EQ-6", 0.52), crashed("EQ-8")});
+    now.device.driver = "driver 1.3";
+    EXPECT_THAT(
+        changes_since({before, report_of("B", {})}, {now}),
+        ElementsAre("EQ-1 shipped on A (driver 1.3): the error grew from 0.20 to 0.45 of what is allowed",
+                    "EQ-2 shipped on A (driver 1.3): the error shrank from 0.50 to 0.25 of what is allowed",
+                    "EQ-4 shipped on A (driver 1.3): mended", "EQ-5 shipped on A (driver 1.3): newly failed",
+                    "EQ-8 shipped on A (driver 1.3): newly failed",
+                    "A (driver 1.3): 1 checks of the earlier run are missing"));
+    EXPECT_THAT(changes_since({before}, {before}), IsEmpty());
+    EXPECT_THAT(changes_since({now, before}, {before}), IsEmpty()) << "its own driver comes first";
+    now.seed = 2;
+    EXPECT_THAT(changes_since({before}, {now}),
+                ElementsAre("A (driver 1.3): no earlier run has its 0 inputs with seed 2"));
+}
+
+std::vector<CheckReport> two_drivers() {
+    check::Answer lost{
+        .equation = "device", .error = "the device cannot be opened", .reason = check::Reason::crash};
+    check::Answer strict = passing_row("EQ-2", "strict");
+    strict.verdict = check::Verdict::rules;
+    strict.fraction = 0.5;
+    check::Answer wrong = passing_row("EQ-2");
+    ordinary(wrong).outside = 3;
+    return {report_of("A", {passing_row("EQ-1"), strict}), report_of("B|C", {crashed("EQ-1"), wrong, lost})};
+}
+
+TEST(Matrix, HasALineForEachEquationAndAColumnForEachDriverAndVariant) {
+    EXPECT_EQ(to_matrix(two_drivers()),
+              "driver 1: A (driver 1.2)\n"
+              "driver 2: B|C (driver 1.2)\n"
+              "\n"
+              "equation  1 shipped  1 strict  2 shipped\n"
+              "EQ-1      ok 0.25    -         crash\n"
+              "EQ-2      -          ok 0.50   FAIL 3/50\n"
+              "\n"
+              "ok 0.85: passed, the largest error is 0.85 of what is allowed. FAIL 3/100: 3 of 100 inputs "
+              "are outside.\n"
+              "not judged, unsupported: no verdict. hang, crash and other words: the check did not end. "
+              "-: it was not run.\n"
+              "\n"
+              "driver 1: 2 checks, 0 failed; worst error 0.5 of what is allowed: EQ-2 strict\n"
+              "driver 2: 3 checks, 3 failed; failed: 2 crash, 1 outside; worst error 0.25 of what is "
+              "allowed: EQ-2 shipped; the device cannot be opened\n");
+}
+
+TEST(Matrix, WhatWasNotJudgedIsNotCountedAsOk) {
+    const std::string text =
+        to_matrix({report_of("A", {passing_row("EQ-1"), unjudged_row("EQ-2"), unsupported_row("EQ-3")})});
+    EXPECT_THAT(text, HasSubstr("EQ-2      not judged\n"));
+    EXPECT_THAT(text, HasSubstr("EQ-3      unsupported\n"));
+    EXPECT_THAT(text, HasSubstr("driver 1: 3 checks, 0 failed, 2 not judged; worst error 0.25"));
+}
+
+TEST(Matrix, MarkdownHoldsTheSame) {
+    const std::string page = to_matrix_markdown(two_drivers());
+    EXPECT_THAT(page,
+                HasSubstr("| equation | 1 shipped | 1 strict | 2 shipped |\n| --- | --- | --- | --- |\n"));
+    EXPECT_THAT(page, HasSubstr("| EQ-2 | - | ok 0.50 | FAIL 3/50 |\n"));
+    EXPECT_THAT(page, HasSubstr("| 2 | B\\|C (driver 1.2) | 3 checks, 3 failed"));
+}
+
+TEST(Matrix, OneDriverNeedsNoNumbers) {
+    EXPECT_THAT(to_matrix({report_of("A", {passing_row("EQ-1")})}), HasSubstr("equation  shipped\n"));
+}
+
+check::Answer row(const std::string& equation, const std::string& variant, double fraction) {
+    check::Answer answer{.equation = equation,
+                         .variant = variant,
+                         .budget = {.ulp = 4},
+                         .max_ulp = 2.0,
+                         .max_absolute = 1e-7,
+                         .budget_fraction = fraction};
+    ordinary(answer).inputs = 1000;
+    return answer;
+}
+
+check::Answer strict(const std::string& equation, double width, double guaranteed_ulp) {
+    check::Answer by_rules = row(equation, "strict", 0.2);
+    by_rules.verdict = check::Verdict::rules;
+    by_rules.fraction = width;
+    by_rules.bounded = 500;
+    by_rules.guarantee = {.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = guaranteed_ulp / 4};
+    return by_rules;
+}
+
+CheckReport device(const std::string& name, std::vector<check::Answer> rows) {
+    return {.device = {.name = name, .driver = "driver of " + name}, .rows = std::move(rows)};
+}
+
+TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {
+    check::Answer alone = strict("E", 0.5, 2);
+    alone.variant = "shipped";
+    const Table table = accuracy_table({device("one", {alone})});
+    ASSERT_EQ(table.rows.size(), 1U);
+    EXPECT_EQ(table.rows[0][1].text, "Vulkan's rules");
+    EXPECT_EQ(table.rows[0].size(), table.columns.size());
+}
+
+TEST(Accuracy, TheTableOfAllHasEveryEquationAndDriver) {
+    check::Answer open = strict("B", 0.9, 7.5);
+    open.unbounded = 125;
+    CheckReport newer = device("one", {row("A", "shipped", 0.75), row("B", "shipped", 0.25), open,
+                                       row("B", "optimized", 0.5), row("B", "small", 0.4)});
+    newer.device.driver = "newer";
+    const check::Answer gone{
+        .equation = "C", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
+    const Table table = accuracy_table(
+        {device("one", {row("A", "shipped", 0.0), strict("A", 0.5, 2)}), newer, device("two", {gone})});
+    const auto texts = [](const std::vector<Cell>& cells) {
+        std::vector<std::string> all;
+        for (const Cell& cell : cells) all.push_back(cell.text);
+        return all;
+    };
+    std::vector<std::string> titles;
+    for (const Column& column : table.columns) titles.push_back(column.title);
+    titles.erase(titles.begin(), titles.begin() + 5);
+    EXPECT_THAT(titles, ElementsAre("one (driver of one)", "one (newer)", "two"));
+    ASSERT_EQ(table.rows.size(), 3U);
+    EXPECT_THAT(texts(table.rows[0]),
+                ElementsAre("A", "4 ulp", "3.0e-07", "2", "0", "exact", "0.75 shipped", "-"));
+    EXPECT_THAT(texts(table.rows[1]),
+                ElementsAre("B", "4 ulp", "3.0e-07", "7.5", "25", "-", "0.50 optimized", "-"));
+    EXPECT_THAT(texts(table.rows[2]), ElementsAre("C", "exact", "-", "-", "-", "-", "-", "-"));
+}
+
+}  // namespace gloam::record::check_report_test

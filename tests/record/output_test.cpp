@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "record/output.hpp"
+
+#include "support/files.hpp"
+#include "support/full_disk.hpp"
+
+namespace gloam::record::output_test {
+
+namespace fs = std::filesystem;
+
+auto names(const fs::path& path) {
+    return ThrowsMessage<std::runtime_error>(HasSubstr(path.string()));
+}
+
+using OutputFileTest = InFolder;
+
+TEST_F(OutputFileTest, ReplacesAFileAsAWhole) {
+    const fs::path path = folder.path() / "a.json";
+    std::ofstream(path) << "something longer than what comes";
+    const OutputFile file(path);
+    EXPECT_EQ(test::read_file(path),
+              "something longer than what comes");  // untouched until there is something to write
+    file.write("new");
+    EXPECT_EQ(test::read_file(path), "new");
+    EXPECT_FALSE(fs::exists(path.string() + ".part"));
+}
+
+TEST_F(OutputFileTest, AnEmptyPathWritesNothing) {
+    const OutputFile file{fs::path{}};
+    EXPECT_NO_THROW(file.write("text"));
+}
+
+TEST_F(OutputFileTest, WhatCannotBeWrittenIsNamedBeforeTheWork) {
+    const fs::path missing = folder.path() / "no" / "a.json";
+    EXPECT_THAT([&] { OutputFile file(missing); }, names(missing));
+    EXPECT_THAT([&] { OutputFile file(folder.path()); }, names(folder.path()));
+}
+
+// What a link leads to is replaced as a whole, too.
+TEST_F(OutputFileTest, WhatALinkLeadsToIsNeverHalfWritten) {
+    const fs::path target = folder.path() / "target";
+    const fs::path link = folder.path() / "link";
+    std::ofstream(target) << "precious";
+    fs::create_symlink("target", link);
+    const OutputFile file(link);
+    {
+        const test::FullDisk disk(1000);
+        EXPECT_THAT([&] { file.write(std::string(5000, 'x')); }, names(target));
+    }
+    EXPECT_EQ(test::read_file(target), "precious");
+}
+
+TEST_F(OutputFileTest, OpenFilesAreWrittenTo) {
+    const fs::path path = folder.path() / "a";
+    std::FILE* open = std::fopen(path.c_str(), "w");
+    OutputFile("/proc/self/fd/" + std::to_string(fileno(open))).write("text");
+    std::fclose(open);
+    EXPECT_EQ(test::read_file(path), "text");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST_F(OutputFileTest, AFullDiskIsNamedAndLeavesNothing) {
+    const OutputFile full("/dev/full");
+    EXPECT_THAT([&] { full.write("text"); }, names("/dev/full"));
+}
+
+TEST_F(OutputFileTest, AFolderThatCameInTheWayIsNamedAndNothingIsLeftBeside) {
+    const fs::path path = folder.path() / "a.json";
+    const OutputFile file(path);
+    fs::create_directories(path / "below");
+    EXPECT_THAT([&] { file.write("text"); }, names(path));
+    EXPECT_FALSE(fs::exists(path.string() + ".part"));
+    EXPECT_TRUE(fs::exists(path / "below"));
+}
+
+std::string message_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "nothing thrown";
+}
+
+using OutputFolderTest = InFolder;
+
+TEST_F(OutputFolderTest, FilesAppearWhenKept) {
+    const fs::path out = folder.path() / "a" / "b";
+    OutputFolder folder(out);
+    folder.write("x", "one");
+    EXPECT_FALSE(fs::exists(out / "x"));
+    folder.write("y", "two");
+    folder.keep();
+    EXPECT_EQ(test::read_file(out / "x"), "one");
+    EXPECT_EQ(test::read_file(out / "y"), "two");
+    EXPECT_FALSE(fs::exists(out / "x.part"));
+}
+
+TEST_F(OutputFolderTest, NothingIsLeftOfWhatWasNotKept) {
+    {
+        OutputFolder(folder.path() / "a" / "b").write("x", "one");
+    }
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST_F(OutputFolderTest, WhatWasThereStaysUntilKept) {
+    std::ofstream(folder.path() / "x") << "old";
+    {
+        OutputFolder(folder.path()).write("x", "new");
+    }
+    EXPECT_EQ(test::read_file(folder.path() / "x"), "old");
+}
+
+TEST_F(OutputFolderTest, NoNameLeadsOutOfIt) {
+    OutputFolder output(folder.path() / "out");
+    for (const char* name : {"../x", "/x", "a/b", "..", ".", ""})
+        EXPECT_THROW(output.write(name, "one"), std::invalid_argument) << name;
+}
+
+// Runs with one folder: each keeps its files all at once or not at all, and none fails for another.
+TEST_F(OutputFolderTest, RunsWithOneFolderNeverMix) {
+    const fs::path out = folder.path() / "out";
+    for (int round = 0; round < 25; ++round) {
+        std::vector<std::thread> runs;
+        for (const char* text : {"a", "b", "c"}) {
+            runs.emplace_back([&out, text] {
+                EXPECT_EQ(message_of([&] {
+                              OutputFolder folder(out);
+                              for (const char* name : {"x", "y", "z", "w"}) folder.write(name, text);
+                              folder.keep();
+                          }),
+                          "nothing thrown");
+            });
+        }
+        for (std::thread& run : runs) run.join();
+        for (const char* name : {"y", "z", "w"})
+            ASSERT_EQ(test::read_file(out / name), test::read_file(out / "x"));
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
+}
+
+TEST_F(OutputFolderTest, AFileInTheWayIsNamed) {
+    const fs::path file = folder.path() / "file";
+    std::ofstream(file) << "x";
+    EXPECT_THAT(message_of([&] { OutputFolder folder(file); }), HasSubstr(file.string()));
+    EXPECT_THAT(message_of([&] { OutputFolder folder(file / "below"); }), HasSubstr(file.string()));
+    EXPECT_THAT(message_of([&] { OutputFolder folder("/proc/gloam"); }), HasSubstr("/proc/gloam"));
+}
+
+namespace line_journal_test {
+
+class LineJournalTest : public testing::Test {
+  protected:
+    [[nodiscard]] LineJournal open(bool resume, const std::string& heading = "head") const {
+        return {file_, heading, resume};
+    }
+    [[nodiscard]] std::string text() const { return base::read_file(file_, 1'000'000); }
+
+    test::TemporaryDirectory folder_;
+    std::filesystem::path file_ = folder_.path() / "journal.jsonl";
+};
+
+TEST_F(LineJournalTest, TakesUpWhereItWasLeftWithoutALineThatWasBeingWritten) {
+    open(false).add("one");
+    open(true).add("two");
+    const std::string whole = text();
+    std::ofstream(file_, std::ios::app) << "thr";
+    const LineJournal journal = open(true);
+    EXPECT_THAT(journal.lines(), ElementsAre("one", "two"));
+    EXPECT_EQ(text(), whole);
+    journal.add("three");
+    EXPECT_EQ(text(), "head\none\ntwo\nthree\n");
+}
+
+TEST_F(LineJournalTest, StartsEmptyWhereNothingIsToBeResumed) {
+    open(false).add("one");
+    EXPECT_THAT(open(false).lines(), IsEmpty());
+    std::filesystem::remove(file_);
+    EXPECT_THAT(open(true).lines(), IsEmpty());
+    EXPECT_EQ(text(), "head\n");
+    std::ofstream(file_).close();
+    EXPECT_THAT(open(true).lines(), IsEmpty());
+}
+
+TEST_F(LineJournalTest, RefusesWhatWasMeasuredOtherwise) {
+    open(false).add("one");
+    const std::string whole = text();
+    expect_error<std::runtime_error>([&] { (void)open(true, "another"); }, {"cannot resume"});
+    EXPECT_EQ(text(), whole);
+    EXPECT_THROW(LineJournal("/no/such/folder/journal.jsonl", "head", false), std::runtime_error);
+    EXPECT_NO_THROW(LineJournal({}, "head", true).add("nowhere"));
+}
+
+}  // namespace line_journal_test
+
+}  // namespace gloam::record::output_test

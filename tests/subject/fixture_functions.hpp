@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "backend/gl/device.hpp"
+#include "judge/run.hpp"
+#include "subject/own_function.hpp"
+#include "support/lab.hpp"
+
+#include "support/test.hpp"
+
+// The functions of a file of the fixtures, and their answers on the shared device.
+namespace gloam::test {
+
+inline check::LabOptions options_of(const std::string& file, const shader::Variant& variant = {}) {
+    return options_for(FIXTURES, file, variant);
+}
+
+inline check::OwnFunction function_of(const std::string& file, const std::string& name) {
+    return check::own_functions(options_of(file), file, {name}).found.at(0);
+}
+
+inline std::string reason_of(const std::string& file, const std::string& name) {
+    return check::own_functions(options_of(file), file, {name}).left_out.at(0).why;
+}
+
+inline check::Answer answer_of(const check::Lab& lab, const std::string& file, const std::string& name,
+                               const check::Ranges& ranges = {}, std::size_t inputs = 512) {
+    return run(lab, question_of(lab, file, function_of(file, name), ranges), {.inputs = inputs});
+}
+
+inline check::Answer answer_of(const std::string& file, const std::string& name,
+                               const check::Ranges& ranges = {}) {
+    return answer_of(check::Lab(options_of(file), SharedDevice::get()), file, name, ranges);
+}
+
+// What `weight` of wrong.glsl is.
+inline double exact_weight(double distance, double radius) {
+    if (!(std::abs(distance) < radius)) return 0.0;
+    return 1.0 - distance / radius * (distance / radius);
+}
+
+// Null where this machine has none.
+inline std::shared_ptr<backend::Backend> opengl_device(const std::string& name) {
+    try {
+        return std::make_shared<gl::Device>(name);
+    } catch (const gl::Unavailable& error) {
+        std::cerr << error.what() << '\n';
+        return nullptr;
+    }
+}
+
+}  // namespace gloam::test
