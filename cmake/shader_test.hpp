@@ -8,7 +8,7 @@
 //   f.compare(reference, {uniform(0, 1)}, {.ulp = 1})    judges many inputs by a reference and a budget
 //   f.check_rules({uniform(1, 2)})                   judges them by what Vulkan permits: no reference
 //   f.property({uniform(0, 1)}, [](float x, float y) { return y <= x; })    tests what must hold
-//   f.audit({uniform(0, 1)})                         says where the function itself goes wrong
+//   audit(f, {uniform(0, 1)})                        says where the function itself goes wrong
 //   f.explain(0.5F)                                  shows one input, operation by operation
 // And a whole shader with its own main(): pass/pass.hpp
 //   const Pass blur(lab, "blur.comp");

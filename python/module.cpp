@@ -66,11 +66,10 @@ struct RunSettings {
 // A function of a file, compiled.
 class Function {
   public:
-    Function(std::shared_ptr<const check::Lab> lab, std::string file, check::OwnFunction own)
+    Function(std::shared_ptr<const check::Lab> lab, check::OwnFunction own)
         : lab_(std::move(lab)),
-          file_(std::move(file)),
           own_(std::move(own)),
-          kernel_(lab_->kernel(file_, own_.function.name, question({}).signature)) {}
+          kernel_(lab_->kernel(own_.file, own_.function.name, question({}).signature)) {}
 
     [[nodiscard]] std::string declaration() const { return shader::to_glsl(own_.function); }
 
@@ -130,12 +129,12 @@ class Function {
     [[nodiscard]] std::string audit(const RangeOf& ranges, const RunSettings& run) const {
         const py::gil_scoped_release others;
         return check::to_text(
-            check::audit(*lab_, file_, own_, ranges_from(ranges), {.inputs = run.inputs, .seed = run.seed}));
+            check::audit(*lab_, own_, ranges_from(ranges), {.inputs = run.inputs, .seed = run.seed}));
     }
 
     [[nodiscard]] std::string explain(const std::vector<Word>& words, std::size_t most) const {
-        const check::KernelSource source = lab_->source(file_, own_.function.name, question({}).signature);
-        return check::to_text(check::explain(lab_->compile_options(), source, words, images()), most);
+        return check::to_text(
+            check::explain(lab_->compile_options(), *kernel_.module().source, words, images()), most);
     }
 
     // The values that its parameters have where no range is given: "x: 0 to 1 (comment)".
@@ -164,7 +163,7 @@ class Function {
         return check::ordinary_values(own_, ranges_from(ranges));
     }
     [[nodiscard]] check::Question question(const RangeOf& ranges) const {
-        check::Question asked = check::question_of(*lab_, file_, own_, ranges_from(ranges));
+        check::Question asked = check::question_of(*lab_, own_, ranges_from(ranges));
         asked.domain = check::ordinary_domain(own_.function, ordinary(ranges));
         return asked;
     }
@@ -177,7 +176,6 @@ class Function {
     }
 
     std::shared_ptr<const check::Lab> lab_;
-    std::string file_;
     check::OwnFunction own_;
     check::KernelCore kernel_;
 };
@@ -188,12 +186,13 @@ class File {
     File(const std::filesystem::path& path, const std::vector<std::filesystem::path>& roots,
          const std::string& device, const std::string& variant)
         : name_(path.filename().string()) {
-        check::LabOptions options{.device = device, .include_roots = roots};
-        options.include_roots.insert(options.include_roots.begin(), path.parent_path());
+        std::vector<std::filesystem::path> all_roots{path.parent_path()};
+        all_roots.insert(all_roots.end(), roots.begin(), roots.end());
+        check::LabOptions options{.device = device,
+                                  .file = std::make_shared<const check::OwnFile>(
+                                      path, shader::read_text(path), std::move(all_roots))};
         if (!variant.empty()) options.variant = shader::variant(variant);
-        options.excerpts =
-            shader::excerpts({path.string(), shader::read_text(path)}, options.include_roots).functions;
-        functions_ = check::own_functions(options, name_);
+        functions_ = check::own_functions(options);
         lab_ = std::make_shared<const check::Lab>(std::move(options));
     }
 
@@ -211,7 +210,7 @@ class File {
 
     [[nodiscard]] Function function(const std::string& name) const {
         const auto found = std::ranges::find(functions_.found, name, &check::OwnFunction::name);
-        if (found != functions_.found.end()) return {lab_, name_, *found};
+        if (found != functions_.found.end()) return {lab_, *found};
         for (const check::LeftOut& one : functions_.left_out)
             if (one.name.starts_with(name + "("))
                 throw std::invalid_argument(name_ + ": " + one.name + ": " + one.why);

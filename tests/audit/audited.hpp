@@ -10,21 +10,21 @@ namespace gloam::check::audited {
 // The functions of a text, for the interpreter.
 class Audited {
   public:
-    explicit Audited(const std::string& text, const std::string& name = "audit.glsl") : name_(name) {
+    explicit Audited(const std::string& text, const std::string& name = "audit.glsl") {
         const std::filesystem::path folder(FIXTURES);
         options_ = {.device = std::string(interpreter_name),
-                    .include_roots = {folder},
-                    .excerpts = shader::excerpts({(folder / name).string(), text}, {folder}).functions};
+                    .file = std::make_shared<const OwnFile>(folder / name, text,
+                                                            std::vector<std::filesystem::path>{folder})};
         lab_ = std::make_unique<const Lab>(options_);
     }
 
     [[nodiscard]] OwnFunction function(const std::string& function) const {
-        return own_functions(options_, name_, {function}).found.at(0);
+        return own_functions(options_, {function}).found.at(0);
     }
 
     [[nodiscard]] Audit audit(const std::string& name, const Ranges& ranges = {},
                               std::size_t inputs = 2048) const {
-        return check::audit(*lab_, name_, function(name), ranges, {.inputs = inputs});
+        return check::audit(*lab_, function(name), ranges, {.inputs = inputs});
     }
 
     [[nodiscard]] std::vector<OrdinaryValues> values(const std::string& name,
@@ -33,7 +33,6 @@ class Audited {
     }
 
   private:
-    std::string name_;
     LabOptions options_;
     std::unique_ptr<const Lab> lab_;
 };

@@ -15,30 +15,30 @@ from pathlib import Path
 WINGS = {
     "framework": {
         "base": set(),
-        "backend": {"base"},
-        "source": {"base"},
-        "module": {"base", "source"},
-        "numeric": {"base"},
-        "interpreter": {"base", "backend", "source", "module", "numeric"},
-        "subject": {"base", "backend", "source", "module", "numeric", "interpreter"},
-        "judge": {"base", "subject", "module", "numeric", "interpreter"},
-        "audit": {"base", "judge", "subject", "source", "module", "numeric", "interpreter"},
-        "pass": {"base", "backend", "judge", "subject", "module", "numeric", "interpreter"},
-        "cost": {"base", "backend", "source", "module"},
-        "record": {"base", "audit", "judge", "subject", "numeric"},
+        "numeric": set(),
+        "backend": set(),
+        "source": set(),
+        "module": {"source"},
+        "interpreter": {"backend", "module"},
+        "subject": {"backend", "source", "module", "interpreter"},
+        "judge": {"subject", "module", "interpreter"},
+        "audit": {"judge", "subject", "source", "module", "interpreter"},
+        "cost": {"backend", "source", "module"},
+        "pass": {"backend", "subject", "judge", "module", "interpreter"},
+        "record": {"judge", "audit", "cost"},
     },
     "occlusion": {
-        "reference": {"numeric"},
-        "catalogue": {"judge", "subject", "reference", "numeric"},
-        "scene": {"base", "backend", "source", "module", "numeric"},
-        "effect": {"base", "backend", "scene", "source", "module", "numeric"},
-        "experiment": {"base", "backend", "effect", "scene", "reference", "record", "source", "module", "numeric"},
-        "pictures": {"base", "backend", "scene"},
+        "reference": set(),
+        "catalogue": {"subject", "judge", "reference"},
+        "scene": {"backend", "module"},
+        "effect": {"backend", "pass", "scene", "source", "module"},
+        "experiment": {"effect", "scene", "reference", "record", "pictures"},
+        "pictures": {"scene", "record"},
     },
 }
-MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
-               "tools": {"base", "backend", "record", "pictures", "experiment", "effect", "scene", "catalogue", "judge", "subject", "audit",
-                         "cost", "interpreter", "source", "module", "numeric"}}
+ANYONE = {"base", "numeric"}  # may be used by every room
+ROOMS = {room: uses | ANYONE for wing in WINGS.values() for room, uses in wing.items()}
+MAY_INCLUDE = {**ROOMS, "tools": set(ROOMS)}
 
 # Libraries that belong to one room, or one folder of it, by what their headers are called.
 LIBRARY_HOME = {

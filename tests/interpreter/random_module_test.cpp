@@ -16,10 +16,10 @@ struct Subject {
     Subject(std::uint64_t seed, shader::Variant variant, const std::shared_ptr<backend::Backend>& device)
         : text(test::random_function(seed)),
           lab({.variant = strict(std::move(variant)),
-               .excerpts = shader::excerpts({file, text}, {}).functions},
+               .file =
+                   std::make_shared<const check::OwnFile>(file, text, std::vector<std::filesystem::path>{})},
               device),
-          question(check::question_of(lab, file,
-                                      check::own_functions(lab.options(), file, {name(seed)}).found.at(0),
+          question(check::question_of(lab, check::own_functions(lab.options(), {name(seed)}).found.at(0),
                                       {check::range_from(test::random_function_range)})) {}
 
     static constexpr const char* file = "random.glsl";

@@ -2,6 +2,7 @@
 // Every kind of failure that the judge can report, from a shader broken on purpose.
 #include <fmt/format.h>
 
+#include "module/steps.hpp"
 #include "subject/fixture_functions.hpp"
 
 namespace gloam::check::judge_test {
@@ -202,7 +203,7 @@ Answer answer_of(const ClassCount& ordinary, const ClassCount& nan = {}) {
 }
 
 TEST(OutcomeTest, AResultBetweenTwoPermittedOnesIsSaidToBe) {
-    Answer answer{.function = "atan_of_zeros"};
+    Answer answer{{.function = "atan_of_zeros"}};
     answer.worst = Sample{.got = {0}, .want = {-3.0}, .permitted = {{-3.0, 3.0, false}}, .forbidden = true};
     const Signature signature = SignatureOf<float(float)>::describe();
     EXPECT_THAT(describe(signature, answer), HasSubstr("permitted [-3 (-0x1.8p+1), 3 (0x1.8p+1)]\n"));
@@ -245,6 +246,27 @@ TEST(OutcomeTest, CountsDecide) {
     EXPECT_EQ(fault.outcome(), failed);
     EXPECT_EQ((Answer{.error = "gone", .reason = Reason::crash}).outcome(), failed);
     EXPECT_EQ((Answer{.error = "no text", .reason = Reason::unsupported}).not_judged_because(), "no text");
+    Answer endless;
+    for (int i = 0; i < 4; ++i) endless.add_undefined(InputClass::ordinary, NoResult::too_long, "any words");
+    EXPECT_THAT(endless.not_judged_because(), EndsWith("; it takes too long: any words"));
+}
+
+// Whatever their words are.
+TEST(OutcomeTest, ErrorsSayOfWhichKindTheyAre) {
+    using interpreter::Error;
+    EXPECT_EQ(base::reason_of(backend::DeviceLost("x")), Reason::device_lost);
+    EXPECT_EQ(base::reason_of(backend::Hang("x")), Reason::hang);
+    EXPECT_EQ(base::reason_of(backend::OutOfMemory("x")), Reason::out_of_memory);
+    EXPECT_EQ(base::reason_of(std::bad_alloc()), Reason::out_of_memory);
+    EXPECT_EQ(base::reason_of(backend::Unsupported("x")), Reason::unsupported);
+    EXPECT_EQ(base::reason_of(backend::Fault("x")), Reason::error);
+    EXPECT_EQ(base::reason_of(shader::StepUnavailable("x")), Reason::unsupported);
+    EXPECT_EQ(base::reason_of(shader::StepError("x")), Reason::error);
+    EXPECT_EQ(base::reason_of(shader::Unchanged()), Reason::unchanged);
+    EXPECT_EQ(base::reason_of(Error(Error::Kind::unknown_instruction, "x")), Reason::unsupported);
+    EXPECT_EQ(base::reason_of(Error(Error::Kind::race, "x")), Reason::race);
+    EXPECT_EQ(base::reason_of(Error(Error::Kind::divergent_barrier, "x")), Reason::divergent);
+    EXPECT_EQ(base::reason_of(std::runtime_error("crash")), Reason::error);
 }
 
 // By the rules alone it is known of some inputs that any result would pass, and assumed of as many others.

@@ -19,6 +19,7 @@ namespace gloam::check::planted_compiler_test {
 namespace {
 
 constexpr std::size_t inputs_of_each = 64;
+const std::vector<std::filesystem::path> no_roots;
 
 // A function to compile: its kernel, and the question that judges the results.
 struct Subject {
@@ -28,25 +29,24 @@ struct Subject {
 
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
-    const auto add = [&](const std::string& file, const std::vector<shader::Excerpt>& excerpts,
-                         const Ranges& ranges) {
+    const auto add = [&](const std::filesystem::path& path, const std::string& text, const Ranges& ranges) {
+        const auto file = std::make_shared<const OwnFile>(path, text, no_roots);
         for (const char* name : {"optimized", "strict"}) {
             shader::Variant variant = shader::variant(name);
             variant.strict = true;
-            const Lab lab({.variant = variant, .excerpts = excerpts}, interpreter());
-            for (const OwnFunction& own : own_functions(lab.options(), file).found) {
+            const Lab lab({.variant = variant, .file = file}, interpreter());
+            for (const OwnFunction& own : own_functions(lab.options()).found) {
                 if (own.name.starts_with("random_") == ranges.empty()) continue;
-                Question question = question_of(lab, file, own, ranges);
-                const KernelCore kernel = lab.kernel(file, own.name, question.signature);
+                Question question = question_of(lab, own, ranges);
+                const KernelCore kernel = lab.kernel(own.file, own.name, question.signature);
                 all.push_back({std::move(question), kernel.module()});
             }
         }
     };
     const std::string file = FIXTURES "/compiled.glsl";
-    add("compiled.glsl", shader::excerpts({file, shader::read_text(file)}, {}).functions, {});
+    add(file, shader::read_text(file), {});
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
-        add("random.glsl", shader::excerpts({"random.glsl", test::random_function(seed)}, {}).functions,
-            {range_from(test::random_function_range)});
+        add("random.glsl", test::random_function(seed), {range_from(test::random_function_range)});
     return all;
 }
 
@@ -127,10 +127,11 @@ TEST(PlantedCompiler, NaNAndInfinityAreItsOwnWhereADeviceMayDoAsItLikes) {
     for (const auto& [before, after] : rows) {
         const auto kernel = [&](const std::string& text, Question* question) {
             shader::Variant variant = shader::variant("strict");
-            const Lab lab({.variant = variant, .excerpts = shader::excerpts({"f.glsl", text}, {}).functions},
-                          interpreter());
-            const OwnFunction own = own_functions(lab.options(), "f.glsl").found.at(0);
-            if (question != nullptr) *question = question_of(lab, "f.glsl", own, {});
+            const Lab lab(
+                {.variant = variant, .file = std::make_shared<const OwnFile>("f.glsl", text, no_roots)},
+                interpreter());
+            const OwnFunction own = own_functions(lab.options()).found.at(0);
+            if (question != nullptr) *question = question_of(lab, own, {});
             return lab.kernel("f.glsl", "f", own.signature()).module();
         };
         Question question;
@@ -162,11 +163,11 @@ int joined(int rounds, int p) {
 
 // SPIRV-Tools as a step and as a variant have the same faults, whether this release has some or none.
 TEST(PlantedCompiler, AVariantOfOurOwnIsJudgedAsAStep) {
-    const auto excerpts = shader::excerpts({"joined.glsl", joined}, {}).functions;
+    const auto file = std::make_shared<const OwnFile>("joined.glsl", joined, no_roots);
     const auto answer_in = [&](const std::string& name, const std::shared_ptr<backend::Backend>& device) {
-        const Lab lab({.variant = shader::variant(name), .excerpts = excerpts}, device);
-        const OwnFunction own = own_functions(lab.options(), "joined.glsl").found.at(1);
-        const Question question = question_of(lab, "joined.glsl", own, {{"rounds", {0, 5}}});
+        const Lab lab({.variant = shader::variant(name), .file = file}, device);
+        const OwnFunction own = own_functions(lab.options()).found.at(1);
+        const Question question = question_of(lab, own, {{"rounds", {0, 5}}});
         return run(lab, question, {.inputs = inputs_of_each});
     };
     for (const auto& [variant, step] :

@@ -16,16 +16,16 @@ inline check::LabOptions options_of(const std::string& file, const shader::Varia
 }
 
 inline check::OwnFunction function_of(const std::string& file, const std::string& name) {
-    return check::own_functions(options_of(file), file, {name}).found.at(0);
+    return check::own_functions(options_of(file), {name}).found.at(0);
 }
 
 inline std::string reason_of(const std::string& file, const std::string& name) {
-    return check::own_functions(options_of(file), file, {name}).left_out.at(0).why;
+    return check::own_functions(options_of(file), {name}).left_out.at(0).why;
 }
 
 inline check::Answer answer_of(const check::Lab& lab, const std::string& file, const std::string& name,
                                const check::Ranges& ranges = {}, std::size_t inputs = 512) {
-    return run(lab, question_of(lab, file, function_of(file, name), ranges), {.inputs = inputs});
+    return run(lab, question_of(lab, function_of(file, name), ranges), {.inputs = inputs});
 }
 
 inline check::Answer answer_of(const std::string& file, const std::string& name,

@@ -10,7 +10,7 @@ namespace gloam::check::own_function_test {
 class OwnFunctionTest : public testing::Test {
   protected:
     static OwnFunctions functions_of(const std::string& file, const std::vector<std::string>& names = {}) {
-        return own_functions(options_of(file), file, names);
+        return own_functions(options_of(file), names);
     }
     static std::vector<std::string> names_of(const OwnFunctions& functions) {
         std::vector<std::string> names;
@@ -121,6 +121,8 @@ TEST_F(OwnFunctionTest, AreWithinTheRulesOnEachDevice) {
             }
     }
     EXPECT_EQ(function_of("groups.comp", "group_sum").team.size, (std::array<std::uint32_t, 3>{16, 2, 1}));
+    EXPECT_EQ(function_of("totals.glsl", "group_total").team.size, (std::array<std::uint32_t, 3>{64, 1, 1}))
+        << "a comment that names the layout is none";
 }
 
 // A quad has no kernel with constants. With constants each few inputs of images are a module of their own.
@@ -226,7 +228,7 @@ TEST_F(OwnFunctionTest, DrawFromTheirRanges) {
         {"uniforms.glsl", "timed", {{"t", low}, {"iTime", high}}, {low, high}}};
     for (const auto& [file, name, ranges, words] : rows) {
         const Lab other(options_of(file), test::SharedDevice::get());
-        const Question question = question_of(other, file, function_of(file, name), ranges);
+        const Question question = question_of(other, function_of(file, name), ranges);
         EXPECT_TRUE(question.defined) << name << ": every input has a range";
         const Domain::Inputs inputs = question.domain.draw(100, 1);
         ASSERT_EQ(inputs.width, words.size()) << name;

@@ -163,7 +163,7 @@ TEST(OwnTypes, ADeviceWithoutFloat16SaysSo) {
 
 TEST(OwnTypes, Float16IsDrawnFromItsFormat) {
     const Lab lab(options_of("numbers.glsl"), test::SharedDevice::get());
-    const Question question = question_of(lab, "numbers.glsl", function_of("numbers.glsl", "half_sum"), {});
+    const Question question = question_of(lab, function_of("numbers.glsl", "half_sum"), {});
     std::set<double> found;
     bool nan = false;
     for (const Word word : Domain({question.domain.parameters().front()}).draw(4000, 1).words) {

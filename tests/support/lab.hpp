@@ -24,13 +24,11 @@ inline check::Lab make_lab(const std::filesystem::path& fixtures = {}, const sha
 inline check::LabOptions options_for(const std::filesystem::path& fixtures, const std::string& name,
                                      const shader::Variant& variant = {}) {
     const std::filesystem::path file = fixtures / name;
-    check::LabOptions options{.device = variable("GLOAM_TEST_DEVICE"),
-                              .include_roots = {fixtures},
-                              .cache_directory = cache_directory(),
-                              .variant = variant};
-    options.excerpts =
-        shader::excerpts({file.string(), shader::read_text(file)}, options.include_roots).functions;
-    return options;
+    return {.device = variable("GLOAM_TEST_DEVICE"),
+            .cache_directory = cache_directory(),
+            .variant = variant,
+            .file = std::make_shared<const check::OwnFile>(file, shader::read_text(file),
+                                                           std::vector<std::filesystem::path>{fixtures})};
 }
 
 }  // namespace gloam::test

@@ -296,8 +296,9 @@ class Lines {
 Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryValues>& domain,
             const AuditOptions& options) {
     Question question = asked;
-    question.domain = domain_of(lab, asked);
-    AuditRuns runs(lab, question, options.seed);
+    const KernelSource source = lab.source(asked.file, asked.function, asked.signature);
+    question.domain = domain_of(lab, asked, source);
+    AuditRuns runs(lab, question, source, options.seed);
     const internal::AuditSearch search = internal::search(runs, options);
     Audit all{.function = question.name.empty() ? question.function : question.name,
               .declaration = shader::to_glsl({.name = question.function,
@@ -322,9 +323,8 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
     return all;
 }
 
-Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges,
-            const AuditOptions& options) {
-    Question question = question_of(lab, file, own, ranges);
+Audit audit(const Lab& lab, const OwnFunction& own, const Ranges& ranges, const AuditOptions& options) {
+    Question question = question_of(lab, own, ranges);
     const std::vector<OrdinaryValues> domain = ordinary_values(own, ranges);
     question.domain = ordinary_domain(own.function, domain);
     return audit(lab, question, domain, options);

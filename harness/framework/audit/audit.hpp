@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audit/own_domain.hpp"
+#include "judge/function.hpp"
 #include "judge/question.hpp"
 #include "numeric/interval.hpp"
 #include "subject/lab.hpp"
@@ -117,9 +118,16 @@ struct AuditOptions {
 [[nodiscard]] Audit audit(const Lab& lab, const Question& question, const std::vector<OrdinaryValues>& domain,
                           const AuditOptions& options = {});
 
+// The same for a function that C++ has.
+template <class Type>
+[[nodiscard]] Audit audit(const Function<Type>& function, const Domain& domain,
+                          const AuditOptions& options = {}) {
+    return audit(function.lab(), function.question(domain), {}, options);
+}
+
 // The same for a function of a file from elsewhere, in its ordinary domain.
-[[nodiscard]] Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own,
-                          const Ranges& ranges, const AuditOptions& options = {});
+[[nodiscard]] Audit audit(const Lab& lab, const OwnFunction& own, const Ranges& ranges,
+                          const AuditOptions& options = {});
 
 // Runs the worst inputs of an audit on the lab's device and adds what it gives. Inputs that fault are not
 // run. `question`: of the same function. Throws like Lab::kernel() and KernelCore::run().

@@ -52,9 +52,9 @@ class Measurement {
     Measurement(const Lab& lab, const Question& question, const RunOptions& options)
         : lab_(lab),
           question_(question),
-          domain_(domain_of(lab, question)),
           options_(options),
           module_(lined_module(lab, question)),
+          domain_(domain_of(lab, question, *module_.source)),
           program_(module_.spirv),
           seen_(program_) {}
 
@@ -77,7 +77,7 @@ class Measurement {
   private:
     void run(const ImageScenario& scenario, std::size_t share, std::uint64_t steps) {
         const ImageSet images = images_of(scenario, options_.seed);
-        const auto words = image_words(module_.prototypes, images, question_.function);
+        const auto words = image_words(module_, images);
         InterpretedKernel<float> kernel(program_, module_, words);
         const Domain::Inputs inputs =
             domain_.draw(share, input_seed_of(question_, scenario, options_.seed), scenario.size);
@@ -115,9 +115,9 @@ class Measurement {
 
     const Lab& lab_;
     const Question& question_;
-    Domain domain_;
     const RunOptions& options_;
     KernelModule module_;
+    Domain domain_;
     interpreter::Program program_;
     interpreter::Coverage seen_;
     std::size_t run_ = 0;

@@ -128,10 +128,9 @@ MutantFile::MutantFile(std::filesystem::path path, std::string text, std::vector
         trouble_ = error.what();
     }
     const LabOptions options{.device = std::string(interpreter_name),
-                             .include_roots = roots_,
-                             .excerpts = shader::excerpts({path_.string(), text_}, roots_).functions};
+                             .file = std::make_shared<const OwnFile>(path_, text_, roots_)};
     lab_.emplace(options);
-    for (OwnFunction& function : own_functions(options, path_.filename().string()).found) {
+    for (OwnFunction& function : own_functions(options).found) {
         try {
             shader::Spirv module = shader::without_names(module_of(function, function.excerpt));
             own_.push_back({std::move(function), std::move(module)});
@@ -167,12 +166,10 @@ std::optional<shader::Spirv> MutantFile::whole(const std::string& text) const {
 std::vector<std::pair<const MutantFile::Own*, std::string>> MutantFile::changed_in(
     const std::string& text) const {
     std::vector<std::pair<const Own*, std::string>> changed;
-    const std::vector<shader::Excerpt> excerpts = shader::excerpts({path_.string(), text}, roots_).functions;
+    const OwnFile file(path_, text, roots_);
     for (const Own& own : own_) {
-        const auto found =
-            std::ranges::find(excerpts, own.function.function.name, &shader::Excerpt::function);
-        if (found != excerpts.end() && found->text != own.function.excerpt)
-            changed.emplace_back(&own, found->text);
+        const shader::Excerpt* found = file.find(own.function.function.name);
+        if (found != nullptr && found->text != own.function.excerpt) changed.emplace_back(&own, found->text);
     }
     return changed;
 }
@@ -222,14 +219,14 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
     const std::string file = path_.filename().string();
     MutantComparison result{.function = own.function.name};
     try {
-        Question question = question_of(*lab_, file, own.function, {});
+        Question question = question_of(*lab_, own.function, {});
         question.domain = wide_domain(own.function, question.domain);
         for (const std::string& text : {own.function.excerpt, changed})
             question.domain = question.domain.and_numbers(
                 question.signature, shader::float_constants(module_of(own.function, text)));
         KernelSource source = lab_->source(file, question.function, question.signature);
+        internal::AuditRuns original(*lab_, question, source, seed);
         source.text = changed;
-        internal::AuditRuns original(*lab_, question, seed);
         internal::AuditRuns mutant(*lab_, question, source, original);
         Pair pair(original, mutant);
         const Domain::Inputs drawn = question.domain.draw(inputs, seed, original.image_size());

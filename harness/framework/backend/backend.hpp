@@ -7,9 +7,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "base/failure.hpp"
 
 // What runs kernels: Vulkan devices, OpenGL devices, the interpreter.
 namespace gloam::backend {
@@ -18,28 +19,32 @@ namespace gloam::backend {
 using Word = std::uint32_t;
 
 // What went wrong with a device, in one line.
-class Error : public std::runtime_error {
-    using std::runtime_error::runtime_error;
+class Error : public base::Failure {
+    using base::Failure::Failure;
 };
 
 // The device cannot be used any more.
 class DeviceLost : public Error {
-    using Error::Error;
+  public:
+    explicit DeviceLost(const std::string& message) : Error(message, base::Reason::device_lost) {}
 };
 
 // A submission did not finish in time; the device runs it still.
 class Hang : public Error {
-    using Error::Error;
+  public:
+    explicit Hang(const std::string& message) : Error(message, base::Reason::hang) {}
 };
 
 // Of the device, or of the host in its service.
 class OutOfMemory : public Error {
-    using Error::Error;
+  public:
+    explicit OutOfMemory(const std::string& message) : Error(message, base::Reason::out_of_memory) {}
 };
 
 // The device, or its version of GLSL, lacks what the function needs.
 class Unsupported : public Error {
-    using Error::Error;
+  public:
+    explicit Unsupported(const std::string& message) : Error(message, base::Reason::unsupported) {}
 };
 
 // A run whose outputs are unreliable: the kernel did not complete for every input, wrote outside its memory,

@@ -129,6 +129,8 @@ struct Invocation {
 enum class Order { forward, backward };
 
 [[nodiscard]] std::string name_of_operation(std::uint16_t opcode);
+// Whether its results are bools.
+[[nodiscard]] bool gives_truth(std::uint16_t opcode);
 
 // Why a value is undefined.
 struct Undefined {

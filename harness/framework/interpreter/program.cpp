@@ -18,6 +18,25 @@ std::string to_text(const Place& place) {
     return fmt::format("{} ({}:{})", function, place.file.empty() ? "?" : place.file, place.line);
 }
 
+namespace {
+
+base::Reason reason_of(Error::Kind kind) {
+    switch (kind) {
+        case Error::Kind::unknown_instruction:
+            return base::Reason::unsupported;
+        case Error::Kind::race:
+            return base::Reason::race;
+        case Error::Kind::divergent_barrier:
+            return base::Reason::divergent;
+        default:
+            return base::Reason::error;
+    }
+}
+
+}  // namespace
+
+Error::Error(Kind kind, const std::string& message) : Failure(message, reason_of(kind)), kind_(kind) {}
+
 Program::Program(const shader::Spirv& module, std::span<const Constant> constants,
                  const std::string& entry_point) {
     const internal::Module read(module, constants);
@@ -26,6 +45,12 @@ Program::Program(const shader::Spirv& module, std::span<const Constant> constant
 
 std::string name_of_operation(std::uint16_t opcode) {
     return internal::name_of(opcode);
+}
+
+bool gives_truth(std::uint16_t opcode) {
+    const internal::Known* known = internal::known_operation(opcode);
+    return known != nullptr &&
+           (known->form == internal::Form::truth || known->form == internal::Form::to_one_truth);
 }
 
 bool Program::may_be_rearranged() const {

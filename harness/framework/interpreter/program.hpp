@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "base/failure.hpp"
 #include "module/compile.hpp"
 
 namespace gloam::interpreter {
@@ -26,7 +26,7 @@ struct Place {
 [[nodiscard]] std::string to_text(const Place& place);
 
 // A module that cannot be run, or a run that cannot continue.
-class Error : public std::runtime_error {
+class Error : public base::Failure {
   public:
     enum class Kind {
         unknown_instruction,  // an instruction, type or decoration that the interpreter does not know
@@ -39,9 +39,9 @@ class Error : public std::runtime_error {
         divergent_barrier     // some invocations of a group do not reach a barrier at which others wait
     };
 
-    Error(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+    Error(Kind kind, const std::string& message);
     Error(Kind kind, const std::string& message, const Place& place)
-        : std::runtime_error(message + ", in " + to_text(place)), kind_(kind) {}
+        : Error(kind, message + ", in " + to_text(place)) {}
 
     [[nodiscard]] Kind kind() const { return kind_; }
     // Whether invocations disturb each other: an error of the shader, whatever its inputs are.

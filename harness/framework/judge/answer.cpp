@@ -29,20 +29,12 @@ bool is_worse(const Sample& sample, const std::optional<Sample>& worst) {
 
 }  // namespace
 
-std::string_view name_of(Reason reason) {
-    static constexpr std::array<std::string_view, std::size(all_reasons)> names{
-        "",         "crash", "hang", "device lost",       "out of memory",
-        "error",    "fault", "race", "divergent barrier", "unsupported",
-        "unchanged"};
-    return names.at(static_cast<std::size_t>(reason));
-}
-
 std::string_view name_of(Outcome outcome) {
     if (outcome == Outcome::not_judged) return "not judged";
     return outcome == Outcome::ok ? "ok" : "failed";
 }
 
-std::size_t Answer::total(std::size_t ClassCount::* member) const {
+std::size_t AnswerCounts::total(std::size_t ClassCount::* member) const {
     return std::accumulate(
         classes.begin(), classes.end(), std::size_t{0},
         [member](std::size_t sum, const ClassCount& count) { return sum + count.*member; });
@@ -80,11 +72,12 @@ std::string Answer::not_judged_because() const {
     if (is_no_verdict(reason)) return error;
     if (!ran() || outside() > 0 || !fault.empty()) return {};
     if (inputs() == 0) return "there are no inputs";
-    const bool is_long = first_undefined.starts_with("more than");
     const std::string why =
-        undefined == 0 ? ""
-                       : fmt::format("; {}: {}", is_long ? "it takes too long" : "its result is undefined",
-                                     first_undefined);
+        undefined == 0
+            ? ""
+            : fmt::format("; {}: {}",
+                          no_result == NoResult::too_long ? "it takes too long" : "its result is undefined",
+                          first_undefined);
     if (recorded() == inputs() && undefined > 0) return "none of its inputs could be judged" + why;
     if (recorded() == inputs() && verdict == Verdict::rules)
         return "it documents no accuracy, and there are no precision rules for this device";
@@ -123,7 +116,7 @@ void Answer::add(const Sample& sample, bool is_outside) {
     if (!first) first = sample;
 }
 
-void Answer::add_predicate(const std::vector<double>& want, bool was_judged) {
+void AnswerCounts::add_predicate(const std::vector<double>& want, bool was_judged) {
     for (std::size_t i = 0; i < predicate.size(); ++i) {
         if (std::ranges::find(want, static_cast<double>(i)) == want.end()) continue;
         ++predicate[i].inputs;
@@ -131,11 +124,11 @@ void Answer::add_predicate(const std::vector<double>& want, bool was_judged) {
     }
 }
 
-std::string Answer::variant_before_steps() const {
+std::string AnswerIdentity::variant_before_steps() const {
     return variant.substr(0, variant.find(shader::step_separator));
 }
 
-std::string Answer::steps() const {
+std::string AnswerIdentity::steps() const {
     const std::size_t at = variant.find(shader::step_separator);
     return at == std::string::npos ? "" : variant.substr(at + shader::step_separator.size());
 }
@@ -145,9 +138,11 @@ void Answer::add_unbounded(const Sample& sample) {
     if (!first_unbounded) first_unbounded = sample;
 }
 
-void Answer::add_undefined(InputClass input_class, const std::string& why) {
+void Answer::add_undefined(InputClass input_class, NoResult kind, const std::string& why) {
     add_recorded(input_class);
-    if (undefined++ == 0) first_undefined = why;
+    if (undefined++ > 0) return;
+    no_result = kind;
+    first_undefined = why;
 }
 
 void Answer::add_guarantee(const Guarantee& more) {
@@ -155,33 +150,42 @@ void Answer::add_guarantee(const Guarantee& more) {
                  std::max(guarantee.fraction, more.fraction)};
 }
 
-void Answer::merge(const Answer& later) {
+void AnswerCounts::merge(const AnswerCounts& later) {
     for (std::size_t i = 0; i < input_class_count; ++i) {
         classes[i].inputs += later.classes[i].inputs;
         classes[i].outside += later.classes[i].outside;
         classes[i].recorded += later.classes[i].recorded;
         classes[i].open += later.classes[i].open;
-        if (!first_outside[i]) first_outside[i] = later.first_outside[i];
     }
     for (std::size_t i = 0; i < predicate.size(); ++i) {
         predicate[i].inputs += later.predicate[i].inputs;
         predicate[i].judged += later.predicate[i].judged;
     }
-    if (broken.empty()) broken = later.broken;
-    max_ulp = std::max(max_ulp, later.max_ulp);
-    max_absolute = std::max(max_absolute, later.max_absolute);
-    fraction = std::max(fraction, later.fraction);
-    budget_fraction = std::max(budget_fraction, later.budget_fraction);
-    add_guarantee(later.guarantee);
     by_rules += later.by_rules;
     forbidden += later.forbidden;
     bounded += later.bounded;
     unbounded += later.unbounded;
-    differs += later.differs;
-    if (undefined == 0) first_undefined = later.first_undefined;
     undefined += later.undefined;
+    differs += later.differs;
+}
+
+void WorstCases::merge(const WorstCases& later) {
+    for (std::size_t i = 0; i < input_class_count; ++i)
+        if (!first_outside[i]) first_outside[i] = later.first_outside[i];
+    max_ulp = std::max(max_ulp, later.max_ulp);
+    max_absolute = std::max(max_absolute, later.max_absolute);
+    fraction = std::max(fraction, later.fraction);
+    budget_fraction = std::max(budget_fraction, later.budget_fraction);
+    if (first_undefined.empty()) no_result = later.no_result, first_undefined = later.first_undefined;
     if (!first_unbounded) first_unbounded = later.first_unbounded;
     if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;
+}
+
+void Answer::merge(const Answer& later) {
+    AnswerCounts::merge(later);
+    WorstCases::merge(later);
+    add_guarantee(later.guarantee);
+    if (broken.empty()) broken = later.broken;
 }
 
 }  // namespace gloam::check

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/failure.hpp"
 #include "numeric/interval.hpp"
 #include "subject/signature.hpp"
 
@@ -122,32 +123,12 @@ struct Guarantee {
     double fraction = 0.0;  // of the budget: ULP or absolute error, whichever is less
 };
 
-// The reason why a check has no result, or an unreliable one.
-enum class Reason {
-    none,           // it ran to its end
-    crash,          // the process that ran it exited or was ended by a signal
-    hang,           // the time limit passed
-    device_lost,    // the device was lost
-    out_of_memory,  // of the host or of the device
-    error,          // any other error, for example a shader that does not compile
-    fault,          // the shader accessed a pixel outside an image
-    race,           // two invocations of a group use one word, no barrier orders them, and one writes
-    divergent,      // not all invocations of a group reach a barrier
-    unsupported,    // the function is no text of the device's version of GLSL: not judged
-    unchanged       // the variant's steps left the module as it was: not judged
-};
-inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
-                                         Reason::device_lost, Reason::out_of_memory, Reason::error,
-                                         Reason::fault,       Reason::race,          Reason::divergent,
-                                         Reason::unsupported, Reason::unchanged};
+using base::Reason;
 
-// "", "crash", "hang", "device lost", "out of memory", "error", "fault", "race",
-// "divergent barrier", "unsupported", "unchanged".
-[[nodiscard]] std::string_view name_of(Reason reason);
-
-// Whether a check for this reason says nothing for or against the device.
-[[nodiscard]] constexpr bool is_no_verdict(Reason reason) {
-    return reason == Reason::unsupported || reason == Reason::unchanged;
+// Why a function itself has no result for an input.
+enum class NoResult { undefined, too_long };
+[[nodiscard]] constexpr std::string_view name_of(NoResult kind) {
+    return kind == NoResult::undefined ? "undefined" : "too long";
 }
 
 // What a check says. Every summary, table, page and exit status is made from it.
@@ -165,34 +146,71 @@ enum class Outcome {
 // is one of a few corners of the domain.
 inline constexpr double least_judged_share = 0.25;
 
-// The result of one question in one variant on one device, or the reason why there is none. Tables, pages and
-// JSON are made from it, and processes exchange it.
-struct Answer {
+// What was asked, and how it was judged.
+struct AnswerIdentity {
     std::string equation;  // the question's name: an ID of the catalogue, else that of the function
     std::string function;
     std::string file;
     std::string variant;
     Verdict verdict = Verdict::budget;
     Budget budget;
+
+    // The two parts of `variant`: "shipped" and "spirv-opt -O", which can be empty.
+    [[nodiscard]] std::string variant_before_steps() const;
+    [[nodiscard]] std::string steps() const;
+};
+
+// How many inputs there were, and what became of them.
+struct AnswerCounts {
     std::array<ClassCount, input_class_count> classes{};
     std::array<PredicateCount, 2> predicate{};  // for false and true, if all results are boolean
+    std::size_t by_rules = 0;                   // inputs that were judged by the rules
+    std::size_t forbidden = 0;                  // of these, inputs whose outputs the rules do not permit
+    std::size_t bounded = 0;    // inputs whose bounds were calculated; the next counts among these
+    std::size_t unbounded = 0;  // inputs for which the rules permit anything for some output
+    std::size_t undefined = 0;  // of the recorded inputs: the function's own result is undefined
+    // For inputs as constants of the shader: the number whose results differ in any bit from those of the
+    // same shader with the inputs in memory. All NaNs count as equal.
+    std::size_t differs = 0;
+
+    [[nodiscard]] std::size_t inputs() const { return total(&ClassCount::inputs); }
+    [[nodiscard]] std::size_t outside() const { return total(&ClassCount::outside); }
+    [[nodiscard]] std::size_t recorded() const { return total(&ClassCount::recorded); }
+    [[nodiscard]] std::size_t open() const { return total(&ClassCount::open); }
+
+    void add_open(InputClass input_class) { ++count(input_class).open; }  // of an added sample
+    void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
+    // Counts an added input of a function whose results are all boolean.
+    void add_predicate(const std::vector<double>& want, bool was_judged);
+    void merge(const AnswerCounts& later);
+
+  protected:
+    ClassCount& count(InputClass input_class) { return classes.at(static_cast<std::size_t>(input_class)); }
+
+  private:
+    [[nodiscard]] std::size_t total(std::size_t ClassCount::* member) const;
+};
+
+// The largest errors, and the inputs that show most.
+struct WorstCases {
     double max_ulp = 0.0;          // over judged outputs that the absolute part of the budget does not cover
     double max_absolute = 0.0;     // over judged outputs
     double fraction = 0.0;         // worst error as a fraction of what the verdict allows
     double budget_fraction = 0.0;  // the same of the budget
-    std::size_t by_rules = 0;      // inputs that were judged by the rules
-    std::size_t forbidden = 0;     // of these, inputs whose outputs the rules do not permit
-    std::size_t bounded = 0;       // inputs whose bounds were calculated; the next two count among these
-    Guarantee guarantee;
-    std::size_t unbounded = 0;  // inputs for which the rules permit anything for some output
-    std::optional<Sample> first_unbounded;
-    std::size_t undefined = 0;    // of the recorded inputs: the function's own result is undefined
-    std::string first_undefined;  // why, for the first of them
-    std::optional<Sample> worst;  // largest fraction
+    std::optional<Sample> worst;   // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
-    // For inputs as constants of the shader: the number whose results differ in any bit from those of the
-    // same shader with the inputs in memory. All NaNs count as equal.
-    std::size_t differs = 0;
+    std::optional<Sample> first_unbounded;
+    NoResult no_result = NoResult::undefined;  // of the first undefined input
+    std::string first_undefined;               // why
+
+    // Adds those of a later part of the same run.
+    void merge(const WorstCases& later);
+};
+
+// The result of one question in one variant on one device, or the reason why there is none. Tables, pages and
+// JSON are made from it, and processes exchange it.
+struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
+    Guarantee guarantee;
     std::optional<Coverage> coverage;  // what the inputs reached, if measured
     std::string fault;                 // an access outside an image; empty: none
     std::string broken;                // see Question::must_hold; the first such input; empty: none
@@ -201,10 +219,6 @@ struct Answer {
     double seconds = 0.0;
     std::string story;  // of a failure, in several lines for people
 
-    [[nodiscard]] std::size_t inputs() const { return total(&ClassCount::inputs); }
-    [[nodiscard]] std::size_t outside() const { return total(&ClassCount::outside); }
-    [[nodiscard]] std::size_t recorded() const { return total(&ClassCount::recorded); }
-    [[nodiscard]] std::size_t open() const { return total(&ClassCount::open); }
     // Inputs for which some result would have failed. Where the rules alone are the verdict, it is known of
     // the inputs whose bounds were calculated, and the same share is assumed of the others.
     [[nodiscard]] std::size_t judged() const;
@@ -220,26 +234,15 @@ struct Answer {
     // the verdict, by the rules.
     [[nodiscard]] std::vector<InputClass> not_promised() const;
     [[nodiscard]] bool passed() const { return outcome() == Outcome::ok; }
-    // The two parts of `variant`: "shipped" and "spirv-opt -O", which can be empty.
-    [[nodiscard]] std::string variant_before_steps() const;
-    [[nodiscard]] std::string steps() const;
     [[nodiscard]] bool failed() const { return outcome() == Outcome::failed; }
 
     // Adds a judged sample; `outside` when it failed.
     void add(const Sample& sample, bool is_outside);
-    // Counts an added input of a function whose results are all boolean.
-    void add_predicate(const std::vector<double>& want, bool was_judged);
-    void add_open(InputClass input_class) { ++count(input_class).open; }  // of an added sample
-    void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
     void add_unbounded(const Sample& sample);
-    void add_undefined(InputClass input_class, const std::string& why);
+    void add_undefined(InputClass input_class, NoResult kind, const std::string& why);
     void add_guarantee(const Guarantee& guarantee);
     // Adds the answer of another part of the same run. Parts are merged in the order of their inputs.
     void merge(const Answer& later);
-
-  private:
-    [[nodiscard]] std::size_t total(std::size_t ClassCount::* member) const;
-    ClassCount& count(InputClass input_class) { return classes.at(static_cast<std::size_t>(input_class)); }
 };
 
 // The values of a signature's inputs as text, each in decimal and hexadecimal: "vec2 (0.5 (0x3f000000), 1

@@ -27,7 +27,8 @@ constexpr std::size_t most_outcomes = 4;              // of an operation: an ang
 
 // What is known of a value, whatever operation made it.
 ExplainedStep explained(const interpreter::Value<Explained>& value, const numeric::FloatFormat& format) {
-    if (!value.is_number()) return {.value = static_cast<double>(value.bits()), .whole = true};
+    if (!value.is_number())
+        return {.value = static_cast<double>(value.bits()), .kind = ExplainedStep::Kind::integer};
     const Explained x = value.number();
     ExplainedStep one{.value = x.value,
                       .exact = x.exact,
@@ -62,6 +63,7 @@ void append(const interpreter::Step<Explained>& step, interpreter::Machine<Expla
         one.line = step.place.line;
         one.function = step.place.function;
         one.operation = step.operation();
+        if (interpreter::gives_truth(step.opcode)) one.kind = ExplainedStep::Kind::truth;
         one.component = k;
         steps.push_back(std::move(one));
     }
@@ -89,7 +91,7 @@ std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
     std::vector<double> rises;
     double highest = 0.0;
     for (const ExplainedStep& step : steps) {
-        if (step.whole) {
+        if (!step.is_number()) {
             rises.push_back(-1.0);
             continue;
         }
@@ -148,13 +150,11 @@ std::string place_of(const ExplainedStep& step) {
 
 constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
 
-// Bits of an integer operation. SPIR-V's additions have no sign: what may be negative is shown as both.
+// Bits of an operation on integers or bools. SPIR-V's additions have no sign: what may be negative is shown
+// as both.
 std::string whole_text(const ExplainedStep& step) {
     const auto bits = static_cast<Word>(step.value);
-    const std::string& name = step.operation;
-    for (const char* decides :
-         {"Equal", "LessThan", "GreaterThan", "Logical", "OpAny", "OpAll", "OpIsNan", "OpIsInf"})
-        if (name.find(decides) != std::string::npos) return bits != 0 ? "true" : "false";
+    if (step.kind == ExplainedStep::Kind::truth) return bits != 0 ? "true" : "false";
     return bits >> 31U == 0 ? fmt::format("{}", bits)
                             : fmt::format("{} or {}", bits, static_cast<std::int32_t>(bits));
 }
@@ -168,7 +168,7 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
                                       : fmt::format("{} [{}]", step.operation, step.component);
     if (!step.undefined.empty())
         return fmt::format(line_format, place, operation, "undefined", "", "", "", "", step.undefined);
-    if (step.whole) return fmt::format("{:<34} {:<24} {:>15}\n", place, operation, whole_text(step));
+    if (!step.is_number()) return fmt::format("{:<34} {:<24} {:>15}\n", place, operation, whole_text(step));
     return fmt::format(line_format, place, operation, value_text(step.value, 9), value_text(step.exact, 17),
                        fmt::format("{:.3g}", step.ulps), share_text(step.local), share_text(step.inherited()),
                        permitted_text(step) + (is_worst ? "  <-- most of the error" : ""));
@@ -190,13 +190,13 @@ std::string result_line(const Explanation& all) {
     for (std::size_t i = 0; i < all.scalars.size() && i < all.result.size(); ++i) {
         const ExplainedStep& one = all.result[i];
         const bool defined = one.undefined.empty();
-        const std::string bits = !defined    ? "undefined"
-                                 : one.whole ? bits_text(all.scalars[i], static_cast<Word>(one.value))
-                                             : "";
-        values.push_back(one.whole || !defined ? bits : value_text(one.value, 9));
-        exact.push_back(one.whole || !defined ? bits : value_text(one.exact, 17));
-        permitted.push_back(one.whole ? bits : permitted_text(one));
-        calculated = calculated || (!one.whole && defined);
+        const std::string bits = !defined           ? "undefined"
+                                 : !one.is_number() ? bits_text(all.scalars[i], static_cast<Word>(one.value))
+                                                    : "";
+        values.push_back(!one.is_number() || !defined ? bits : value_text(one.value, 9));
+        exact.push_back(!one.is_number() || !defined ? bits : value_text(one.exact, 17));
+        permitted.push_back(!one.is_number() ? bits : permitted_text(one));
+        calculated = calculated || (one.is_number() && defined);
     }
     if (values.empty()) return "";
     if (!calculated) return fmt::format("result {}\n", fmt::join(values, ", "));
@@ -278,7 +278,7 @@ Explanation explain(const shader::CompileOptions& options, const KernelSource& s
                                                 shader::to_glsl(source.function), module.input_words,
                                                 input.size()));
     const interpreter::Program program(module.spirv);
-    const std::vector<std::vector<Word>> words = image_words(module.prototypes, images, source.function.name);
+    const std::vector<std::vector<Word>> words = image_words(module, images);
     InterpretedKernel<Explained> kernel(program, module, words);
     Explanation all = explain(kernel, input);
     all.scalars = Signature{.result = source.function.result, .parameters = source.function.parameters}

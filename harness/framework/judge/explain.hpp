@@ -30,9 +30,11 @@ struct ExplainedStep {
     double error = 0.0;                        // value - exact
     double local = 0.0;                        // the part of the error that this operation adds by rounding
     double ulps = 0.0;                         // error in units in the last place of the exact result
-    bool whole = false;       // an integer or a bool, whose bits are the value: it has no error
+    // Of an integer or a bool the bits are the value, and it has no error.
+    enum class Kind { number, integer, truth } kind = Kind::number;
     std::string undefined{};  // why every value is permitted; empty: the operation has a result
 
+    [[nodiscard]] bool is_number() const { return kind == Kind::number; }
     // The part of the error that came with the operands.
     [[nodiscard]] double inherited() const { return error - local; }
 };

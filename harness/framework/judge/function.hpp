@@ -35,18 +35,6 @@ using HoldsFor = std::function<bool(std::span<const Word> input, std::span<const
 [[nodiscard]] PropertyResult check_property(const KernelCore& core, const Question& question,
                                             const HoldsFor& holds, const RunOptions& options);
 
-struct AuditOptions;
-
-namespace internal {
-
-// The room audit stands above this one: its function is found where the template is used.
-template <class Options>
-auto audited(const Lab& lab, const Question& question, const Options& options) {
-    return audit(lab, question, {}, options);
-}
-
-}  // namespace internal
-
 // A GLSL function that C++ can call and check: `Function<float(glm::vec2, Out<float>)> f(lab, "f.glsl",
 // "f")`.
 //   by value: GLSL `in`; Out<T>: `out`; T&: `inout`. Types: float, int, unsigned, bool, GLM vectors and
@@ -102,12 +90,6 @@ class Function {
         return check_property(core_, question(domain), holds_for, options);
     }
 
-    // Where the function itself goes wrong on a domain, for those who include audit/audit.hpp.
-    template <class Options = AuditOptions>
-    [[nodiscard]] auto audit(const Domain& domain, const Options& options = {}) const {
-        return internal::audited(*lab_, question(domain), options);
-    }
-
     // One input, operation by operation (check/explain.hpp).
     template <class... Arguments>
         requires std::is_constructible_v<Inputs, Arguments...>
@@ -115,8 +97,7 @@ class Function {
         const Inputs input(arguments...);
         std::vector<Word> words;
         append_words(input, words);
-        return check::explain(lab_->compile_options(),
-                              lab_->source(file_, function_, SignatureOf<Type>::describe()), words);
+        return check::explain(lab_->compile_options(), *core_.module().source, words);
     }
 
     // Evaluates all inputs in one dispatch. Throws backend::Error; std::runtime_error for an access outside
@@ -151,8 +132,9 @@ class Function {
     }
 
     [[nodiscard]] const KernelCore& core() const { return core_; }
+    [[nodiscard]] const Lab& lab() const { return *lab_; }
 
-  private:
+    // What compare() and check_rules() ask on a domain, without a reference.
     [[nodiscard]] Question question(const Domain& domain) const {
         return {.file = file_,
                 .function = function_,
@@ -160,6 +142,7 @@ class Function {
                 .domain = domain};
     }
 
+  private:
     const Lab* lab_;
     std::string file_;
     std::string function_;

@@ -55,7 +55,7 @@ Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
         const shader::Spirv& words = module->before.empty() ? module->spirv : module->before;
         parts_.push_back({.module = *module,
                           .program = interpreter::Program(words, module->constants),
-                          .images = image_words(module->prototypes, images, "the kernel"),
+                          .images = image_words(*module, images),
                           .specials = specials_of(words)});
     }
 }

@@ -86,7 +86,8 @@ class Judge {
         } catch (const interpreter::Error& error) {
             const bool is_long = error.kind() == interpreter::Error::Kind::too_many_steps;
             if ((question_.defined && !is_long) || !error.is_of_input()) throw;
-            answer.add_undefined(sample.input_class, error.what());
+            answer.add_undefined(sample.input_class, is_long ? NoResult::too_long : NoResult::undefined,
+                                 error.what());
             return;
         }
         if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {
@@ -277,11 +278,11 @@ double mean_cost(Judge& judge, const Domain::Inputs& inputs) {
 }  // namespace
 
 Answer empty_answer(const Question& question, Verdict verdict) {
-    return {.equation = question.name.empty() ? question.function : question.name,
+    return {{.equation = question.name.empty() ? question.function : question.name,
             .function = question.function,
             .file = question.file,
             .verdict = verdict,
-            .budget = question.budget};
+            .budget = question.budget}};
 }
 
 Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,

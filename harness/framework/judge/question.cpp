@@ -5,16 +5,16 @@
 
 namespace gloam::check {
 
-Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges) {
+Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& ranges) {
     Question question{
-        .name = own.name, .file = file, .function = own.function.name, .signature = own.signature()};
+        .name = own.name, .file = own.file, .function = own.function.name, .signature = own.signature()};
     question.domain = domain_of(own, ranges);
     question.defined = std::ranges::all_of(own.function.parameters, [&](const shader::Parameter& parameter) {
         return parameter.direction == shader::Direction::out ||
                parameter.type.scalar == shader::Scalar::sampler || ranges.contains(parameter.name);
     });
     question.must_hold = own.is_property();
-    const KernelSource source = lab.source(file, own.function.name, question.signature);
+    const KernelSource source = lab.source(own.file, own.function.name, question.signature);
     question.scenarios = random_scenarios(source.images);
     return question;
 }

@@ -123,7 +123,6 @@ template <class Function, class Predicate>
 // Of a quad, most neighbours differ a little (neighbours()).
 // If every parameter has a range, their inputs are promised to have defined results.
 // Throws std::invalid_argument for a range without a parameter of this name.
-[[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own,
-                                   const Ranges& ranges);
+[[nodiscard]] Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& ranges);
 
 }  // namespace gloam::check

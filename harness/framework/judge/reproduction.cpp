@@ -48,7 +48,7 @@ Session::Evaluated evaluated(const Lab& lab, const Question& question, const Run
                              const ImageScenario& scenario) {
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
     Domain::Inputs inputs =
-        domain_of(lab, question)
+        domain_of(lab, question, *kernel.module().source)
             .draw(options.inputs, input_seed_of(question, scenario, options.seed), scenario.size);
     KernelCore::Result result = kernel.run(inputs.words, inputs.count(), images_of(scenario, options.seed));
     return {std::move(inputs), std::move(result)};
@@ -84,7 +84,7 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
                      .specialized = constants == Constants::specialization,
                      .outputs = question.signature.output_scalars()};
     all.assembly = shader::disassemble(all.spirv);
-    std::vector<std::vector<Word>> words = image_words(source.images, images, question.function);
+    std::vector<std::vector<Word>> words = image_words(module, images);
     for (std::size_t i = 0; i < words.size(); ++i) {
         const ImagePrototype& image = source.images[i];
         all.images.push_back(
@@ -164,9 +164,8 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
     if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
     all.failure = smallest;
     try {
-        all.rules = rules_of(explain(lab.judged_options(),
-                                     lab.source(question.file, question.function, question.signature),
-                                     smallest.inputs, session.images()));
+        all.rules =
+            rules_of(explain(lab.judged_options(), session.source(), smallest.inputs, session.images()));
     } catch (const std::exception&) {  // a shader that the interpreter cannot run has a report still
     }
     return all;

@@ -50,7 +50,7 @@ Answer judged(const Lab& lab, const Question& question, const RunOptions& option
     const auto run = [&](const Session& session, const ImageScenario& scenario, std::size_t share,
                          Answer& answer) {
         const std::uint64_t seed = session.input_seed();
-        if (!domain) domain = domain_of(lab, question);
+        if (!domain) domain = domain_of(lab, question, session.source());
         const Domain::Inputs drawn =
             constants ? few_inputs(*domain, constants_of_each(question.scenarios.size()), seed, scenario.size)
                       : domain->draw(share, seed, scenario.size);
@@ -69,7 +69,7 @@ void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t se
     const interpreter::Program program(module.spirv);
     const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
     const ImageSet images = images_of(scenario, seed);
-    const std::vector<std::vector<Word>> words = image_words(module.prototypes, images, question.function);
+    const std::vector<std::vector<Word>> words = image_words(module, images);
     InterpretedKernel<double> kernel(program, module, words);
     const Domain::Inputs inputs = question.domain.draw(most_inputs, seed, scenario.size);
     for (std::size_t i = 0; i < inputs.count(); ++i) {

@@ -33,7 +33,7 @@ Session::Session(const Lab& lab, const Question& question, KernelCore kernel, Im
                .verdict = verdict} {
     const auto constants = lab.options().variant.constants;
     if (constants == shader::Variant::Constants::none) return;
-    constants_ = lab.source(question.file, question.function, question.signature);
+    constants_ = source();
     // SPIRV-Tools folds nothing where the shader declares that NaN keeps its meaning.
     if (constants == shader::Variant::Constants::literals) constants_->preserve_nan = false;
     options_.nan = options_.nan && constants_->preserve_nan;
@@ -130,7 +130,7 @@ Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& 
     for (std::size_t i = 0; i < inputs.count(); ++i)
         if (is_long[i] != 0)
             answer.add_undefined(internal::class_of(inputs.row(i), scalars, inputs.branch[i]),
-                                 fmt::format("more than {} instructions", limit));
+                                 NoResult::too_long, fmt::format("more than {} instructions", limit));
     return inputs.where([&](std::size_t i) { return is_long[i] == 0; });
 }
 
@@ -203,8 +203,7 @@ ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
     return scenario.make ? scenario.make(scenario.size, random) : ImageSet{};
 }
 
-Domain domain_of(const Lab& lab, const Question& question) {
-    const KernelSource source = lab.source(question.file, question.function, question.signature);
+Domain domain_of(const Lab& lab, const Question& question, const KernelSource& source) {
     const shader::Spirv module =
         lab.compile({.name = "kernel of " + question.function, .text = kernel_code(source)},
                     {.stage = stage_of(source.team),
@@ -232,10 +231,9 @@ ImageSet images_behind(const Question& question, const Sample& sample, std::uint
     return found == question.scenarios.end() ? ImageSet{} : images_of(*found, seed);
 }
 
-std::string explanation_of(const Lab& lab, const Question& question, const Sample& sample,
-                           std::uint64_t seed) {
+std::string explanation_of(const Lab& lab, const Question& question, const KernelSource& source,
+                           const Sample& sample, std::uint64_t seed) {
     try {
-        const KernelSource source = lab.source(question.file, question.function, question.signature);
         return "  the worst input, operation by operation, rounded correctly:\n" +
                to_text(explain(lab.judged_options(), source, sample.inputs,
                                images_behind(question, sample, seed)),
@@ -265,7 +263,7 @@ bool is_right(const Lab& lab, const Question& question, KernelModule given, cons
               std::uint64_t seed) {
     const auto constants = lab.options().variant.constants;
     if (constants != shader::Variant::Constants::none) {
-        KernelSource source = lab.source(question.file, question.function, question.signature);
+        KernelSource source = *given.source;
         source.preserve_nan = source.preserve_nan && constants != shader::Variant::Constants::literals;
         given = lab.constant_kernel(source, sample.inputs, 1).module();
     }
@@ -306,7 +304,7 @@ void tell_story(const Lab& lab, const Question& question, const KernelModule& gi
         answer.story += codomain_text(question, *answer.worst);
     if (answer.outside() == 0 || !answer.worst) return;
     answer.story += culprit_text(lab, question, given, *answer.worst, seed);
-    answer.story += explanation_of(lab, question, *answer.worst, seed);
+    answer.story += explanation_of(lab, question, *given.source, *answer.worst, seed);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ class Session {
     [[nodiscard]] std::optional<Sample> first_failing(std::span<const std::vector<Word>> inputs) const;
 
     [[nodiscard]] const ImageSet& images() const { return images_; }
+    [[nodiscard]] const KernelSource& source() const { return *kernel_.module().source; }
 
     // The seed of this scenario's inputs.
     [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
@@ -68,8 +69,8 @@ class Session {
 inline constexpr std::size_t most_constants = 64;
 
 // The domain of a question, and the numbers of its function's module (Domain::and_numbers): what it compares
-// with is an input. Throws like Lab::kernel().
-[[nodiscard]] Domain domain_of(const Lab& lab, const Question& question);
+// with is an input. Throws shader::CompileError.
+[[nodiscard]] Domain domain_of(const Lab& lab, const Question& question, const KernelSource& source);
 
 // Calls visit(scenario, share) for each scenario of a question with its share of `inputs`. A function without
 // images gets one call with an empty scenario.

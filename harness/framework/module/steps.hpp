@@ -2,11 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/failure.hpp"
 #include "module/compile.hpp"
 
 namespace gloam::shader {
@@ -29,19 +29,20 @@ struct StepInput {
 };
 
 // A step that fails, or gives a module that is not valid: a fault of the step. One line.
-class StepError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
+class StepError : public base::Failure {
+    using base::Failure::Failure;
 };
 
 // A step that cannot be taken: its program or file is not here. It says nothing of the module.
 class StepUnavailable : public StepError {
-    using StepError::StepError;
+  public:
+    explicit StepUnavailable(const std::string& message) : StepError(message, base::Reason::unsupported) {}
 };
 
 // The steps left a module as it was, so that nothing can have gone wrong.
-class Unchanged : public std::runtime_error {
+class Unchanged : public base::Failure {
   public:
-    Unchanged() : std::runtime_error("the steps leave its module as it is") {}
+    Unchanged() : Failure("the steps leave its module as it is", base::Reason::unchanged) {}
 };
 
 // Takes a step. A program has 60 s and 4 GiB. Throws StepError.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <array>
-#include <span>
-
 #include "record/answer_json.hpp"
 
 namespace gloam::record {
@@ -12,29 +9,29 @@ namespace {
 using check::Answer;
 using check::InputClass;
 
+// The value with this name, up to the last of its enumeration.
 template <class Value>
-Value named(const JsonReader& json, std::string_view name, std::span<const Value> all, const char* expected) {
-    for (const Value value : all)
-        if (name_of(value) == name) return value;
+Value named(const JsonReader& json, std::string_view name, Value last, const char* expected) {
+    for (int i = 0; i <= static_cast<int>(last); ++i)
+        if (name_of(static_cast<Value>(i)) == name) return static_cast<Value>(i);
     json.expected(expected);
 }
 
 InputClass class_named(const JsonReader& json, std::string_view name) {
-    using enum InputClass;
-    constexpr std::array all{ordinary, branch, zero, subnormal, huge, infinite, nan};
-    return named<InputClass>(json, name, all, "a class of inputs");
+    return named(json, name, InputClass::nan, "a class of inputs");
 }
 
 }  // namespace
 
 check::Reason value_from(const JsonReader& json, check::Reason) {
-    return named<check::Reason>(
-        json, json.text(), check::all_reasons,
-        "\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier");
+    return named(json, json.text(), check::Reason::unchanged,
+                 "\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier");
 }
 check::Verdict value_from(const JsonReader& json, check::Verdict) {
-    constexpr std::array all{check::Verdict::budget, check::Verdict::rules};
-    return named<check::Verdict>(json, json.text(), all, "budget or rules");
+    return named(json, json.text(), check::Verdict::rules, "budget or rules");
+}
+check::NoResult value_from(const JsonReader& json, check::NoResult) {
+    return named(json, json.text(), check::NoResult::too_long, "undefined or too long");
 }
 InputClass value_from(const JsonReader& json, InputClass) {
     return class_named(json, json.text());

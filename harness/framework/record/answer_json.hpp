@@ -12,6 +12,7 @@ namespace gloam::record {
 [[nodiscard]] check::Reason value_from(const JsonReader& json, check::Reason);
 [[nodiscard]] check::Verdict value_from(const JsonReader& json, check::Verdict);
 [[nodiscard]] check::InputClass value_from(const JsonReader& json, check::InputClass);
+[[nodiscard]] check::NoResult value_from(const JsonReader& json, check::NoResult);
 
 template <class Io>
 void members(Io& io, numeric::Bounds& bounds) {
@@ -90,8 +91,10 @@ void members(Io& io, check::Answer& answer) {
     io.member("outside", answer.outside(), Present::derived);
     io.member("recorded", answer.recorded(), Present::derived);
     each(io, "by_rules", answer.by_rules, "forbidden", answer.forbidden, "bounded", answer.bounded,
-         "unbounded", answer.unbounded, "undefined", answer.undefined, "undefined_at", answer.first_undefined,
-         "differs", answer.differs, "max_ulp", answer.max_ulp, "max_abs", answer.max_absolute);
+         "unbounded", answer.unbounded, "undefined", answer.undefined, "undefined_at",
+         answer.first_undefined);
+    if (answer.undefined > 0) io.member("undefined_because", answer.no_result, Present::later);
+    each(io, "differs", answer.differs, "max_ulp", answer.max_ulp, "max_abs", answer.max_absolute);
     io.member("width_fraction", answer.fraction, Present::if_given, by_rules);
     io.member("budget_fraction", answer.budget_fraction);
     io.member("guarantee", answer.guarantee, Present::if_given, by_rules);

@@ -7,7 +7,7 @@
 
 #include "record/failures.hpp"
 #include "record/replay_text.hpp"
-#include "subject/kernel_code.hpp"
+#include "judge/reproduction.hpp"
 
 namespace gloam::record {
 namespace {

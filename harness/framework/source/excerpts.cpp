@@ -96,8 +96,11 @@ std::string bound_text(const std::vector<BoundVariable>& variables, Excerpt& exc
 
 // The text of a piece in an excerpt, and its names; a macro may give a variable another one.
 std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
-    const bool of_group = contains(piece.tokens, "shared") || contains(piece.tokens, "local_size_x");
-    if (of_group && excerpt.needs == Needs::group) return piece.text;
+    const bool sizes = contains(piece.tokens, "local_size_x");
+    if (excerpt.needs == Needs::group && (sizes || contains(piece.tokens, "shared"))) {
+        excerpt.has_group_size |= sizes;
+        return piece.text;
+    }
     const std::map<std::string, std::string> opaque = opaque_macros(macros);
     if (const auto bound = internal::bound_variables(piece, opaque)) return bound_text(*bound, excerpt);
     const auto plain = internal::plain_globals(piece, opaque);

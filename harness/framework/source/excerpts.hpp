@@ -69,6 +69,7 @@ struct Excerpt {
     std::vector<std::string> definitions;
     std::vector<std::string> comments = {};  // above each of them, and inside its list of parameters
     Needs needs = Needs::nobody;
+    bool has_group_size = false;  // `text` states that of its work groups
 };
 
 // What stands before the name of a function in an excerpt that has the name and parameters of a built-in one,

@@ -71,12 +71,11 @@ std::vector<Word> sampled_words(const Image& image, std::string_view sampler) {
     return words;
 }
 
-std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& prototypes,
-                                           const ImageSet& images, const std::string& kernel) {
+std::vector<std::vector<Word>> image_words(const KernelModule& kernel, const ImageSet& images) {
     std::vector<std::vector<Word>> all;
-    for (const ImagePrototype& prototype : prototypes)
-        all.push_back(prototype.layered.empty() ? words_of(find_image(images, prototype, kernel), prototype)
-                                                : std::vector<Word>{});
+    for (const ImagePrototype& image : kernel.source->images)
+        all.push_back(image.layered.empty() ? words_of(find_image(images, image, kernel.name), image)
+                                            : std::vector<Word>{});
     return all;
 }
 

@@ -18,10 +18,9 @@
 
 namespace gloam::check {
 
-// The words of each of the kernel's images, in the format of its buffers. Throws std::invalid_argument if a
+// The words of each of a kernel's images, in the format of its buffers. Throws std::invalid_argument if a
 // prototype has no image or one of another type.
-[[nodiscard]] std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& prototypes,
-                                                         const ImageSet& images, const std::string& kernel);
+[[nodiscard]] std::vector<std::vector<Word>> image_words(const KernelModule& kernel, const ImageSet& images);
 
 // An image for a sampler of this type ("usampler3D"), as backend/sampled.hpp has it. The image's pixels have
 // four components, of which depths use the first. Throws std::invalid_argument where its size and its words

@@ -29,7 +29,7 @@ KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv) {
              .layer_size = image_sides,
              .name = source.function.name,
              .team = source.team},
-            source.images};
+            std::make_shared<const KernelSource>(source)};
 }
 
 shader::Source quad_vertices() {
@@ -161,11 +161,10 @@ const char* input_position(const backend::Team& team) {
     return team.kind == backend::Team::Kind::group ? "gl_WorkGroupID" : "gl_GlobalInvocationID";
 }
 
-// The size of the work groups, unless the function's file states it.
+// The size of the work groups; the file of a function may state the same.
 std::string group_layout(const KernelSource& source) {
     const auto& team = source.team;
-    const bool stated = source.text.find("local_size_x") != std::string::npos;
-    if (stated || team.kind == backend::Team::Kind::quad) return {};
+    if (team.kind == backend::Team::Kind::quad) return {};
     if (team.kind == backend::Team::Kind::alone)
         return fmt::format("layout(local_size_x = {}) in;\n", kernel_group_size);
     return fmt::format("layout(local_size_x = {}, local_size_y = {}, local_size_z = {}) in;\n", team.size[0],

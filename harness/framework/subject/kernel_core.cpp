@@ -59,7 +59,7 @@ void add_faults(const Part& part, const KernelFaults& faults, const KernelModule
         all->count += faults.count;
         return;
     }
-    const ImagePrototype& image = module.prototypes.at(faults.image);
+    const ImagePrototype& image = module.source->images.at(faults.image);
     all = ImageFault{.image = image.name,
                      .pixel = {static_cast<int>(faults.x), static_cast<int>(faults.y)},
                      .size = images.at(image.name).size,
@@ -89,7 +89,7 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
     Result result;
     if (module_->judged_by_rules) result.modules = {module_};
     result.outputs.reserve(count * out);
-    const std::vector<std::vector<Word>> words = image_words(module_->prototypes, images, module_->name);
+    const std::vector<std::vector<Word>> words = image_words(*module_, images);
     for (Part part{.first = 0, .count = 0}; part.first < count; part.first += part.count) {
         part.count = std::min(kernel_->most_inputs(), count - part.first);
         backend::KernelMemory memory{.inputs = inputs.subspan(part.first * in, part.count * in),

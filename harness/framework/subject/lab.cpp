@@ -48,19 +48,33 @@ void require_opengl_options(const LabOptions& options, shader::Language language
 }
 
 // A whole shader, with a #version line, cannot be included: its functions are excerpts of it. Others are
-// included as they are.
-std::vector<shader::Excerpt> excerpts_of(const LabOptions& options, const std::string& file) {
-    if (!options.excerpts.empty()) return options.excerpts;
-    std::filesystem::path path;
+// included as they are, like a file that is missing, of which the compiler says so.
+std::shared_ptr<const OwnFile> whole_shader(const LabOptions& options, const std::string& file) {
+    if (options.file) return options.file;
     try {
-        path = shader::resolve_include(file, {}, options.include_roots);
+        const std::filesystem::path path = shader::resolve_include(file, {}, options.include_roots);
+        std::string text = shader::read_text(path);
+        if (text.find("#version") == std::string::npos) return nullptr;
+        auto own = std::make_shared<const OwnFile>(path, std::move(text), options.include_roots);
+        return own->excerpts.version.empty() ? nullptr : own;
+    } catch (const shader::CompileError&) {
+        throw;
     } catch (const std::runtime_error&) {
-        return {};  // the compiler says so
+        return nullptr;
     }
-    const std::string text = shader::read_text(path);
-    if (text.find("#version") == std::string::npos) return {};
-    shader::Excerpts all = shader::excerpts({path.string(), text}, options.include_roots);
-    return all.version.empty() ? std::vector<shader::Excerpt>{} : std::move(all.functions);
+}
+
+// The functions that a text defines and declares, as a kernel of the signature has them.
+std::vector<shader::Function> functions_for(const Signature& signature, std::vector<shader::Function> all,
+                                            const shader::Excerpt* excerpt) {
+    for (shader::Function& one : all) {
+        if (excerpt != nullptr) one = with_globals(std::move(one), *excerpt);
+        if (!one.defined) continue;
+        for (std::size_t i = 0; i < std::min(one.parameters.size(), signature.parameters.size()); ++i)
+            one.parameters[i].uniform = signature.parameters[i].uniform;
+        one = together(std::move(one), signature.team);
+    }
+    return all;
 }
 
 // A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
@@ -145,6 +159,7 @@ Lab::Lab(LabOptions options) : Lab(options, opened(options)) {}
 
 Lab::Lab(LabOptions options, std::shared_ptr<backend::Backend> device)
     : options_(std::move(options)), device_(std::move(device)), cache_(shader_cache(options_)) {
+    if (options_.file) options_.include_roots = options_.file->include_roots;
     if (const auto text_language = language()) require_opengl_options(options_, *text_language);
 }
 
@@ -170,7 +185,7 @@ shader::CompileOptions Lab::compile_options() const {
     return {.stage = shader::Stage::compute,
             .include_roots = options_.include_roots,
             .variant = options_.variant,
-            .lines = !options_.excerpts.empty()};
+            .lines = options_.file != nullptr};
 }
 
 shader::CompileOptions Lab::judged_options() const {
@@ -181,26 +196,19 @@ shader::CompileOptions Lab::judged_options() const {
 
 KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
-    const std::vector<shader::Excerpt> excerpts = excerpts_of(options_, file);
-    const auto excerpt = std::ranges::find(excerpts, function, &shader::Excerpt::function);
-    const std::string text = excerpt == excerpts.end() ? "" : excerpt->text;
+    const std::shared_ptr<const OwnFile> whole = whole_shader(options_, file);
+    const shader::Excerpt* excerpt = whole ? whole->find(function) : nullptr;
+    const std::string text = excerpt == nullptr ? "" : excerpt->text;
     shader::CompileOptions options = compile_options();
     options.stage = stage_of(signature.team);
-    std::vector<shader::Function> all = cache_.functions(probe_of(file, text), options);
-    if (!text.empty())
-        for (shader::Function& one : all) one = with_globals(std::move(one), *excerpt);
-    for (shader::Function& one : all) {
-        if (!one.defined) continue;
-        for (std::size_t i = 0; i < std::min(one.parameters.size(), signature.parameters.size()); ++i)
-            one.parameters[i].uniform = signature.parameters[i].uniform;
-        one = together(std::move(one), signature.team);
-    }
+    const std::vector<shader::Function> all =
+        functions_for(signature, cache_.functions(probe_of(file, text), options), excerpt);
     std::vector<std::string> named;
     for (const shader::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;
         if (matches(signature, candidate)) {
             std::vector<ImagePrototype> images;
-            if (!text.empty()) images = images_of(*excerpt, candidate);
+            if (excerpt != nullptr) images = images_of(*excerpt, candidate);
             std::ranges::copy(image_prototypes(all, file), std::back_inserter(images));
             return {.file = file,
                     .function = candidate,

@@ -17,6 +17,7 @@
 #include "module/compile.hpp"
 #include "module/texts.hpp"
 #include "subject/kernel_code.hpp"
+#include "subject/own_file.hpp"
 #include "subject/signature.hpp"
 
 namespace gloam::check {
@@ -87,8 +88,8 @@ struct LabOptions {
     std::vector<std::filesystem::path> include_roots;  // folders searched for GLSL files, in order
     std::filesystem::path cache_directory;             // of compiled shaders and pipelines; empty: no cache
     shader::Variant variant;                           // how the shaders are compiled
-    std::vector<shader::Excerpt> excerpts;             // functions that are compiled without the rest of
-                                                       // their file
+    std::shared_ptr<const OwnFile> file = {};          // whose functions are compiled without the rest of it;
+                                                       // include_roots are its own then
     std::chrono::milliseconds timeout{60'000};         // longest wait for one submission
 };
 

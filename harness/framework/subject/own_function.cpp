@@ -136,7 +136,7 @@ std::string definition_of(const shader::Function& function) {
 // Sorts the functions of one file.
 class Sorting {
   public:
-    explicit Sorting(const std::vector<std::string>& names) : names_(names) {}
+    Sorting(const OwnFile& file, const std::vector<std::string>& names) : file_(file), names_(names) {}
 
     void add(const shader::Excerpt& excerpt, const std::vector<shader::Function>& compiled,
              const backend::Team& team) {
@@ -161,8 +161,8 @@ class Sorting {
                 why = fmt::format("it calls {}, which has no body; expected T name(ivec2)",
                                   definition_of(*unserved));
             if (why.empty()) {
-                all_.found.push_back({own.size() > 1 ? definition : function.name, called, excerpt.text,
-                                      images_of(excerpt, function), team, comment});
+                all_.found.push_back({file_.name, own.size() > 1 ? definition : function.name, called,
+                                      excerpt.text, images_of(excerpt, function), team, comment});
             } else {
                 all_.left_out.push_back({definition, why});
             }
@@ -175,15 +175,16 @@ class Sorting {
                 all_.left_out.push_back(internal::refused(excerpt, definition, errors));
     }
 
-    OwnFunctions take(const std::string& file, const std::vector<shader::Excerpt>& excerpts) {
+    OwnFunctions take() {
         const auto unmet = std::ranges::find_if(names_, [this](const std::string& name) {
             return std::ranges::none_of(seen_, [&](const auto& one) { return is_named(one, name); });
         });
         if (unmet == names_.end()) return std::move(all_);
         std::string known;
-        for (const auto& excerpt : excerpts) known += (known.empty() ? "" : ", ") + excerpt.function;
-        throw std::invalid_argument(
-            fmt::format("{}: no function {}; it defines: {}", file, *unmet, known.empty() ? "none" : known));
+        for (const auto& excerpt : file_.excerpts.functions)
+            known += (known.empty() ? "" : ", ") + excerpt.function;
+        throw std::invalid_argument(fmt::format("{}: no function {}; it defines: {}", file_.name, *unmet,
+                                                known.empty() ? "none" : known));
     }
 
   private:
@@ -194,6 +195,7 @@ class Sorting {
                });
     }
 
+    const OwnFile& file_;
     const std::vector<std::string>& names_;
     std::vector<std::string> seen_;
     OwnFunctions all_;
@@ -278,8 +280,7 @@ backend::Team team_for(const shader::Excerpt& excerpt, const std::string& file,
     if (excerpt.needs == shader::Needs::nobody) return {};
     if (excerpt.needs == shader::Needs::quad) return backend::quad_team;
     constexpr std::uint32_t usual = 64;
-    if (excerpt.text.find("local_size_x") == std::string::npos)
-        return {.kind = backend::Team::Kind::group, .size = {usual, 1, 1}};
+    if (!excerpt.has_group_size) return {.kind = backend::Team::Kind::group, .size = {usual, 1, 1}};
     shader::Source whole = probe_of(file, excerpt.text);
     whole.text += "\nvoid main() {}\n";
     return {.kind = backend::Team::Kind::group,
@@ -288,11 +289,11 @@ backend::Team team_for(const shader::Excerpt& excerpt, const std::string& file,
 
 }  // namespace
 
-OwnFunctions own_functions(const LabOptions& options, const std::string& file,
-                           const std::vector<std::string>& names) {
-    Sorting sorting(names);
+OwnFunctions own_functions(const LabOptions& options, const std::vector<std::string>& names) {
+    const std::string& file = options.file->name;
+    Sorting sorting(*options.file, names);
     const shader::SpirvCache cache = shader_cache(options);
-    for (const shader::Excerpt& excerpt : options.excerpts) {
+    for (const shader::Excerpt& excerpt : options.file->excerpts.functions) {
         const bool asked = names.empty() || std::ranges::any_of(names, [&](const std::string& name) {
                                return without_blanks(name.substr(0, name.find('('))) == excerpt.function;
                            });
@@ -305,9 +306,9 @@ OwnFunctions own_functions(const LabOptions& options, const std::string& file,
             sorting.refuse(excerpt, error.what());
         }
     }
-    OwnFunctions all = sorting.take(file, options.excerpts);
+    OwnFunctions all = sorting.take();
     std::erase_if(all.found, [&](const OwnFunction& own) {
-        const std::string why = why_not_run(own.kernel_source(file), cache);
+        const std::string why = why_not_run(own.kernel_source(), cache);
         if (!why.empty()) all.left_out.push_back({own.name, "gloam cannot run it: " + why});
         return !why.empty();
     });

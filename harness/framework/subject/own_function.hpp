@@ -11,6 +11,7 @@ namespace gloam::check {
 
 // A function of a file from elsewhere that can be checked.
 struct OwnFunction {
+    std::string file;           // OwnFile::name
     std::string name;           // "f", or "f(vec2, float)" if the file defines others of this name
     shader::Function function;  // of a team: together()
     std::string excerpt;        // shader::Excerpt::text
@@ -24,7 +25,7 @@ struct OwnFunction {
         return {.result = function.result, .parameters = function.parameters, .team = team};
     }
     // What its kernel is generated from.
-    [[nodiscard]] KernelSource kernel_source(const std::string& file) const {
+    [[nodiscard]] KernelSource kernel_source() const {
         return {.file = file, .function = function, .images = images, .text = excerpt, .team = team};
     }
     // Whether it is a property (Question::must_hold): it gives bools alone, and its name begins with test_ or
@@ -44,10 +45,10 @@ struct OwnFunctions {
     std::vector<LeftOut> left_out;
 };
 
-// The functions that a file itself defines, without main and those of its includes, in their order: those of
-// LabOptions::excerpts. `names`: only these, each "f" for all functions of this name, or "f(vec2, float)";
-// empty: all. Throws std::invalid_argument for a name that the file does not define.
-[[nodiscard]] OwnFunctions own_functions(const LabOptions& options, const std::string& file,
+// The functions that the file of a lab's options itself defines, without main and those of its includes, in
+// their order. `names`: only these, each "f" for all functions of this name, or "f(vec2, float)"; empty: all.
+// Throws std::invalid_argument for a name that the file does not define.
+[[nodiscard]] OwnFunctions own_functions(const LabOptions& options,
                                          const std::vector<std::string>& names = {});
 
 // Random content for prototypes and samplers. Where there are samplers, they have different filters, edges

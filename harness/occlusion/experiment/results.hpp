@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "backend/vulkan/device.hpp"
 #include "experiment/configuration_study.hpp"
 #include "experiment/experiment.hpp"
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "backend/vulkan/device.hpp"
 #include "experiment/results.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/pass_library.hpp"

@@ -17,7 +17,6 @@
 #include "cli/framework/check/checker.hpp"
 #include "cli/framework/open_device.hpp"
 #include "interpreter/program.hpp"
-#include "module/include.hpp"
 #include "record/audit_report.hpp"
 #include "record/output.hpp"
 
@@ -38,41 +37,39 @@ struct AuditCommand {
 };
 
 // The functions of the file. Says what is left out; throws where nothing remains.
-std::vector<check::OwnFunction> functions_of(const AuditCommand& command) {
-    OwnFile own =
-        own_file(command.file.string(), command.functions, command.ranges, command.includes, command.defines);
-    for (const check::LeftOut& function : own.functions.left_out)
+std::vector<check::OwnFunction> audited_functions(const AuditCommand& command,
+                                                  const std::shared_ptr<const check::OwnFile>& file) {
+    check::OwnFunctions all = functions_of(file, command.functions, ranges_from(command.ranges));
+    for (const check::LeftOut& function : all.left_out)
         fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
                                                       function.name, function.why)));
-    for (const std::string& made : own.by_macro)
+    for (const std::string& made : file->excerpts.by_macro)
         fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(), made);
-    if (own.functions.found.empty())
-        throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
-                                             why_nothing(own.functions.left_out)));
-    return std::move(own.functions.found);
+    if (all.found.empty())
+        throw std::runtime_error(
+            fmt::format("{}: nothing was audited: {}", command.file.string(), why_nothing(all.left_out)));
+    return std::move(all.found);
 }
 
 // One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
 std::vector<check::Audit> audits_of(const AuditCommand& command,
+                                    const std::shared_ptr<const check::OwnFile>& file,
                                     const std::vector<check::OwnFunction>& functions) {
     std::vector<check::Audit> audits;
-    const std::string name = command.file.filename().string();
     const check::Ranges ranges = ranges_from(command.ranges);
-    const check::Lab interpreter =
-        lab_of_file(command.file, command.includes, command.defines, std::string(check::interpreter_name));
+    const check::Lab interpreter = lab_of(file);
     if (!command.devices.empty()) require_good_drivers();
     std::vector<check::Lab> labs;
-    for (const std::string& device : command.devices)
-        labs.push_back(lab_of_file(command.file, command.includes, command.defines, device));
+    for (const std::string& device : command.devices) labs.push_back(lab_of(file, device));
     for (const check::OwnFunction& function : functions) {
         try {
-            audits.push_back(check::audit(interpreter, name, function, ranges, command.options));
+            audits.push_back(check::audit(interpreter, function, ranges, command.options));
         } catch (const interpreter::Error& error) {
             throw std::runtime_error(
                 fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
         }
         for (const check::Lab& lab : labs)
-            add_witness(audits.back(), lab, question_of(lab, name, function, ranges), command.options);
+            add_witness(audits.back(), lab, question_of(lab, function, ranges), command.options);
         fmt::print("{}\n", to_text(audits.back()));
         (void)std::fflush(stdout);
     }
@@ -85,10 +82,10 @@ int run_audit(AuditCommand& command, EquationsNamed* equations) {
     command.functions.erase(command.functions.begin());
     const record::OutputFile json(command.json);
     const record::OutputFile html(command.html);
-    const std::vector<check::OwnFunction> functions = functions_of(command);
-    const record::AuditReport report{.file = command.file.string(),
-                                     .source = shader::read_text(command.file),
-                                     .audits = audits_of(command, functions)};
+    const auto file = own_file(command.file, command.includes, command.defines);
+    const std::vector<check::OwnFunction> functions = audited_functions(command, file);
+    const record::AuditReport report{
+        .file = command.file.string(), .source = file->text, .audits = audits_of(command, file, functions)};
     int status = 0;
     for (const check::Audit& audit : report.audits) {
         if (audit.is_broken()) status = 1;

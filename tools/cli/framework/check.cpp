@@ -87,8 +87,8 @@ void print_undefined(const record::CheckReport& report) {
     for (const check::Answer& row : report.rows)
         if (row.undefined > 0)
             fmt::print("{} {}: {} {} of {} inputs, which were not judged: {}\n", row.equation, row.variant,
-                       row.first_undefined.starts_with("more than") ? "it takes too long for"
-                                                                    : "the result is undefined for",
+                       row.no_result == check::NoResult::too_long ? "it takes too long for"
+                                                                  : "the result is undefined for",
                        row.undefined, row.inputs(), row.first_undefined);
 }
 

@@ -78,26 +78,26 @@ std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::files
 }
 
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
-    OwnFile own = own_file(file.string(), command.functions, {}, command.includes, command.defines);
-    std::vector<check::LeftOut>& left_out = own.functions.left_out;
-    std::erase_if(own.functions.found, [&](const check::OwnFunction& one) {
+    const auto own = own_file(file, command.includes, command.defines);
+    check::OwnFunctions functions = functions_of(own, command.functions, {});
+    std::vector<check::LeftOut>& left_out = functions.left_out;
+    std::erase_if(functions.found, [&](const check::OwnFunction& one) {
         const bool of_quad = one.team.kind == backend::Team::Kind::quad;
         if (of_quad) left_out.push_back({one.name, "it needs the derivatives of a fragment shader"});
         return of_quad;
     });
-    if (own.functions.found.empty())
+    if (functions.found.empty())
         throw std::runtime_error(
             fmt::format("{}: nothing was counted: {}", file.string(), why_nothing(left_out)));
     for (const check::LeftOut& one : left_out)
         fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
-    const check::Lab lab =
-        lab_of_file(file, command.includes, command.defines, std::string(check::interpreter_name));
+    const check::Lab lab = lab_of(own);
     std::vector<shader::Spirv> kernels;
-    for (const check::OwnFunction& one : own.functions.found)
-        kernels.push_back(cost_kernel(lab, file.filename().string(), one.function.name, one.signature()));
+    for (const check::OwnFunction& one : functions.found)
+        kernels.push_back(cost_kernel(lab, one.file, one.function.name, one.signature()));
     std::vector<CostRow> rows;
     for (const cost::Cost& one : costs_of(kernels, command.options))
-        rows.push_back({own.functions.found[rows.size()].name, one});
+        rows.push_back({functions.found[rows.size()].name, one});
     return rows;
 }
 

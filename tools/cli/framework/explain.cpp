@@ -143,7 +143,7 @@ std::vector<std::string> without_blanks(std::vector<std::string> words) {
 void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
     const Target target = target_of(without_blanks(options.words), equations);
     const check::OwnFunctions functions =
-        own_file(target.file, {target.function}, {}, options.includes, options.defines).functions;
+        functions_of(own_file(target.file, options.includes, options.defines), {target.function}, {});
     if (functions.found.empty())
         throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
                                                 functions.left_out.front().why));
@@ -154,9 +154,8 @@ void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
         const auto scenarios = check::random_scenarios(own.images);
         const check::ImageSet images =
             scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
-        const check::Explanation all = check::explain(
-            {.variant = shader::variant(options.variant)},
-            own.kernel_source(std::filesystem::path(target.file).filename().string()), input, images);
+        const check::Explanation all =
+            check::explain({.variant = shader::variant(options.variant)}, own.kernel_source(), input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
     } catch (const interpreter::Error& error) {
         throw std::runtime_error(fmt::format("{}: {}: {}", target.file, target.function, error.what()));

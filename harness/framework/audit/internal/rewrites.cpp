@@ -143,7 +143,7 @@ std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditS
                                    const std::vector<AuditFinding>& findings) {
     std::vector<AuditRewrite> all;
     const Question& question = runs.question();
-    const KernelSource source = lab.source(question.file, question.function, question.signature);
+    const KernelSource& source = runs.source();
     if (findings.empty() || source.text.empty()) return all;
     const std::vector<Case> cases = cases_of(runs, search, findings);
     const Score before = score_on(runs, cases);

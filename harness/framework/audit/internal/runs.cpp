@@ -26,8 +26,8 @@ ImageScenario first_scenario(const Question& question) {
 
 }  // namespace
 
-AuditRuns::AuditRuns(const Lab& lab, const Question& question, std::uint64_t seed)
-    : AuditRuns(lined_module(lab, question), question, images_of(first_scenario(question), seed)) {}
+AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSource& source, std::uint64_t seed)
+    : AuditRuns(lined_module(lab, source), question, images_of(first_scenario(question), seed)) {}
 
 AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
                      const AuditRuns& original)

@@ -53,7 +53,7 @@ class AuditRuns {
   public:
     using Gaps = numeric::Paths::Gaps;
 
-    AuditRuns(const Lab& lab, const Question& question, std::uint64_t seed);
+    AuditRuns(const Lab& lab, const Question& question, const KernelSource& source, std::uint64_t seed);
     // The same function with another text, measured like `original`, on the same images.
     AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
               const AuditRuns& original);
@@ -91,6 +91,7 @@ class AuditRuns {
     [[nodiscard]] std::string named(std::span<const Word> input) const;
 
     [[nodiscard]] const Question& question() const { return question_; }
+    [[nodiscard]] const KernelSource& source() const { return *modules_[0]->source; }
     [[nodiscard]] glm::ivec2 image_size() const { return image_size_; }
     [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
     // The float constants of the function's module.

@@ -194,10 +194,12 @@ struct Code {
 // What is the same for all operations of a form.
 enum class Form {
     plain,
-    arithmetic,  // on floats: NoContraction applies
-    at_once,     // it reads all its operands before its first result
-    to_one,      // of as many components as the first operand has, one result: any, length, ...
-    pair         // of as many, two results each, after all operands are read: a sum and its carry, ...
+    arithmetic,    // on floats: NoContraction applies
+    at_once,       // it reads all its operands before its first result
+    truth,         // a bool for each component
+    to_one,        // of as many components as the first operand has, one result: length, ...
+    to_one_truth,  // the same, a bool: any, all
+    pair           // of as many, two results each, after all operands are read: a sum and its carry, ...
 };
 
 struct Known {
@@ -206,7 +208,8 @@ struct Known {
     Form form = Form::plain;
 
     // Whether the number of components is that of the first operand, not of the result.
-    [[nodiscard]] bool has_count_of_operand() const { return form == Form::to_one || form == Form::pair; }
+    [[nodiscard]] bool gives_one() const { return form == Form::to_one || form == Form::to_one_truth; }
+    [[nodiscard]] bool has_count_of_operand() const { return gives_one() || form == Form::pair; }
     [[nodiscard]] bool reads_all_first() const { return form == Form::at_once || form == Form::pair; }
 };
 

@@ -55,7 +55,7 @@ std::uint32_t results_of(const Instruction& instruction) {
             break;
     }
     const Known* known = known_operation(instruction.op);
-    if (known != nullptr && known->form == Form::to_one) return 1;
+    if (known != nullptr && known->gives_one()) return 1;
     return known != nullptr && known->form == Form::pair ? 2 * instruction.count : instruction.count;
 }
 

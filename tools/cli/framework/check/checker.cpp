@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <new>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -15,7 +14,6 @@
 #include "base/compiler_limits.hpp"
 #include "base/text.hpp"
 #include "cli/environment.hpp"
-#include "interpreter/program.hpp"
 #include "judge/reproduction.hpp"
 #include "module/include.hpp"
 #include "module/spirv.hpp"
@@ -74,31 +72,28 @@ std::vector<std::string> file_and_functions(const std::vector<std::string>& word
     return all;
 }
 
-OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
-                 const std::vector<std::string>& ranges, const std::vector<std::string>& includes,
-                 const std::vector<std::string>& defines) {
+std::shared_ptr<const check::OwnFile> own_file(const std::filesystem::path& file,
+                                               const std::vector<std::string>& includes,
+                                               const std::vector<std::string>& defines) {
     const std::filesystem::path path = std::filesystem::absolute(file);
-    const std::string text = shader::read_text(file);
-    const check::Ranges known = ranges_from(ranges);
-    OwnFile own = base::tried(file, [&] {
-        const auto all = shader::excerpts({path.string(), text}, include_roots_of(path, includes), defines);
-        return OwnFile{all.version, all.by_macro,
-                       check::own_functions({.cache_directory = cache_directory(), .excerpts = all.functions},
-                                            path.filename().string(), names)};
+    std::string text = shader::read_text(file);
+    return base::tried(file.string(), [&] {
+        return std::make_shared<const check::OwnFile>(path, std::move(text), include_roots_of(path, includes),
+                                                      defines);
     });
-    require_known(known, own.functions.found);
-    return own;
 }
 
-check::Lab lab_of_file(const std::filesystem::path& file, const std::vector<std::string>& includes,
-                       const std::vector<std::string>& defines, const std::string& device) {
-    const std::filesystem::path path = std::filesystem::absolute(file);
-    const auto roots = include_roots_of(path, includes);
-    return check::Lab(
-        {.device = device,
-         .include_roots = roots,
-         .cache_directory = cache_directory(),
-         .excerpts = shader::excerpts({path.string(), shader::read_text(file)}, roots, defines).functions});
+check::Lab lab_of(std::shared_ptr<const check::OwnFile> file, const std::string& device) {
+    return check::Lab({.device = device, .cache_directory = cache_directory(), .file = std::move(file)});
+}
+
+check::OwnFunctions functions_of(const std::shared_ptr<const check::OwnFile>& file,
+                                 const std::vector<std::string>& names, const check::Ranges& ranges) {
+    check::OwnFunctions functions = base::tried(file->name, [&] {
+        return check::own_functions({.cache_directory = cache_directory(), .file = file}, names);
+    });
+    require_known(ranges, functions.found);
+    return functions;
 }
 
 std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
@@ -112,21 +107,24 @@ OwnSelection own_selection(const std::vector<std::string>& words, const std::vec
                            const std::vector<std::string>& includes,
                            const std::vector<std::string>& defines) {
     const std::string& file = words.front();
-    const OwnFile own = own_file(file, {words.begin() + 1, words.end()}, ranges, includes, defines);
+    const std::shared_ptr<const check::OwnFile> own = own_file(file, includes, defines);
+    const check::OwnFunctions functions =
+        functions_of(own, {words.begin() + 1, words.end()}, ranges_from(ranges));
     OwnSelection selection;
-    if (!own.version.empty() && own.version != "450" && own.version != "450 core")
+    const std::string& version = own->excerpts.version;
+    if (!version.empty() && version != "450" && version != "450 core")
         selection.notes.push_back(
-            fmt::format("{}: #version {} is compiled as #version 450 for Vulkan", file, own.version));
-    for (const std::string& made : own.by_macro)
+            fmt::format("{}: #version {} is compiled as #version 450 for Vulkan", file, version));
+    for (const std::string& made : own->excerpts.by_macro)
         selection.notes.push_back(fmt::format(
             "{}: {}: functions that a macro makes are not looked at; write one out to check it", file, made));
-    const std::vector<check::LeftOut>& left_out = own.functions.left_out;
+    const std::vector<check::LeftOut>& left_out = functions.left_out;
     for (const check::LeftOut& function : left_out) {
         selection.notes.push_back(
             base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
         selection.complete = selection.complete && !function.is_error && words.size() == 1;
     }
-    for (const check::OwnFunction& function : own.functions.found) selection.names.push_back(function.name);
+    for (const check::OwnFunction& function : functions.found) selection.names.push_back(function.name);
     if (!selection.names.empty()) return selection;
     if (left_out.size() > 1)
         for (const std::string& note : selection.notes) fmt::print("{}\n", note);
@@ -137,55 +135,16 @@ namespace {
 
 // The question of a task about a function of its file.
 check::Question own_question(const check::Lab& lab, const CheckTask& task) {
-    const std::string file = std::filesystem::path(task.file).filename().string();
-    const check::OwnFunctions own = check::own_functions(lab.options(), file, {task.equation});
+    const check::OwnFunctions own = check::own_functions(lab.options(), {task.equation});
     if (own.found.empty())
-        throw std::invalid_argument(fmt::format("{}: {}: {}", file, task.equation, own.left_out.front().why));
+        throw std::invalid_argument(
+            fmt::format("{}: {}: {}", lab.options().file->name, task.equation, own.left_out.front().why));
     const check::OwnFunction& function = own.found.front();
     const check::Ranges ranges = ranges_from(task.ranges);
-    check::Question question = check::question_of(lab, file, function, ranges);
+    check::Question question = check::question_of(lab, function, ranges);
     if (question.must_hold)  // for what it is meant for
         question.domain = check::ordinary_domain(function.function, check::ordinary_values(function, ranges));
     return question;
-}
-
-// The kind of an error, from an exception of the rooms.
-check::Reason reason_of(const std::exception& error) {
-    using check::Reason;
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
-    if (dynamic_cast<const backend::OutOfMemory*>(&error) != nullptr) return Reason::out_of_memory;
-    if (dynamic_cast<const backend::DeviceLost*>(&error) != nullptr) return Reason::device_lost;
-    if (dynamic_cast<const backend::Hang*>(&error) != nullptr) return Reason::hang;
-    if (dynamic_cast<const backend::Unsupported*>(&error) != nullptr) return Reason::unsupported;
-    if (dynamic_cast<const shader::StepUnavailable*>(&error) != nullptr) return Reason::unsupported;
-    if (dynamic_cast<const shader::Unchanged*>(&error) != nullptr) return Reason::unchanged;
-    if (const auto* of_shader = dynamic_cast<const interpreter::Error*>(&error)) {
-        if (of_shader->kind() == interpreter::Error::Kind::unknown_instruction) return Reason::unsupported;
-        if (of_shader->kind() == interpreter::Error::Kind::race) return Reason::race;
-        if (of_shader->kind() == interpreter::Error::Kind::divergent_barrier) return Reason::divergent;
-    }
-    return Reason::error;
-}
-
-constexpr std::string_view first_variant = "shipped";
-
-std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant,
-                                     const std::vector<std::filesystem::path>& roots,
-                                     const std::filesystem::path& file,
-                                     const std::vector<std::string>& defines,
-                                     std::shared_ptr<backend::Backend> device) {
-    std::vector<shader::Excerpt> excerpts;
-    if (!file.empty())
-        excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots, defines).functions;
-    check::LabOptions made{.device = options.device,
-                           .validation = options.validation,
-                           .include_roots = roots,
-                           .cache_directory = cache_directory(),
-                           .variant = variant,
-                           .excerpts = std::move(excerpts),
-                           .timeout = options.timeout};
-    if (device == nullptr) return std::make_unique<check::Lab>(std::move(made));
-    return std::make_unique<check::Lab>(std::move(made), std::move(device));
 }
 
 check::RunOptions options_of(const CheckTask& task) {
@@ -195,25 +154,25 @@ check::RunOptions options_of(const CheckTask& task) {
 }  // namespace
 
 Checker::Checker(CheckerOptions options) : options_(std::move(options)), equations_(options_.equations({})) {
-    lab(std::string(first_variant), {glsl_directory()}, {});
-}
-
-const check::Lab& Checker::lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
-                               const std::filesystem::path& file, const std::vector<std::string>& defines) {
-    if (!lab_ || variant != variant_ || roots != roots_ || file != file_ || defines != defines_) {
-        const std::shared_ptr<backend::Backend> device = lab_ ? lab_->backend() : nullptr;
-        lab_ = make_lab(options_, shader::variant(variant), roots, file, defines, device);
-        variant_ = variant;
-        roots_ = roots;
-        file_ = file;
-        defines_ = defines;
-    }
-    return *lab_;
+    lab({.variant = "shipped"});
 }
 
 const check::Lab& Checker::lab(const CheckTask& task) {
-    if (task.file.empty()) return lab(task.variant, {glsl_directory()}, {});
-    return lab(task.variant, include_roots_of(task.file, task.includes), task.file, task.defines);
+    if (!task.file.empty() && !file_)  // which the command has tried
+        file_ =
+            std::make_shared<const check::OwnFile>(task.file, shader::read_text(task.file),
+                                                   include_roots_of(task.file, task.includes), task.defines);
+    if (lab_ && task.variant == lab_->options().variant.name && lab_->options().file == file_) return *lab_;
+    check::LabOptions options{.device = options_.device,
+                              .validation = options_.validation,
+                              .include_roots = {glsl_directory()},
+                              .cache_directory = cache_directory(),
+                              .variant = shader::variant(task.variant),
+                              .file = file_,
+                              .timeout = options_.timeout};
+    lab_ = lab_ ? std::make_unique<check::Lab>(std::move(options), lab_->backend())
+                : std::make_unique<check::Lab>(std::move(options));
+    return *lab_;
 }
 
 check::Question Checker::question_of(const CheckTask& task) {
@@ -246,7 +205,7 @@ check::Answer Checker::run(const CheckTask& task) {
         answer = check::run(lab(task), question, options_of(task));
         if (task.coverage) answer.coverage = measure_coverage(lab(task), question, options_of(task));
     } catch (const std::exception& error) {
-        answer = answer_without_result(task, equations_, reason_of(error), error.what());
+        answer = answer_without_result(task, equations_, base::reason_of(error), error.what());
     }
     answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return answer;
@@ -263,12 +222,12 @@ HandOver Checker::hand_over(const HandOverRequest& request) {
 
 check::Answer answer_without_result(const CheckTask& task, const std::vector<check::Question>& equations,
                                     check::Reason reason, const std::string& error) {
-    check::Answer answer{.equation = task.equation,
-                         .function = task.equation.substr(0, task.equation.find('(')),
-                         .file = std::filesystem::path(task.file).filename().string(),
-                         .variant = task.variant,
-                         .error = error,
-                         .reason = reason};
+    check::Answer answer{{.equation = task.equation,
+                          .function = task.equation.substr(0, task.equation.find('(')),
+                          .file = std::filesystem::path(task.file).filename().string(),
+                          .variant = task.variant}};
+    answer.error = error;
+    answer.reason = reason;
     const auto found = std::ranges::find(equations, task.equation, &check::Question::name);
     if (!task.file.empty() || found == equations.end()) return answer;
     answer.function = found->function;

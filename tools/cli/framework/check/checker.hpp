@@ -34,25 +34,21 @@ namespace gloam::cli {
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
 [[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
 
-struct OwnFile {
-    std::string version;                // of its #version line; empty: there is none
-    std::vector<std::string> by_macro;  // see shader::Excerpts
-    check::OwnFunctions functions;
-};
+// A user's file with the include roots that the command line adds, read once for all labs and functions.
+// Throws std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects.
+[[nodiscard]] std::shared_ptr<const check::OwnFile> own_file(const std::filesystem::path& file,
+                                                             const std::vector<std::string>& includes,
+                                                             const std::vector<std::string>& defines);
 
-// The functions of a file (`includes`: its further include roots, `defines`: as of shader::excerpts()) with
-// these names (see check::own_functions()); without names all. Throws std::invalid_argument for a function
-// that the file does not define, an invalid range, or a range without a parameter of its name;
-// std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects.
-[[nodiscard]] OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
-                               const std::vector<std::string>& ranges,
-                               const std::vector<std::string>& includes,
-                               const std::vector<std::string>& defines);
+// A lab for its functions.
+[[nodiscard]] check::Lab lab_of(std::shared_ptr<const check::OwnFile> file,
+                                const std::string& device = std::string(check::interpreter_name));
 
-// A lab for the functions of a file.
-[[nodiscard]] check::Lab lab_of_file(const std::filesystem::path& file,
-                                     const std::vector<std::string>& includes,
-                                     const std::vector<std::string>& defines, const std::string& device);
+// Its functions with these names (check::own_functions()); without names all. Throws std::invalid_argument
+// for a function that it does not define, and for a range without a parameter of its name.
+[[nodiscard]] check::OwnFunctions functions_of(const std::shared_ptr<const check::OwnFile>& file,
+                                               const std::vector<std::string>& names,
+                                               const check::Ranges& ranges);
 
 // Why nothing is left of a file of which these functions were left out.
 [[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
@@ -65,8 +61,8 @@ struct OwnSelection {
     bool complete = true;  // no function was left out that was named or that does not compile
 };
 
-// `words`: the file, then the names of functions. Throws like own_file(), and std::runtime_error if nothing
-// can be checked; then it has printed the notes, if there are several.
+// `words`: the file, then the names of functions. Throws like own_file() and functions_of(), and
+// std::runtime_error if nothing can be checked; then it has printed the notes, if there are several.
 [[nodiscard]] OwnSelection own_selection(const std::vector<std::string>& words,
                                          const std::vector<std::string>& ranges,
                                          const std::vector<std::string>& includes,
@@ -99,17 +95,12 @@ class Checker {
     [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
 
   private:
-    const check::Lab& lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
-                          const std::filesystem::path& file, const std::vector<std::string>& defines = {});
     const check::Lab& lab(const CheckTask& task);
     [[nodiscard]] check::Question question_of(const CheckTask& task);
 
     CheckerOptions options_;
     std::vector<check::Question> equations_;
-    std::string variant_;                       // that lab_ compiles
-    std::vector<std::filesystem::path> roots_;  // in which it looks for includes
-    std::filesystem::path file_;                // of a user
-    std::vector<std::string> defines_;
+    std::shared_ptr<const check::OwnFile> file_;  // of a user: the tasks of a run are about one
     std::unique_ptr<check::Lab> lab_;
 };
 

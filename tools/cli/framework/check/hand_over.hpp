@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -76,7 +75,7 @@ struct HandOver {
 // Their one line of JSON: record::line_of(), record::from_line().
 template <class Io>
 void members(Io& io, HandOverRequest& request) {
-    record::each(io, "hand_over", request.task, "ran", request.ran, "worst", request.worst);
+    record::each(io, "task", request.task, "ran", request.ran, "worst", request.worst);
 }
 
 template <class Io>
@@ -86,9 +85,15 @@ void members(Io& io, HandOver& all) {
                  "smallest", all.smallest, "error", all.error);
 }
 
-// Whether a line is a HandOverRequest; else it is a CheckTask.
-[[nodiscard]] inline bool is_hand_over_request(std::string_view line) {
-    return line.starts_with("{\"hand_over\"");
+// A message to a worker: one of the two.
+struct WorkerRequest {
+    std::optional<CheckTask> check;
+    std::optional<HandOverRequest> hand_over;
+};
+
+template <class Io>
+void members(Io& io, WorkerRequest& request) {
+    record::each(io, "check", request.check, "hand_over", request.hand_over);
 }
 
 // The request for a failing row.

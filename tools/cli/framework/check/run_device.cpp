@@ -112,7 +112,7 @@ class Board {
 // Asks a worker for the row of one task. Throws NoWorker.
 Answer ask(WorkerSession& session, const CheckTask& task, const std::vector<check::Question>& equations) {
     const auto begin = std::chrono::steady_clock::now();
-    Reply reply = session.ask(record::line_of(task));
+    Reply reply = session.ask(record::line_of(WorkerRequest{.check = task, .hand_over = {}}));
     if (reply.error.empty()) {
         try {
             Answer row = record::answer_from_json(reply.line);
@@ -131,7 +131,8 @@ Answer ask(WorkerSession& session, const CheckTask& task, const std::vector<chec
 
 // Asks a worker to prepare a failure for a report. Throws NoWorker.
 HandOver ask_more(WorkerSession& session, const CheckTask& task, const Answer& row) {
-    const Reply reply = session.ask(record::line_of(request_for(task, row)));
+    const Reply reply =
+        session.ask(record::line_of(WorkerRequest{.check = {}, .hand_over = request_for(task, row)}));
     if (!reply.error.empty()) return {.error = reply.error};
     try {
         return record::from_line<HandOver>(reply.line);
@@ -204,10 +205,10 @@ void run_here(const DeviceRun& run, record::CheckReport& report) {
 }  // namespace
 
 check::Answer device_row(Reason reason, const std::string& error, std::size_t checks_left) {
-    return {
-        .equation = "device",
-        .error = fmt::format("the device cannot be opened, {} checks were not run: {}", checks_left, error),
-        .reason = reason};
+    check::Answer row{{.equation = "device"}};
+    row.error = fmt::format("the device cannot be opened, {} checks were not run: {}", checks_left, error);
+    row.reason = reason;
+    return row;
 }
 
 record::CheckReport run_on_device(const DeviceRun& run) {

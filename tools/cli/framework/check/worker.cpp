@@ -75,9 +75,9 @@ void run_worker(const CheckerOptions& options) {
     replies.send(record::line_of(greeting));
     if (!checker) return;
     for (std::string line; std::getline(std::cin, line);) {
-        replies.send(is_hand_over_request(line)
-                         ? record::line_of(checker->hand_over(record::from_line<HandOverRequest>(line)))
-                         : record::to_json(checker->run(record::from_line<CheckTask>(line))));
+        const auto request = record::from_line<WorkerRequest>(line);
+        replies.send(request.hand_over ? record::line_of(checker->hand_over(*request.hand_over))
+                                       : record::to_json(checker->run(request.check.value())));
     }
 }
 
