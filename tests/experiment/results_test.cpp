@@ -75,7 +75,7 @@ TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
     const std::string text = lines_of(everything());
     expect_refused("", "no JSON");
     expect_refused("[]", "expected an object");
-    expect_refused("{}", "expected an object with \"frames\"");
+    expect_refused("{}", "line 1: frames: expected this field, found none");
     expect_refused(std::string(1'000'000, '['), "nested more than 64 deep");
     expect_refused(text + "{}\n", "line 9: ");
     expect_refused(with(text, R"("round":0)", R"("round":-1)"), "line 2: round: expected a whole number");
@@ -84,7 +84,7 @@ TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
     expect_refused(with(text, R"("pass":"ambient_occlusion")", R"("pass":3)"), "readings[0].passes[0].pass");
     expect_refused(with(text, R"("own":{"rmse":0.25)", R"("own":{"rmse":[])"),
                    "line 8: quality.converged.own.rmse: expected a number");
-    expect_refused(with(text, R"("standard_error":0.0,)", ""), "\"standard_error\"");
+    expect_refused(with(text, R"("standard_error":0.0,)", ""), "standard_error: expected this field");
     const std::string endless = "{\"" + std::string(100'000, 'x');
     try {
         (void)read_record("", endless);
@@ -209,9 +209,7 @@ Record scored() {
     Visit visit = visit_of("a", "m");
     visit.quality = FrameQuality{.by_class = scores()};
     record.add(visit);
-    // Through its text, as a journal holds it.
-    std::string text = record.heading() + "\n" + line_of(record.visits().front()) + "\n";
-    return read_record("", text);
+    return read_record("", lines_of(record));  // as a journal holds it
 }
 
 // Of classes sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), and the mean of 0.4, 0.2, 0.4 / 3 and 0.1; then

@@ -54,7 +54,7 @@ inline Record make_record(const std::vector<Row>& rows) {
 
 // The lines of a record, as a journal has them.
 inline std::string lines_of(const Record& record) {
-    std::string text = record.heading() + "\n";
+    std::string text = line_of(record.conditions()) + "\n";
     for (const Visit& visit : record.visits()) text += line_of(visit) + "\n";
     return text;
 }

@@ -147,50 +147,55 @@ TEST_F(OutputFolderTest, AFileInTheWayIsNamed) {
     EXPECT_THAT(message_of([&] { OutputFolder folder("/proc/gloam"); }), HasSubstr("/proc/gloam"));
 }
 
-namespace line_journal_test {
-
-class LineJournalTest : public testing::Test {
+class JournalTest : public InFolder {
   protected:
-    [[nodiscard]] LineJournal open(bool resume, const std::string& heading = "head") const {
-        return {file_, heading, resume};
+    // The lines that are taken over go into `lines`.
+    [[nodiscard]] Journal open(bool resume, const std::string& heading = "head") {
+        lines.clear();
+        return {file, heading, resume, [this](std::string_view line) {
+                    if (line == "bad") throw std::runtime_error("expected good");
+                    lines.emplace_back(line);
+                }};
     }
-    [[nodiscard]] std::string text() const { return base::read_file(file_, 1'000'000); }
+    [[nodiscard]] std::string text() const { return test::read_file(file); }
 
-    test::TemporaryDirectory folder_;
-    std::filesystem::path file_ = folder_.path() / "journal.jsonl";
+    const fs::path file = path("journal.jsonl");
+    std::vector<std::string> lines;
 };
 
-TEST_F(LineJournalTest, TakesUpWhereItWasLeftWithoutALineThatWasBeingWritten) {
+TEST_F(JournalTest, TakesUpWhereItWasLeftWithoutALineThatWasBeingWritten) {
     open(false).add("one");
     open(true).add("two");
     const std::string whole = text();
-    std::ofstream(file_, std::ios::app) << "thr";
-    const LineJournal journal = open(true);
-    EXPECT_THAT(journal.lines(), ElementsAre("one", "two"));
+    std::ofstream(file, std::ios::app) << "thr";
+    const Journal journal = open(true);
+    EXPECT_THAT(lines, ElementsAre("one", "two"));
     EXPECT_EQ(text(), whole);
     journal.add("three");
     EXPECT_EQ(text(), "head\none\ntwo\nthree\n");
 }
 
-TEST_F(LineJournalTest, StartsEmptyWhereNothingIsToBeResumed) {
+TEST_F(JournalTest, StartsEmptyWhereNothingIsToBeResumed) {
     open(false).add("one");
-    EXPECT_THAT(open(false).lines(), IsEmpty());
-    std::filesystem::remove(file_);
-    EXPECT_THAT(open(true).lines(), IsEmpty());
-    EXPECT_EQ(text(), "head\n");
-    std::ofstream(file_).close();
-    EXPECT_THAT(open(true).lines(), IsEmpty());
+    for (const auto& prepare : {std::function<bool()>([&] { return (void)open(false), true; }),
+                                {[&] { return fs::remove(file); }},
+                                {[&] { return std::ofstream(file).good(); }}}) {
+        EXPECT_TRUE(prepare());
+        (void)open(true);
+        EXPECT_THAT(lines, IsEmpty());
+        EXPECT_EQ(text(), "head\n");
+    }
 }
 
-TEST_F(LineJournalTest, RefusesWhatWasMeasuredOtherwise) {
+TEST_F(JournalTest, RefusesWhatWasMeasuredOtherwiseAndNamesALineThatIsWrong) {
     open(false).add("one");
+    open(true).add("bad");
     const std::string whole = text();
     expect_error<std::runtime_error>([&] { (void)open(true, "another"); }, {"cannot resume"});
+    expect_error<std::runtime_error>([&] { (void)open(true); }, {file.string() + ", line 3: expected good"});
     EXPECT_EQ(text(), whole);
-    EXPECT_THROW(LineJournal("/no/such/folder/journal.jsonl", "head", false), std::runtime_error);
-    EXPECT_NO_THROW(LineJournal({}, "head", true).add("nowhere"));
+    EXPECT_THROW(Journal("/no/such/folder/journal.jsonl", "head", false, {}), std::runtime_error);
+    EXPECT_NO_THROW(Journal({}, "head", true, {}).add("nowhere"));
 }
-
-}  // namespace line_journal_test
 
 }  // namespace gloam::record::output_test

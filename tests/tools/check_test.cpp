@@ -46,7 +46,7 @@ TEST_F(CheckResume, AKilledRunLeavesItsResultsAndTheNextGoesOnFromThere) {
     std::map<std::string, double> seconds;
     const std::vector<std::string> lines = kept();
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        const json row = json::parse(json::parse(lines[i]).at("row").get<std::string>());
+        const json row = json::parse(lines[i]).at("row");
         seconds[row.at("equation")] = row.at("seconds");
     }
     // Results of other inputs are not taken over, and a line that is no result is named.

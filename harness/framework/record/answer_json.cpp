@@ -1,43 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include "record/answer_json.hpp"
 
+#include <fmt/format.h>
+
 namespace gloam::record {
-namespace {
 
 using check::Answer;
 using check::InputClass;
 
-// The value with this name, up to the last of its enumeration.
+namespace {
+
+// The enumerators are counted from 0.
 template <class Value>
-Value named(const JsonReader& json, std::string_view name, Value last, const char* expected) {
-    for (int i = 0; i <= static_cast<int>(last); ++i)
+Value named(const JsonReader& json, std::string_view name, std::size_t count, const char* expected) {
+    for (std::size_t i = 0; i < count; ++i)
         if (name_of(static_cast<Value>(i)) == name) return static_cast<Value>(i);
     json.expected(expected);
 }
 
 InputClass class_named(const JsonReader& json, std::string_view name) {
-    return named(json, name, InputClass::nan, "a class of inputs");
+    return named<InputClass>(json, name, check::input_class_count, "a class of inputs");
 }
-
-}  // namespace
-
-check::Reason value_from(const JsonReader& json, check::Reason) {
-    return named(json, json.text(), check::Reason::unchanged,
-                 "\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier");
-}
-check::Verdict value_from(const JsonReader& json, check::Verdict) {
-    return named(json, json.text(), check::Verdict::rules, "budget or rules");
-}
-check::NoResult value_from(const JsonReader& json, check::NoResult) {
-    return named(json, json.text(), check::NoResult::too_long, "undefined or too long");
-}
-InputClass value_from(const JsonReader& json, InputClass) {
-    return class_named(json, json.text());
-}
-
-namespace {
 
 // Throws where a total or the outcome is not what the counts of the classes give.
 void require_agreement(const JsonReader& json, const Answer& answer) {
@@ -60,9 +43,25 @@ void require_agreement(const JsonReader& json, const Answer& answer) {
 
 }  // namespace
 
-Answer read_answer(const JsonReader& json) {
+check::Reason value_from(const JsonReader& json, check::Reason) {
+    return named<check::Reason>(
+        json, json.text(), base::reason_names.size(),
+        "\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier");
+}
+check::Verdict value_from(const JsonReader& json, check::Verdict) {
+    return named<check::Verdict>(json, json.text(), 2, "budget or rules");
+}
+check::NoResult value_from(const JsonReader& json, check::NoResult) {
+    return named<check::NoResult>(json, json.text(), 2, "undefined or too long");
+}
+InputClass value_from(const JsonReader& json, InputClass) {
+    return class_named(json, json.text());
+}
+
+Answer value_from(const JsonReader& json, const Answer&) {
     Answer answer;
-    MemberReader::read(json, answer);
+    MemberReader<Form::whole> reader(json);
+    members(reader, answer);
     require_agreement(json, answer);
     if (answer.verdict == check::Verdict::budget) answer.fraction = answer.budget_fraction;
     const std::string unbounded_at = json.member("unbounded_at").text();
@@ -75,8 +74,7 @@ std::string to_json(const Answer& answer) {
 }
 
 Answer answer_from_json(std::string_view text) {
-    const nlohmann::ordered_json json = parse_json(text);
-    return read_answer(JsonReader(json, ""));
+    return from_line<Answer>(text);
 }
 
 }  // namespace gloam::record

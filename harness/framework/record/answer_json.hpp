@@ -13,6 +13,8 @@ namespace gloam::record {
 [[nodiscard]] check::Verdict value_from(const JsonReader& json, check::Verdict);
 [[nodiscard]] check::InputClass value_from(const JsonReader& json, check::InputClass);
 [[nodiscard]] check::NoResult value_from(const JsonReader& json, check::NoResult);
+// With all that follows from an answer's members. Throws where those disagree.
+[[nodiscard]] check::Answer value_from(const JsonReader& json, const check::Answer&);
 
 template <class Io>
 void members(Io& io, numeric::Bounds& bounds) {
@@ -128,8 +130,5 @@ void members(Io& io, DeviceSummary& device) {
     FloatControls controls{device};
     io.member("float_controls", controls);
 }
-
-// An answer with all that follows from its members. Throws where those disagree.
-[[nodiscard]] check::Answer read_answer(const JsonReader& json);
 
 }  // namespace gloam::record

@@ -14,8 +14,6 @@
 
 namespace gloam::record {
 
-using nlohmann::ordered_json;
-
 template <class Io>
 void members(Io& io, check::AuditPlace& place) {
     each(io, "file", place.file, "line", place.line, "function", place.function, "operation",
@@ -62,10 +60,8 @@ void members(Io& io, check::Audit& audit) {
 }
 
 std::string to_audit_json(const AuditReport& report) {
-    const ordered_json json{{"gloam", base::version()},
-                            {"file", report.file},
-                            {"functions", MemberWriter::json_of(report.audits)}};
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return to_text(
+        {{"gloam", base::version()}, {"file", report.file}, {"functions", json_of(report.audits)}});
 }
 
 namespace {

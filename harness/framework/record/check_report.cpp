@@ -21,14 +21,11 @@ namespace {
 using nlohmann::ordered_json;
 
 CheckReport read_report(const JsonReader& json) {
-    CheckReport report;
-    MemberReader::read(json.member("device"), report.device);
+    CheckReport report{.device = from_json<DeviceSummary>(json.member("device")), .rows = {}};
     if (json.has("versions")) report.versions = json.member("versions").name();
     if (json.has("inputs")) report.inputs = json.member("inputs").count();
     if (json.has("seed")) report.seed = json.member("seed").count();
-    for (const JsonReader& row : json.member("results").elements()) {
-        report.rows.push_back(read_answer(row));
-    }
+    report.rows = from_json<std::vector<check::Answer>>(json.member("results"));
     return report;
 }
 
@@ -46,20 +43,16 @@ std::string api_of(const DeviceSummary& device) {
 std::string to_json(const std::vector<CheckReport>& reports) {
     ordered_json all = ordered_json::array();
     for (const CheckReport& report : reports) {
-        ordered_json results = ordered_json::array();
-        for (const check::Answer& row : report.rows) results.push_back(MemberWriter::json_of(row));
-        ordered_json object{{"gloam", base::version()}, {"device", MemberWriter::json_of(report.device)}};
+        ordered_json& object =
+            all.emplace_back(ordered_json{{"gloam", base::version()}, {"device", json_of(report.device)}});
         if (!report.versions.empty()) object["versions"] = report.versions;
         if (report.inputs > 0) {
             object["inputs"] = report.inputs;
             object["seed"] = report.seed;
         }
-        object["results"] = std::move(results);
-        all.push_back(std::move(object));
+        object["results"] = json_of(report.rows);
     }
-    // Bytes that are no UTF-8 are replaced.
-    return (all.size() == 1 ? all.front() : all).dump(2, ' ', false, ordered_json::error_handler_t::replace) +
-           "\n";
+    return to_text(all.size() == 1 ? all.front() : all);
 }
 
 std::vector<CheckReport> reports_from_json(std::string_view text) {

@@ -29,6 +29,10 @@ ordered_json number_json(double value) {
     return value;
 }
 
+std::string to_text(const ordered_json& document) {
+    return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 void JsonReader::expected(const std::string& what) const {
     const std::string found =
         base::shortened(json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace), longest_quote);
@@ -69,12 +73,6 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
 std::string JsonReader::text() const {
     if (!json_->is_string()) expected("a text");
     return json_->get<std::string>();
-}
-
-std::vector<std::string> JsonReader::texts() const {
-    std::vector<std::string> all;
-    for (const JsonReader& element : elements()) all.push_back(element.text());
-    return all;
 }
 
 std::string JsonReader::name() const {
@@ -123,12 +121,6 @@ std::uint32_t JsonReader::word() const {
     const std::size_t word = count();
     if (word > std::numeric_limits<std::uint32_t>::max()) expected("a 32-bit word");
     return static_cast<std::uint32_t>(word);
-}
-
-std::size_t JsonReader::count_up_to(std::size_t most) const {
-    const std::size_t value = count();
-    if (value > most) expected("a count of at most " + std::to_string(most));
-    return value;
 }
 
 ordered_json parse_json(std::string_view text) {

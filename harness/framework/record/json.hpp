@@ -14,6 +14,9 @@ namespace gloam::record {
 // JSON has no infinity and no NaN; they become the strings "inf", "-inf" and "nan".
 [[nodiscard]] nlohmann::ordered_json number_json(double value);
 
+// A document in lines, with the end of its last. Bytes that are no UTF-8 are replaced.
+[[nodiscard]] std::string to_text(const nlohmann::ordered_json& document);
+
 // Reads JSON of a known structure. Every reader throws std::runtime_error with the place in the document,
 // what was found and what was expected: "results[3].inputs: expected a count, found "many"".
 class JsonReader {
@@ -32,7 +35,6 @@ class JsonReader {
     [[nodiscard]] bool is_null() const { return json_->is_null(); }
     [[nodiscard]] bool is_array() const { return json_->is_array(); }
     [[nodiscard]] std::string text() const;
-    [[nodiscard]] std::vector<std::string> texts() const;
     // A text for tables, titles and messages: one line, or empty.
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string word_of(const std::vector<std::string>& words) const;
@@ -40,7 +42,6 @@ class JsonReader {
     [[nodiscard]] double number(double least, double most) const;
     [[nodiscard]] int integer(int least, int most) const;
     [[nodiscard]] std::size_t count() const;
-    [[nodiscard]] std::size_t count_up_to(std::size_t most) const;
     [[nodiscard]] bool flag() const;
     [[nodiscard]] std::uint32_t word() const;
 

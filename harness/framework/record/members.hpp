@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,8 +15,16 @@
 
 // JSON of a structure, and back. Its members are named once, by a function template members(io, structure)
 // beside it: a MemberWriter writes them in this order, a MemberReader reads them. An enumeration has
-// name_of(value) and value_from(json, value).
+// name_of(value) and value_from(json, value); so has a structure with more to read than its members.
 namespace gloam::record {
+
+// How a structure is written.
+enum class Form {
+    whole,  // with all members; a number that JSON lacks is a text: number_json()
+    sparse  // without empty texts and optional members that there are none of; such a number is null
+};
+template <class T>
+inline constexpr Form form_of = Form::whole;
 
 enum class Present {
     always,
@@ -27,38 +35,48 @@ enum class Present {
     derived    // it follows from others, and is not read
 };
 
+template <class T>
+concept Optional = requires(const T& value) { value.has_value(); };
+template <class T>
+concept Text = std::is_same_v<T, std::string>;
+
+template <Form form>
 class MemberWriter {
   public:
-    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    using Json = nlohmann::ordered_json;
+    Json json = Json::object();
 
     template <class T>
     void member(const char* name, const T& value, Present present = Present::always, bool given = true) {
-        if (present == Present::if_any && is_empty(value)) return;
-        json[name] = given ? json_of(value) : nlohmann::ordered_json(nullptr);
+        constexpr bool may_lack = form == Form::sparse && (Optional<T> || Text<T>);
+        if ((may_lack || present == Present::if_any) && is_empty(value)) return;
+        json[name] = given ? json_of(value) : Json(nullptr);
     }
     // Reading refuses a structure for which this does not hold.
     void require(bool, const char*) const {}
 
-    // A text, a list, or a count of inputs.
+    // A text, a list, what there is none of, or a count of inputs.
     template <class T>
     [[nodiscard]] static bool is_empty(const T& value) {
+        if constexpr (Optional<T>) return !value.has_value();
         if constexpr (requires { value.empty(); }) return value.empty();
         if constexpr (requires { value.inputs == 0; }) return value.inputs == 0;
         return false;
     }
 
-    [[nodiscard]] static nlohmann::ordered_json json_of(double value) { return number_json(value); }
     template <class T>
-    [[nodiscard]] static nlohmann::ordered_json json_of(const T& value) {
-        if constexpr (std::is_enum_v<T>) {
+    [[nodiscard]] static Json json_of(const T& value) {
+        if constexpr (std::is_same_v<T, double>) {
+            return form == Form::sparse ? Json(value) : number_json(value);
+        } else if constexpr (std::is_enum_v<T>) {
             return name_of(value);
-        } else if constexpr (requires { typename T::allocator_type; } && !std::is_same_v<T, std::string>) {
-            nlohmann::ordered_json all = nlohmann::ordered_json::array();
+        } else if constexpr (requires { typename T::allocator_type; } && !Text<T>) {
+            Json all = Json::array();
             for (const auto& one : value) all.push_back(json_of(one));
             return all;
-        } else if constexpr (requires { value.has_value(); }) {
-            return value ? json_of(*value) : nlohmann::ordered_json(nullptr);
-        } else if constexpr (std::is_constructible_v<nlohmann::ordered_json, T>) {
+        } else if constexpr (Optional<T>) {
+            return value ? json_of(*value) : Json(nullptr);
+        } else if constexpr (std::is_constructible_v<Json, T>) {
             return value;
         } else {
             MemberWriter writer;
@@ -68,16 +86,19 @@ class MemberWriter {
     }
 };
 
+template <Form form>
 class MemberReader {
   public:
     explicit MemberReader(JsonReader json) : json_(std::move(json)) {}
 
     template <class T>
     void member(const char* name, T&& value, Present present = Present::always, bool = true) const {
-        const bool may_lack = present == Present::later || present == Present::if_any;
+        constexpr bool sparse_text = form == Form::sparse && Text<std::remove_cvref_t<T>>;
+        const bool may_lack = sparse_text || (form == Form::sparse && Optional<std::remove_cvref_t<T>>) ||
+                              present == Present::later || present == Present::if_any;
         if (present == Present::derived || (may_lack && !json_.has(name))) return;
         const JsonReader found = json_.member(name);
-        if (present == Present::name) (void)found.name();
+        if (present == Present::name || sparse_text) (void)found.name();
         if (present != Present::if_given || !found.is_null()) read(found, value);
     }
     void require(bool holds, const char* expected) const {
@@ -86,23 +107,24 @@ class MemberReader {
 
     static void read(const JsonReader& json, std::string& text) { text = json.text(); }
     static void read(const JsonReader& json, bool& flag) { flag = json.flag(); }
-    static void read(const JsonReader& json, double& number) { number = json.number(); }
+    static void read(const JsonReader& json, double& number) {
+        const bool lacks = form == Form::sparse && json.is_null();
+        number = lacks ? std::numeric_limits<double>::quiet_NaN() : json.number();
+    }
     static void read(const JsonReader& json, std::size_t& count) { count = json.count(); }
     static void read(const JsonReader& json, std::uint32_t& word) { word = json.word(); }
-    static void read(const JsonReader& json, int& count) {
-        count = static_cast<int>(json.count_up_to(1U << 24U));
-    }
+    static void read(const JsonReader& json, int& count) { count = json.integer(0, 1 << 24); }
     template <class T>
     static void read(const JsonReader& json, std::vector<T>& values) {
         for (const JsonReader& element : json.elements()) read(element, values.emplace_back());
     }
     template <class T>
     static void read(const JsonReader& json, std::optional<T>& value) {
-        if (!json.is_null()) read(json, value.emplace());
+        if (form == Form::sparse || !json.is_null()) read(json, value.emplace());
     }
     template <class T>
     static void read(const JsonReader& json, T& value) {
-        if constexpr (std::is_enum_v<T>) {
+        if constexpr (requires { value_from(json, value); }) {
             value = value_from(json, value);
         } else {
             MemberReader reader(json);
@@ -121,20 +143,30 @@ void each(Io& io, const char* name, T&& value, Rest&&... rest) {
     if constexpr (sizeof...(rest) > 0) each(io, rest...);
 }
 
+template <class T>
+[[nodiscard]] nlohmann::ordered_json json_of(const T& value) {
+    return MemberWriter<form_of<T>>::json_of(value);
+}
+
+// Throws like JsonReader.
+template <class T>
+[[nodiscard]] T from_json(const JsonReader& json) {
+    T value{};
+    MemberReader<form_of<T>>::read(json, value);
+    return value;
+}
+
 // One line of JSON.
 template <class T>
 [[nodiscard]] std::string line_of(const T& value) {
-    return MemberWriter::json_of(value).dump(-1, ' ', false,
-                                             nlohmann::ordered_json::error_handler_t::replace);
+    return json_of(value).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 // Throws like parse_json() and JsonReader.
 template <class T>
 [[nodiscard]] T from_line(std::string_view text) {
     const nlohmann::ordered_json json = parse_json(text);
-    T value{};
-    MemberReader::read(JsonReader(json, ""), value);
-    return value;
+    return from_json<T>(JsonReader(json, ""));
 }
 
 }  // namespace gloam::record

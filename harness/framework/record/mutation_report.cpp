@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "record/json.hpp"
 #include "record/table.hpp"
 
 namespace gloam::record {
@@ -135,7 +135,7 @@ std::string to_mutation_json(const MutationReport& report) {
         }
         json["mutants"].push_back(std::move(one));
     }
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return to_text(json);
 }
 
 }  // namespace gloam::record

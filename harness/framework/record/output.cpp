@@ -118,44 +118,41 @@ void OutputFolder::keep() {
     names_.clear();
 }
 
-namespace {
-
-constexpr std::size_t longest_journal = std::size_t{1} << 30;  // bytes
-constexpr std::size_t longest_quote = 300;
-
-}  // namespace
-
-LineJournal::LineJournal(std::filesystem::path path, const std::string& heading, bool resume)
-    : path_(std::move(path)) {
-    if (path_.empty()) return;
-    std::string kept = heading + "\n";
-    if (resume && std::filesystem::exists(path_)) {
-        const std::string text = base::read_file(path_, longest_journal);
-        const std::string whole = text.substr(0, text.rfind('\n') + 1);
-        if (!whole.empty()) {
-            take_over(whole, heading);
-            kept = whole;
-        }
+void take_lines(const std::string& name, std::string_view text, const TakeLine& take, char end) {
+    std::size_t number = 0;
+    try {
+        do {
+            ++number;
+            const std::size_t length = std::min(text.find(end), text.size());
+            take(text.substr(0, length));
+            text.remove_prefix(std::min(length + 1, text.size()));
+        } while (!text.empty());
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}, line {}: {}", name, number, error.what()));
     }
-    base::write_file(path_, kept);
 }
 
-void LineJournal::take_over(std::string_view text, const std::string& heading) {
-    const std::size_t first = text.find('\n');
-    const std::string_view found = text.substr(0, first);
-    if (found != heading) {
+Journal::Journal(fs::path path, const std::string& heading, bool resume, const TakeLine& take)
+    : path_(std::move(path)) {
+    constexpr std::size_t longest = std::size_t{1} << 30;  // bytes
+    constexpr std::size_t longest_quote = 300;
+    if (path_.empty()) return;
+    std::string kept;
+    if (resume && fs::exists(path_)) kept = base::read_file(path_, longest);
+    kept.erase(kept.rfind('\n') + 1);
+    if (kept.empty()) kept = heading + "\n";
+    const std::string found = kept.substr(0, kept.find('\n'));
+    if (found != heading)
         throw std::runtime_error(
             fmt::format("{}: cannot resume what was measured otherwise: expected {}, found {}",
                         path_.string(), heading, base::shortened(found, longest_quote)));
-    }
-    for (std::size_t at = first + 1; at < text.size();) {
-        const std::size_t end = text.find('\n', at);
-        lines_.emplace_back(text.substr(at, end - at));
-        at = end + 1;
-    }
+    take_lines(path_.string(), kept, [&, first = true](std::string_view line) mutable {
+        if (!std::exchange(first, false)) take(line);
+    });
+    base::write_file(path_, kept);
 }
 
-void LineJournal::add(std::string_view line) const {
+void Journal::add(std::string_view line) const {
     if (path_.empty()) return;
     base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
     if (!file.is_open()) base::fail_to_write(path_, errno);

@@ -3,105 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
-#include "experiment/internal/json_value.hpp"
-
-namespace gloam::experiment {
-namespace {
-
-using internal::Members;
-using nlohmann::ordered_json;
-
-constexpr int most = 1'000'000;  // of counts that are small
-constexpr double largest = std::numeric_limits<double>::max();
-
-// The members of each part of a record are named once, by members(): with a MemberWriter they are written,
-// with a MemberReader they are read.
-class MemberWriter {
-  public:
-    template <class T>
-    void member(const char* name, T& value) {
-        if constexpr (std::is_class_v<T> && requires { value.has_value(); }) {
-            if (value) member(name, *value);
-        } else if constexpr (std::is_same_v<T, std::string>) {
-            if (!value.empty()) json[name] = value;
-        } else if constexpr (std::is_arithmetic_v<T>) {
-            json[name] = value;
-        } else {
-            json[name] = json_of(value);
-        }
-    }
-
-    template <class T>
-    static ordered_json json_of(std::vector<T>& values) {
-        ordered_json all = ordered_json::array();
-        for (T& value : values) all.push_back(json_of(value));
-        return all;
-    }
-
-    template <class T>
-    static ordered_json json_of(T& value) {
-        MemberWriter writer;
-        members(writer, value);
-        return std::move(writer.json);
-    }
-
-    ordered_json json = ordered_json::object();
-};
-
-class MemberReader {
-  public:
-    explicit MemberReader(const JsonReader& value) : members_(value) {}
-
-    template <class T>
-    void member(const char* name, T& value) {
-        const JsonReader* found = members_.find(name);
-        members_.require(name, found != nullptr);
-        read(*found, value);
-    }
-
-    // What was empty was not written.
-    template <class T>
-    void member(const char* name, std::optional<T>& value) {
-        if (const JsonReader* found = members_.find(name)) read(*found, value.emplace());
-    }
-    void member(const char* name, std::string& value) {
-        if (const JsonReader* found = members_.find(name)) read(*found, value);
-    }
-
-  private:
-    static void read(const JsonReader& value, std::string& text) { internal::read(value, text); }
-    static void read(const JsonReader& value, int& count) { count = value.integer(0, most); }
-    static void read(const JsonReader& value, double& number) {  // JSON has no NaN
-        number = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.number(-largest, largest);
-    }
-    static void read(const JsonReader& value, std::uint64_t& count) {
-        constexpr double most_counted = 9e15;
-        count = static_cast<std::uint64_t>(value.number(0.0, most_counted));
-    }
-    static void read(const JsonReader& value, std::uint32_t& count) {
-        count = static_cast<std::uint32_t>(value.integer(1, most));
-    }
-
-    template <class T>
-    static void read(const JsonReader& value, std::vector<T>& values) {
-        for (const JsonReader& element : value.elements()) read(element, values.emplace_back());
-    }
-
-    template <class T>
-    static void read(const JsonReader& value, T& part) {
-        MemberReader reader(value);
-        members(reader, part);
-    }
-
-    Members members_;
-};
+#include "record/members.hpp"
+#include "record/output.hpp"
 
 // The members of a part that have their own names in the text.
 #define GLOAM_MEMBER(name) io.member(#name, all.name);
@@ -111,64 +17,56 @@ class MemberReader {
         NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(GLOAM_MEMBER, __VA_ARGS__)) \
     }
 
+namespace gloam::effect {
+
+GLOAM_MEMBERS(Errors, rmse, bias, percentile_99)
+GLOAM_MEMBERS(TileShares, background, below_pixel, half, full)
+GLOAM_MEMBERS(RemapBin, count, visibility, truth, square)
+GLOAM_MEMBERS(PassTime, pass, ms)
+
+}  // namespace gloam::effect
+
+namespace gloam::record {
+
+template <>
+constexpr Form form_of<experiment::Conditions> = Form::sparse;
+template <>
+constexpr Form form_of<experiment::Visit> = Form::sparse;
+
+}  // namespace gloam::record
+
+namespace gloam::experiment {
+
+using nlohmann::ordered_json;
+
 GLOAM_MEMBERS(Conditions, experiment, device, driver, frames, scored, repeat, rays)
 GLOAM_MEMBERS(ClassScore, pixels, against, count, squares, raw_squares, raw_errors)
 GLOAM_MEMBERS(FrameScore, frame, samples, classes)
 GLOAM_MEMBERS(ClassFlicker, pixels, mean)
 GLOAM_MEMBERS(ClassScores, frames, flicker)
-GLOAM_MEMBERS(effect::Errors, rmse, bias, percentile_99)
 GLOAM_MEMBERS(Converged, geometry, remapped, similarity, depth, own)
 GLOAM_MEMBERS(PointQuality, truth, occlusion, standard_error, shown)
-GLOAM_MEMBERS(effect::TileShares, background, below_pixel, half, full)
-GLOAM_MEMBERS(effect::RemapBin, count, visibility, truth, square)
-GLOAM_MEMBERS(effect::PassTime, pass, ms)
 GLOAM_MEMBERS(FrameReading, passes)
 
 template <class Io>
 void members(Io& io, FrameQuality& all) {
-    io.member("rmse", all.geometry);
-    io.member("rmse_raw", all.raw_geometry);
-    io.member("rmse_depth", all.depth);
-    io.member("rmse_depth_raw", all.raw_depth);
-    io.member("bias", all.bias);
-    io.member("percentile_99", all.percentile_99);
-    io.member("similarity", all.similarity);
-    io.member("flicker", all.flicker);
-    io.member("rmse_remapped", all.remapped);
-    io.member("tiles", all.tiles);
-    io.member("samples", all.samples);
-    io.member("memory_bytes", all.memory_bytes);
-    io.member("converged", all.converged);
-    io.member("by_class", all.by_class);
-    io.member("bins", all.bins);
+    record::each(io, "rmse", all.geometry, "rmse_raw", all.raw_geometry, "rmse_depth", all.depth,
+                 "rmse_depth_raw", all.raw_depth, "bias", all.bias, "percentile_99", all.percentile_99,
+                 "similarity", all.similarity, "flicker", all.flicker, "rmse_remapped", all.remapped, "tiles",
+                 all.tiles, "samples", all.samples, "memory_bytes", all.memory_bytes, "converged",
+                 all.converged, "by_class", all.by_class, "bins", all.bins);
 }
 
 template <class Io>
 void members(Io& io, Visit& all) {
-    io.member("width", all.size.width);
-    io.member("height", all.size.height);
-    io.member("case", all.shown.name);
-    io.member("what", all.shown.what);
-    io.member("kind", all.shown.kind);
-    io.member("half", all.shown.half);
-    io.member("target", all.shown.target);
-    io.member("candidate", all.candidate);
-    io.member("group", all.group);
-    io.member("round", all.round);
-    io.member("samples_asked", all.samples_asked);
-    io.member("quality", all.quality);
-    io.member("point", all.point);
-    io.member("rmse_own_radius", all.own_radius_error);
-    io.member("readings", all.readings);
+    record::each(io, "width", all.size.width, "height", all.size.height, "case", all.shown.name, "what",
+                 all.shown.what, "kind", all.shown.kind, "half", all.shown.half, "target", all.shown.target,
+                 "candidate", all.candidate, "group", all.group, "round", all.round, "samples_asked",
+                 all.samples_asked, "quality", all.quality, "point", all.point, "rmse_own_radius",
+                 all.own_radius_error, "readings", all.readings);
 }
 
-template <class T>
-T part_in(const JsonReader& value) {
-    T part;
-    MemberReader reader(value);
-    members(reader, part);
-    return part;
-}
+namespace {
 
 // What find() compares.
 std::string key_of(const Visit& visit) {
@@ -177,11 +75,6 @@ std::string key_of(const Visit& visit) {
 }
 
 }  // namespace
-
-std::string Record::heading() const {
-    Conditions conditions = conditions_;
-    return MemberWriter::json_of(conditions).dump();
-}
 
 const Visit* Record::find(const Visit& like) const {
     const auto found = places_.find(key_of(like));
@@ -197,41 +90,36 @@ void Record::add(Visit visit) {
 }
 
 void Record::add_line(std::string_view line) {
-    const ordered_json visit = record::parse_json(line);
-    add(part_in<Visit>(JsonReader(visit, "")));
+    add(record::from_line<Visit>(line));
 }
 
 std::string size_text(gpu::Extent extent) {
     return fmt::format("{} x {}", extent.width, extent.height);
 }
 
+std::string line_of(const Conditions& conditions) {
+    return record::json_of(conditions).dump();
+}
+
 std::string line_of(const Visit& visit) {
-    Visit written = visit;
-    return MemberWriter::json_of(written).dump();
+    return record::json_of(visit).dump();
 }
 
 Record read_record(const std::string& name, std::string_view text) {
-    std::size_t number = 1;
-    try {
-        const std::string_view first = text.substr(0, text.find('\n'));
-        const bool is_document = !ordered_json::accept(first) || first.size() == text.size();
-        const ordered_json heading = record::parse_json(is_document ? text : first);
-        Record record(part_in<Conditions>(JsonReader(heading, "")));
-        if (heading.contains("visits")) {
-            for (const JsonReader& visit : JsonReader(heading["visits"], "visits").elements())
-                record.add(part_in<Visit>(visit));
-            return record;
-        }
-        for (std::size_t at = first.size() + 1; at < text.size();) {
-            ++number;
-            const std::size_t end = std::min(text.find('\n', at), text.size());
-            record.add_line(text.substr(at, end - at));
-            at = end + 1;
-        }
-        return record;
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("{}, line {}: {}", name, number, error.what()));
-    }
+    std::optional<Record> record;
+    const auto take = [&](std::string_view line) {
+        if (record) return record->add_line(line);
+        const ordered_json heading = record::parse_json(line);
+        const record::JsonReader reader(heading, "");
+        record.emplace(record::from_json<Conditions>(reader));
+        if (reader.has("visits"))
+            for (const record::JsonReader& visit : reader.member("visits").elements())
+                record->add(record::from_json<Visit>(visit));
+    };
+    const std::string_view first = text.substr(0, text.find('\n'));
+    const bool is_journal = ordered_json::accept(first) && first.size() < text.size();
+    record::take_lines(name, text, take, is_journal ? '\n' : '\0');
+    return *record;
 }
 
 Record joined(std::span<const Record> parts) {
@@ -239,8 +127,8 @@ Record joined(std::span<const Record> parts) {
     Record whole(parts.front().conditions());
     for (const Record& part : parts) {
         if (part.conditions() != whole.conditions())
-            throw std::invalid_argument(
-                fmt::format("results of {} and of {}: expected the same", whole.heading(), part.heading()));
+            throw std::invalid_argument(fmt::format("results of {} and of {}: expected the same",
+                                                    line_of(whole.conditions()), line_of(part.conditions())));
         for (const Visit& visit : part.visits()) {
             if (whole.find(visit) != nullptr)
                 throw std::invalid_argument(

@@ -49,13 +49,12 @@ struct Visit {
     int samples_asked = 0;
 };
 
-// Visits as they came. The texts are lines of JSON: conditions first, then a line for each visit.
+// Visits as they came.
 class Record {
   public:
     explicit Record(Conditions conditions) : conditions_(std::move(conditions)) {}
 
     [[nodiscard]] const Conditions& conditions() const { return conditions_; }
-    [[nodiscard]] std::string heading() const;
     [[nodiscard]] const std::vector<Visit>& visits() const { return visits_; }
 
     // The visit with the same size, case, candidate and round; nullptr: there is none.
@@ -64,7 +63,7 @@ class Record {
     // Adds a visit, or replaces the one that find() finds.
     void add(Visit visit);
 
-    // The same for a line. Throws std::runtime_error with the place, what was expected and what was found.
+    // The same for its line. Throws std::runtime_error with the place, what was expected and what was found.
     void add_line(std::string_view line);
 
   private:
@@ -73,9 +72,11 @@ class Record {
     std::map<std::string, std::size_t> places_;  // of visits, by what find() compares
 };
 
+// As JSON in one line: the heading of a journal, and its other lines.
+[[nodiscard]] std::string line_of(const Conditions& conditions);
 [[nodiscard]] std::string line_of(const Visit& visit);
 
-// Reads the lines, or the document of to_json(). Throws like Record::add_line(), with the name.
+// Reads a journal, or the document of to_json(). Throws like Record::add_line(), with the name.
 [[nodiscard]] Record read_record(const std::string& name, std::string_view text);
 
 // The visits of all parts. Throws std::invalid_argument if there is no part, if conditions differ, and for a

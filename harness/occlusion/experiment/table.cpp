@@ -144,7 +144,7 @@ Text to_text(const Experiment& experiment, const Database& database) {
 
 std::string to_json(const Database& database, const Record& record, const std::string& versions) {
     ordered_json document{{"gloam", base::version()}, {"versions", versions}};
-    document.update(ordered_json::parse(record.heading()));
+    document.update(ordered_json::parse(line_of(record.conditions())));
     document["results"] = json_of(database.select(measured));
     document["passes"] = json_of(database.select("SELECT * FROM passes ORDER BY rowid"));
     document["visits"] = ordered_json::array();

@@ -9,9 +9,11 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
+#include <tuple>
 
 #include "backend/gl/device.hpp"
 #include "base/text.hpp"
@@ -107,9 +109,31 @@ std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
     return std::clamp<std::size_t>(checks / checks_that_pay, 1, cores);
 }
 
-// The journal of the rows while the check runs; empty if no result file is written.
+// The journal of the rows while the check runs, from which --resume continues a run that was killed; empty if
+// no result file is written.
 std::filesystem::path journal_of(const CheckOptions& options) {
     return options.json.empty() ? "" : options.json.string() + ".journal";
+}
+
+// The conditions under which it does.
+struct JournalHeading {
+    const CheckOptions& options;
+};
+
+template <class Io>
+void members(Io& io, JournalHeading& heading) {
+    record::each(io, "check_journal", 2, "versions", versions(), "inputs", heading.options.inputs, "seed",
+                 heading.options.seed, "validation", heading.options.validation);
+}
+
+struct JournalRow {
+    std::string device;
+    check::Answer row;
+};
+
+template <class Io>
+void members(Io& io, JournalRow& kept) {
+    record::each(io, "device", kept.device, "row", kept.row);
 }
 
 // Prints rows as they come, writes them to the journal, and shows the progress.
@@ -118,12 +142,8 @@ class CheckRun {
     CheckRun(const CheckOptions& options, std::vector<CheckTask> tasks, std::size_t devices)
         : options_(options),
           tasks_(std::move(tasks)),
-          journal_(journal_of(options),
-                   {.versions = versions(),
-                    .inputs = options.inputs,
-                    .seed = options.seed,
-                    .validation = options.validation},
-                   options.resume),
+          journal_(journal_of(options), record::line_of(JournalHeading{options}), options.resume,
+                   [this](std::string_view line) { take_over(record::from_line<JournalRow>(line)); }),
           failures_(options.failures),
           left_(tasks_.size() * devices),
           progress_(progress_bar("checks", options.progress)) {}
@@ -161,12 +181,19 @@ class CheckRun {
     }
 
   private:
+    using Key = std::tuple<std::string, std::string, std::string>;  // device, equation, variant
+
+    // A hang or a crash can have other causes than the driver, so the check is tried again.
+    void take_over(const JournalRow& kept) {
+        if (kept.row.ran()) known_[{kept.device, kept.row.equation, kept.row.variant}] = kept.row;
+    }
+
     // The row of an earlier run. A failure is run again if it is to be prepared for a report.
     [[nodiscard]] std::optional<check::Answer> known(const record::DeviceSummary& on,
                                                      const CheckTask& task) const {
-        std::optional<check::Answer> row = journal_.known(on, task);
-        if (row && row->failed() && failures_.wanted()) return std::nullopt;
-        return row;
+        const auto found = known_.find({record::name_of(on), task.equation, task.variant});
+        if (found == known_.end() || (found->second.failed() && failures_.wanted())) return std::nullopt;
+        return found->second;
     }
 
     void begin(const record::DeviceSummary& on) {
@@ -176,11 +203,12 @@ class CheckRun {
     }
 
     void take(const record::DeviceSummary& on, const check::Answer& row) {
-        const bool is_known = journal_.add(on, row);  // which took no time
+        const bool is_known = known_.contains({record::name_of(on), row.equation, row.variant});
+        if (!is_known) journal_.add(record::line_of(JournalRow{record::name_of(on), row}));
         progress_(-1.0);
         if (options_.rows) print_row(row);
         if (left_ > 0) --left_;
-        if (!is_known) ++done_;
+        if (!is_known) ++done_;  // what is known took no time
         show_progress();
     }
 
@@ -190,7 +218,8 @@ class CheckRun {
 
     const CheckOptions& options_;
     std::vector<CheckTask> tasks_;
-    CheckJournal journal_;
+    std::map<Key, check::Answer> known_;
+    record::Journal journal_;
     FailureFolders failures_;
     std::size_t done_ = 0;  // checks, without those that are known
     std::size_t left_;

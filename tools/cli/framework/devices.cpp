@@ -38,10 +38,6 @@ void print_device(const backend::DeviceInfo& device) {
     print_float_controls(device.float32);
 }
 
-nlohmann::ordered_json to_json(const backend::DeviceInfo& device) {
-    return record::MemberWriter::json_of(device);
-}
-
 nlohmann::ordered_json opengl_json(const backend::DeviceInfo& device) {
     return {{"index", nullptr},
             {"name", device.name},
@@ -82,7 +78,7 @@ void run_devices(bool json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const backend::DeviceInfo& device : drivers.devices) {
         if (json) {
-            all.push_back(to_json(device));
+            all.push_back(record::json_of(device));
         } else {
             print_device(device);
         }
@@ -92,7 +88,7 @@ void run_devices(bool json) {
         for (const GlExecutor& executor : opengl)
             for (const backend::DeviceInfo& device : executor.listing.devices)
                 all.push_back(opengl_json(device));
-        all.push_back(to_json(check::interpreter()->info()));
+        all.push_back(record::json_of(check::interpreter()->info()));
         all.back()["index"] = nullptr;
         fmt::print("{}\n", nlohmann::ordered_json{{"gloam", base::version()}, {"devices", all}}.dump(2));
     } else {

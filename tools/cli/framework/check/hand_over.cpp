@@ -117,51 +117,6 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
 
 namespace {
 
-// A line of the journal.
-struct Kept {
-    std::string device;
-    std::string row;  // as JSON
-};
-
-template <class Io>
-void members(Io& io, Kept& kept) {
-    record::each(io, "device", kept.device, "row", kept.row);
-}
-
-}  // namespace
-
-CheckJournal::CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume)
-    : file_(std::move(path), record::line_of(setup), resume) {
-    std::size_t number = 1;
-    for (const std::string& line : file_.lines()) {
-        ++number;
-        try {
-            const Kept kept = record::from_line<Kept>(line);
-            check::Answer row = record::answer_from_json(kept.row);
-            const Key key{kept.device, row.equation, row.variant};
-            if (row.ran()) known_[key] = std::move(row);
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(
-                fmt::format("{}, line {}: {}", file_.path().string(), number, error.what()));
-        }
-    }
-}
-
-std::optional<check::Answer> CheckJournal::known(const record::DeviceSummary& device,
-                                                 const CheckTask& task) const {
-    const auto found = known_.find({record::name_of(device), task.equation, task.variant});
-    return found == known_.end() ? std::nullopt : std::optional(found->second);
-}
-
-bool CheckJournal::add(const record::DeviceSummary& device, const check::Answer& row) const {
-    const std::string name = record::name_of(device);
-    if (known_.contains({name, row.equation, row.variant})) return true;
-    file_.add(record::line_of(Kept{name, record::to_json(row)}));
-    return false;
-}
-
-namespace {
-
 std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
     const auto bytes = std::as_bytes(std::span(words));
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

@@ -4,10 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "judge/run.hpp"
@@ -102,43 +100,6 @@ void members(Io& io, WorkerRequest& request) {
 // Prepares it, with the lab's variant. Throws what compiling and running throw.
 [[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                                       const HandOverRequest& request, const check::RunOptions& options);
-
-// The conditions under which results of several runs may be combined.
-struct CheckJournalSetup {
-    std::string versions;  // of gloam and of the compilers
-    std::size_t inputs = 0;
-    std::uint64_t seed = 0;
-    bool validation = false;
-};
-
-template <class Io>
-void members(Io& io, CheckJournalSetup& setup) {
-    record::each(io, "check_journal", 1, "versions", setup.versions, "inputs", setup.inputs, "seed",
-                 setup.seed, "validation", setup.validation);
-}
-
-// The rows of a check, written to a file as they come, so that --resume can continue a run that was killed.
-class CheckJournal {
-  public:
-    // See record::LineJournal. Also throws std::runtime_error for a line that is not a result, with its
-    // number.
-    CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume);
-
-    // The row of a task on a device from an earlier run. nullopt if that run got no result: a hang or a crash
-    // can have other causes than the driver, so the task is tried again.
-    [[nodiscard]] std::optional<check::Answer> known(const record::DeviceSummary& device,
-                                                     const CheckTask& task) const;
-
-    // Adds a row. Returns true if it was known already; then it is not added. Throws std::runtime_error if it
-    // cannot be written.
-    bool add(const record::DeviceSummary& device, const check::Answer& row) const;
-
-  private:
-    using Key = std::tuple<std::string, std::string, std::string>;  // device, equation, variant
-
-    record::LineJournal file_;
-    std::map<Key, check::Answer> known_;
-};
 
 // A folder with a subfolder for each failure: DEVICE/EQUATION-VARIANT/{report.txt, shader.comp,
 // shader.spvasm, shader.spv, repro.amber}. The constructor finds out whether it can be written to, before the

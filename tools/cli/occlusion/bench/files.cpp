@@ -97,24 +97,10 @@ ExperimentFiles::ExperimentFiles(const ExperimentPaths& paths, const Experiment&
     if (!paths.out.empty()) out_.emplace(paths.out);
 }
 
-void ExperimentFiles::open_journal(experiment::Record& record, bool resume) {
-    if (!out_) return;
+fs::path ExperimentFiles::journal() {
+    if (!out_) return {};
     out_->keep();  // even if the run fails, because of the journal
-    journal_.emplace(out_->path() / "journal.jsonl", record.heading(), resume);
-    std::size_t number = 1;
-    for (const std::string& line : journal_->lines()) {
-        ++number;
-        try {
-            record.add_line(line);
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(
-                fmt::format("{}, line {}: {}", journal_->path().string(), number, error.what()));
-        }
-    }
-}
-
-void ExperimentFiles::keep(const std::string& line) const {
-    if (journal_) journal_->add(line);
+    return out_->path() / "journal.jsonl";
 }
 
 void ExperimentFiles::show(const experiment::Picture& picture) {

@@ -40,10 +40,8 @@ class ExperimentFiles {
     // without the experiment's blocks.
     ExperimentFiles(const ExperimentPaths& paths, const experiment::Experiment& what);
 
-    // Begins the journal in the folder, or with `resume` takes its visits over into the record. Throws like
-    // record::LineJournal, and std::runtime_error with the line for one that is no visit.
-    void open_journal(experiment::Record& record, bool resume);
-    void keep(const std::string& line) const;  // in the journal, if there is one
+    // In the folder, which then stays; empty: there is none.
+    [[nodiscard]] std::filesystem::path journal();
 
     // Writes a picture into the folder, if there is one. Throws like write().
     void show(const experiment::Picture& picture);
@@ -60,7 +58,6 @@ class ExperimentFiles {
     record::OutputFile page_;
     record::OutputFile report_;
     std::optional<record::OutputFolder> out_;
-    std::optional<record::LineJournal> journal_;
 };
 
 }  // namespace gloam::cli

@@ -100,8 +100,9 @@ int run_experiment(const ExperimentOptions& options) {
                                .scored = what.scored,
                                .repeat = what.repeat,
                                .rays = what.rays});
-    files.open_journal(record, options.resume);
-    place.keep = [&](const std::string& line) { files.keep(line); };
+    const record::Journal journal(files.journal(), line_of(record.conditions()), options.resume,
+                                  [&](std::string_view line) { record.add_line(line); });
+    place.keep = [&](const std::string& line) { journal.add(line); };
     if (files.shows_pictures()) place.show = [&](const experiment::Picture& picture) { files.show(picture); };
     run(what, sizes, place, record);
     const int status = report_on(what, record, options, files);
