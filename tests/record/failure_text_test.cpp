@@ -4,11 +4,16 @@
 
 namespace gloam::record::failure_text_test {
 
+std::string text_of(const check::Answer& row, const std::optional<check::Sample>& smallest = {},
+                    const std::string& note = "") {
+    return failure_text(report_of("GPU", {}).device, row, smallest, note);
+}
+
 TEST(FailureText, TellsAllThatAReportNeeds) {
     const check::Answer row = failing_row();
     check::Sample smallest = *row.worst;
     smallest.values = "float 1 (0x3f800000)";
-    const std::string text = failure_text(report_of("GPU", {}).device, row, smallest, "");
+    const std::string text = text_of(row, smallest);
     for (const char* part : {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
                              "float 0.5 (0x3f000000)", "3 x 3", "got 0x7fc00000", "want 0.1",
                              "permitted 0 (0x0p+0) to 0.25 (0x1p-2), or NaN", "GPU", "driver 1.2",
@@ -24,26 +29,25 @@ TEST(FailureText, ListsEachOutcomeAndWhichArePermittedTogether) {
     row.worst->want = {0.0};
     row.worst->permitted = {{.low = 0.0, .high = 1.0, .nan = false}};
     row.worst->outcomes = {{numeric::Bounds::point(0.0)}, {{.low = 1.0, .high = 1.0, .nan = true}}};
-    const auto text = [&row] { return failure_text(report_of("GPU", {}).device, row, std::nullopt, ""); };
-    EXPECT_THAT(text(), HasSubstr("permitted 0 (0x0p+0), or 1 (0x1p+0), or NaN\n  error"));
+    EXPECT_THAT(text_of(row), HasSubstr("permitted 0 (0x0p+0), or 1 (0x1p+0), or NaN\n  error"));
     row.worst->got = {0x3f800000U, 0U};
     row.worst->want = {0.0, 0.0};
     row.worst->permitted = {{.low = 0.0, .high = 1.0}, {.low = 0.0, .high = 1.0}};
     for (auto& outcome : row.worst->outcomes)
         outcome = {outcome.front(), numeric::Bounds::point(outcome.front().low)};
     row.worst->outcomes.back().front().nan = false;
-    EXPECT_THAT(text(), HasSubstr("permitted 0 (0x0p+0), or 1 (0x1p+0)\n"
-                                  "  permitted together: 0 (0x0p+0); 0 (0x0p+0)\n"
-                                  "  or together:        1 (0x1p+0); 1 (0x1p+0)\n  error"));
+    EXPECT_THAT(text_of(row), HasSubstr("permitted 0 (0x0p+0), or 1 (0x1p+0)\n"
+                                        "  permitted together: 0 (0x0p+0); 0 (0x0p+0)\n"
+                                        "  or together:        1 (0x1p+0); 1 (0x1p+0)\n  error"));
     row.worst->outcomes.resize(check::Sample::most_outcomes, row.worst->outcomes.back());
-    EXPECT_THAT(text(), HasSubstr("beyond 16 outcomes, neighbours are merged\n"));
+    EXPECT_THAT(text_of(row), HasSubstr("beyond 16 outcomes, neighbours are merged\n"));
 }
 
 TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
     check::Answer row = passing_row("EQ-2");
     row.reason = check::Reason::hang;
     row.error = "not finished after 5 s";
-    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "A note.");
+    const std::string text = text_of(row, std::nullopt, "A note.");
     EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
     EXPECT_THAT(text, HasSubstr("A note."));
     EXPECT_THAT(text, Not(HasSubstr("input  ")));
@@ -52,7 +56,7 @@ TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
 TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {
     check::Answer row = failing_row();
     row.worst->want.assign(row.worst->want.size(), 129'708'002.0);
-    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "");
+    const std::string text = text_of(row);
     EXPECT_THAT(text, HasSubstr("want 129708002"));
     EXPECT_THAT(text, Not(HasSubstr("129708002 (0x1.eecbf88p+26)")));
 }

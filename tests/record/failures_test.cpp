@@ -9,48 +9,47 @@ namespace gloam::record::failures_test {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Expected {
-    KernelReplay::Output output;
+    shader::Scalar scalar;
+    std::uint32_t found;
     numeric::Bounds allowed;
 };
 
-KernelReplay replay(const std::vector<Expected>& all) {
-    KernelReplay made{.comments = {"a comment"},
-                      .assembly = "; SPIR-V\nOpName %BLEND \"BLEND\"\n",
-                      .inputs = {0x3f800000U, 7U},
-                      .images = {},
-                      .outputs = {},
-                      .outcomes = {{}}};
+check::Reproduction failure_of(const std::vector<Expected>& all) {
+    check::Reproduction made{.assembly = "; SPIR-V\nOpName %BLEND \"BLEND\"\n",
+                             .inputs = {0x3f800000U, 7U},
+                             .outcomes = {{}},
+                             .failure = check::Sample{}};
     for (const Expected& one : all) {
-        made.outputs.push_back(one.output);
+        made.outputs.push_back(one.scalar);
         made.outcomes.front().push_back(one.allowed);
+        made.failure->got.push_back(one.found);
+        made.failure->want.push_back(0.5);
     }
     return made;
 }
 
 Expected number(double low, double high, bool nan = false) {
-    return {{.is_float = true, .found = 0x7fc00000U, .comment = "c"}, {.low = low, .high = high, .nan = nan}};
+    return {shader::Scalar::float_, 0x3e000000U, {.low = low, .high = high, .nan = nan}};
 }
-
 Expected integer(double low, double high) {
-    return {{.is_float = false, .found = 99U, .comment = "c"}, {.low = low, .high = high, .nan = false}};
+    return {shader::Scalar::uint_, 99U, {.low = low, .high = high, .nan = false}};
 }
 Expected integer(double value) {
     return integer(value, value);
 }
 
 // A number and an integer that are permitted together: 0 and 1, or 1 and 2, or 4 and 1.
-KernelReplay three_outcomes(float found, std::uint32_t integer_found) {
-    KernelReplay made = replay({number(0, 0), integer(1)});
+check::Reproduction three_outcomes(float found, std::uint32_t integer_found) {
+    check::Reproduction made = failure_of({number(0, 0), integer(1)});
     made.outcomes.push_back({numeric::Bounds::point(1), numeric::Bounds::point(2)});
     made.outcomes.push_back({numeric::Bounds::point(4), numeric::Bounds::point(1)});
-    made.outputs[0].found = std::bit_cast<std::uint32_t>(found);
-    made.outputs[1].found = integer_found;
+    made.failure->got = {std::bit_cast<std::uint32_t>(found), integer_found};
     return made;
 }
 
 // What "EXPECT floats IDX 0 GE 1" and its like say of the first output: "floats GE 1".
-std::vector<std::string> expectations(const KernelReplay& of) {
-    std::istringstream lines(to_amber(of));
+std::vector<std::string> expectations(const check::Reproduction& of) {
+    std::istringstream lines(to_amber(of, {}));
     std::vector<std::string> found;
     for (std::string line; std::getline(lines, line);) {
         const std::size_t index = line.find(" IDX 0 ");
@@ -81,7 +80,7 @@ TEST(Amber, AnOutputLiesInItsRange) {
         {integer(-2, 1), {}},
         {integer(0, infinity), {"words GE 0", "words LE 4294967295"}}};
     for (const auto& [output, expected] : rows)
-        EXPECT_EQ(expectations(replay({output})), expected)
+        EXPECT_EQ(expectations(failure_of({output})), expected)
             << output.allowed.low << " " << output.allowed.high;
 }
 
@@ -92,13 +91,13 @@ TEST(Amber, OfSeveralOutcomesTheHullIsExpectedAndNotWhatFailedBetweenThem) {
         ElementsAre("floats NE nan", "floats GE 0.00000000", "floats LE 4.00000000", "floats NE 2.50000000"));
     // 1 is permitted, but not with 1.
     EXPECT_THAT(expectations(three_outcomes(1.0F, 1)), Not(Contains("floats NE 1.00000000")));
-    const std::string script = to_amber(three_outcomes(2.5F, 2));
+    const std::string script = to_amber(three_outcomes(2.5F, 2), {});
     EXPECT_THAT(script, HasSubstr("# one of 3 outcomes is allowed (report.txt); this expects their hull\n"));
     EXPECT_THAT(script, HasSubstr("EXPECT words IDX 4 GE 1\nEXPECT words IDX 4 LE 2\n"));
 }
 
 TEST(Amber, AWholeScript) {
-    KernelReplay all = replay({number(0.25, 1), integer(3)});
+    check::Reproduction all = failure_of({number(0.25, 1), integer(3)});
     all.specialized = true;
     all.images = {{.name = "depth", .words = std::vector<std::uint32_t>(9, 5U)}};
     const auto pipeline = [](const std::string& view) {
@@ -116,7 +115,7 @@ TEST(Amber, AWholeScript) {
                view + " 1 1 1\n# the kernel ran to its end\n";
     };
     const std::string five = "0x00000005";
-    EXPECT_EQ(to_amber(all),
+    EXPECT_EQ(to_amber(all, {"a comment"}),
               "#!amber\n# a comment\n\nSHADER compute kernel SPIRV-ASM TARGET_ENV spv1.5\n"
               "; SPIR-V\nOpName %BLEnd \"BLEnd\"\nEND\n\n"
               "# how many inputs, invocations in a row, the word to write behind the outputs\n"
@@ -128,28 +127,32 @@ TEST(Amber, AWholeScript) {
               "BUFFER image0 DATA_TYPE uint32 DATA\n" +
                   fmt::format("{}\n{}\n", fmt::join(std::vector(8, five), " "), five) +
                   "END\n\nBUFFER floats DATA_TYPE float SIZE 3 FILL 0.0\n\n" + pipeline("floats") +
-                  "EXPECT floats IDX 8 EQ 1.0\n# output 0: c\nEXPECT floats IDX 0 NE nan\n"
+                  "EXPECT floats IDX 8 EQ 1.0\n# output 0: here it was 0.125 (0x3e000000); the reference "
+                  "gives 0.5 (0x1p-1)\n"
+                  "EXPECT floats IDX 0 NE nan\n"
                   "EXPECT floats IDX 0 GE 0.250000000\nEXPECT floats IDX 0 LE 1.00000000\n\n"
                   "BUFFER words DATA_TYPE uint32 SIZE 3 FILL 0\n\n" +
                   pipeline("words") +
-                  "EXPECT words IDX 8 EQ 1065353216\n# output 1: c\nEXPECT words IDX 4 EQ 3\n\n"
+                  "EXPECT words IDX 8 EQ 1065353216\n# output 1: here it was 0x00000063; the reference gives "
+                  "0.5 (0x1p-1)\n"
+                  "EXPECT words IDX 4 EQ 3\n\n"
                   "# no access fell outside an image\nEXPECT faults IDX 0 EQ 0\n");
 }
 
 TEST(Amber, WhatWasNotJudgedMustOnlyEnd) {
-    KernelReplay not_judged = replay({number(0, 1)});
-    not_judged.outputs.front().comment = "not judged";
+    check::Reproduction not_judged = failure_of({number(0, 1)});
+    not_judged.failure.reset();
     not_judged.outcomes.clear();
-    const std::string script = to_amber(not_judged);
+    const std::string script = to_amber(not_judged, {});
     EXPECT_THAT(script, HasSubstr("# output 0: not judged"));
     EXPECT_THAT(script, Not(HasSubstr("EXPECT floats IDX 0")));
     EXPECT_THAT(script, HasSubstr("EXPECT floats IDX 4 EQ 1.0"));
 }
 
 TEST(Amber, AFunctionWithoutInputsHasABufferAllTheSame) {
-    KernelReplay none = replay({number(0, 1)});
+    check::Reproduction none = failure_of({number(0, 1)});
     none.inputs.clear();
-    EXPECT_THAT(to_amber(none), HasSubstr("BUFFER inputs DATA_TYPE uint32 DATA\n0x00000000\nEND\n"));
+    EXPECT_THAT(to_amber(none, {}), HasSubstr("BUFFER inputs DATA_TYPE uint32 DATA\n0x00000000\nEND\n"));
 }
 
 }  // namespace gloam::record::failures_test

@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "audit/worst.hpp"
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
-#include "record/json.hpp"
+#include "record/members.hpp"
 
 namespace gloam::stress {
 
@@ -54,21 +53,18 @@ std::string table_line(const Row& row) {
                        verdict);
 }
 
+template <class Io>
+void members(Io& io, Row& row) {
+    record::each(io, "run", row.run, "varied", row.varied, "quantity", row.quantity, "measured", row.measured,
+                 "bound", row.bound, "passed", row.passed());
+}
+
 std::string to_json(const gpu::DeviceInfo& device, const Rows& rows, const std::string& versions) {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const Row& row : rows) {
-        all.push_back({{"run", row.run},
-                       {"varied", row.varied},
-                       {"quantity", row.quantity},
-                       {"measured", record::number_json(row.measured)},
-                       {"bound", row.bound ? record::number_json(*row.bound) : nullptr},
-                       {"passed", row.passed()}});
-    }
     nlohmann::ordered_json document{{"gloam", base::version()},
                                     {"device", {{"name", device.name}, {"driver", device.driver}}}};
     if (!versions.empty()) document["versions"] = versions;
-    document["rows"] = std::move(all);
-    return document.dump(2) + "\n";
+    document["rows"] = record::json_of(rows);
+    return record::to_text(document);
 }
 
 namespace {

@@ -87,46 +87,30 @@ void add_stories(Page& page, const std::vector<CheckReport>& reports) {
     if (told > most_stories) page.paragraph(fmt::format("{} more are in the table.", told - most_stories));
 }
 
-bool judged_by_rules(const check::Answer& row) {
-    return row.verdict == check::Verdict::rules;
-}
-
-// A function without a documented error is judged by the rules in every variant.
-bool documents_nothing(const check::Answer& row) {
-    return judged_by_rules(row) && row.variant != "strict" && row.variant != "relaxed";
-}
-
-// The largest measured error of a driver, over the variants that are judged by the documented error.
-struct MeasuredError {
-    double fraction = 0.0;  // of the documented error
-    std::string variant;    // the variant with the largest error
-};
-
 // The documented, the guaranteed and the measured accuracy of an equation.
 struct EquationAccuracy {
     std::string equation;
-    std::string documented;  // "4 ulp"; empty where Vulkan's rules alone judge
-    // What the rules guarantee on any driver; nullopt without a strict run.
-    std::optional<check::Guarantee> any_driver;
+    std::string documented;                      // "4 ulp"
+    std::optional<check::Guarantee> any_driver;  // by the rules; nullopt without a strict run
     double open = 0.0;  // share of the inputs for which the rules permit every result
-    std::vector<std::optional<MeasuredError>> measured;  // for each report; nullopt if the rules judge
+    // Of each report, the largest error of a variant that is judged by the documented one; nullptr: none is.
+    std::vector<const check::Answer*> worst;
+
+    void add(std::size_t report, const check::Answer& row) {
+        const bool by_rules = row.verdict == check::Verdict::rules;
+        // A function without a documented error is judged by the rules in every variant.
+        if (by_rules && row.variant != "strict" && row.variant != "relaxed") documented = "Vulkan's rules";
+        if (row.bounded > 0 && row.variant != "relaxed") {
+            const check::Guarantee most = any_driver.value_or(check::Guarantee{});
+            any_driver = {.ulp = std::max(most.ulp, row.guarantee.ulp),
+                          .absolute = std::max(most.absolute, row.guarantee.absolute)};
+            open = std::max(open, static_cast<double>(row.unbounded) / static_cast<double>(row.bounded));
+        }
+        if (by_rules || !row.ran() || row.judged() == 0) return;
+        const check::Answer*& most = worst[report];
+        if (most == nullptr || row.budget_fraction > most->budget_fraction) most = &row;
+    }
 };
-
-void add_guarantee(EquationAccuracy& equation, const check::Answer& row) {
-    if (row.bounded == 0 || row.variant == "relaxed") return;
-    check::Guarantee most = equation.any_driver.value_or(check::Guarantee{});
-    most.ulp = std::max(most.ulp, row.guarantee.ulp);
-    most.absolute = std::max(most.absolute, row.guarantee.absolute);
-    equation.any_driver = most;
-    equation.open =
-        std::max(equation.open, static_cast<double>(row.unbounded) / static_cast<double>(row.bounded));
-}
-
-void add_measured(std::optional<MeasuredError>& measured, const check::Answer& row) {
-    if (row.judged() == 0 || !row.ran() || judged_by_rules(row)) return;
-    if (!measured || row.budget_fraction > measured->fraction)
-        measured = MeasuredError{row.budget_fraction, row.variant};
-}
 
 // Of every equation, in the order of the rows.
 std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports) {
@@ -135,25 +119,22 @@ std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports
     for (std::size_t i = 0; i < reports.size(); ++i) {
         for (const check::Answer& row : reports[i].rows) {
             const auto [place, is_new] = places.try_emplace(row.equation, all.size());
-            if (is_new) {
+            if (is_new)
                 all.push_back({.equation = row.equation,
                                .documented = to_text(row.budget),
-                               .measured = std::vector<std::optional<MeasuredError>>(reports.size())});
-            }
-            EquationAccuracy& equation = all[place->second];
-            if (documents_nothing(row)) equation.documented.clear();
-            add_guarantee(equation, row);
-            add_measured(equation.measured[i], row);
+                               .any_driver = {},
+                               .worst = std::vector<const check::Answer*>(reports.size())});
+            all[place->second].add(i, row);
         }
     }
     return all;
 }
 
 // "0.50 optimized".
-Cell measured_cell(const std::optional<MeasuredError>& measured) {
-    if (!measured) return "-";
-    if (measured->fraction == 0.0) return {"exact", 0.0};
-    return {numeric::to_short_text(measured->fraction) + " " + measured->variant, measured->fraction};
+Cell measured_cell(const check::Answer* worst) {
+    if (worst == nullptr) return "-";
+    const double fraction = worst->budget_fraction;
+    return {fraction == 0.0 ? "exact" : numeric::to_short_text(fraction) + " " + worst->variant, fraction};
 }
 
 // The device's name if it is unique; otherwise with the driver.
@@ -184,7 +165,7 @@ Table accuracy_table(const std::vector<CheckReport>& reports) {
                  "the largest measured error as a part of the documented one, and the variant that had it",
              .numeric = true});
     for (const EquationAccuracy& e : accuracies(reports)) {
-        std::vector<Cell> cells{e.equation, e.documented.empty() ? "Vulkan's rules" : e.documented};
+        std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{e.equation, e.documented});
         if (const auto& any = e.any_driver) {
             cells.emplace_back(fmt::format("{:.1e}", any->absolute), any->absolute);
             cells.emplace_back(fmt::format("{:.3g}", any->ulp), any->ulp);
@@ -192,8 +173,7 @@ Table accuracy_table(const std::vector<CheckReport>& reports) {
         } else {
             cells.insert(cells.end(), 3, "-");
         }
-        for (const auto& measured : e.measured) cells.push_back(measured_cell(measured));
-        table.rows.push_back(std::move(cells));
+        std::ranges::transform(e.worst, std::back_inserter(cells), measured_cell);
     }
     return table;
 }

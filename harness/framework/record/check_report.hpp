@@ -76,19 +76,12 @@ struct OutcomeCounts {
 [[nodiscard]] const std::vector<Column>& error_columns();
 [[nodiscard]] std::vector<Cell> error_cells(const check::Answer& row);
 
-// {"gloam": "0.3.0", "device": {...}, "versions": "gloam 0.3.0, glslang ...", "inputs": 65536, "seed": 1,
-// "results":
-// [{"equation", "function", "file", "variant", "verdict", "outcome", "not_judged_because", "inputs",
-// "judged", "outside", "recorded", "by_rules", "forbidden", "bounded", "unbounded", "differs", "max_ulp",
-// "max_abs", "width_fraction", "budget_fraction", "guarantee", "unbounded_at", "budget", "classes", "worst",
-// "coverage", "fault", "error", "reason", "seconds", "story"}]}, members as in check::Answer; an array of
-// such objects for several devices. "width_fraction" and "guarantee" are null where the verdict is the
-// budget. Infinite numbers are the strings "inf" and "-inf", NaN is "nan". A result also has "undefined", the
-// inputs whose result is undefined, and "undefined_at", why the first is.
+// An object, or an array of them for several devices: "gloam", "device", "versions", "inputs", "seed" and
+// "results", whose members are those of check::Answer (record/answer_json.hpp). Those that the verdict does
+// not need are null, infinite numbers are the strings "inf" and "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
-// Reads such a text: one object or an array of them. Throws std::runtime_error with the place in the text,
-// what was found and what was expected.
+// Throws std::runtime_error with the place in the text, what was found and what was expected.
 [[nodiscard]] std::vector<CheckReport> reports_from_json(std::string_view text);
 
 // JUnit XML: a test suite for each device, a test case for each row. A row that did not run is an error whose

@@ -2,19 +2,24 @@
 #include "record/failures.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/text.hpp"
+#include "numeric/numbers.hpp"
+#include "record/replay_text.hpp"
+#include "subject/kernel_code.hpp"
 
 namespace gloam::record {
 
 namespace {
 
+using check::Reproduction;
 using Words = std::vector<std::uint32_t>;
 
 constexpr std::size_t words_in_a_line = 8;
@@ -33,22 +38,29 @@ std::string buffer_declaration(const std::string& name, const Words& words) {
     return text + "END\n\n";
 }
 
-std::string image_comment(const KernelReplay::Image& image) {
-    return fmt::format("# {}: width, height, clamped, then the pixels row by row\n", image.name);
+bool is_float(const Reproduction& all, std::size_t output) {
+    return all.outputs[output] == shader::Scalar::float_;  // others are compared as words
+}
+
+std::string output_comment(const Reproduction& all, std::size_t output) {
+    if (!all.failure) return "not judged";
+    const std::uint32_t word = all.failure->got[output];
+    const std::string got =
+        is_float(all, output) ? check::text_of(all.outputs[output], word) : fmt::format("0x{:08x}", word);
+    return fmt::format("here it was {}; the reference gives {}", got,
+                       numeric::to_text(all.failure->want[output]));
 }
 
 // The hull of an output's ranges, as a script cannot say "or".
-numeric::Bounds hull_at(const KernelReplay& replay, std::size_t output) {
-    numeric::Bounds all = replay.outcomes.front().at(output);
-    for (const check::Sample::Outcome& outcome : replay.outcomes)
-        all = numeric::hull(all, outcome.at(output));
-    return all;
+numeric::Bounds hull_at(const Reproduction& all, std::size_t output) {
+    numeric::Bounds hull = all.outcomes.front().at(output);
+    for (const check::Sample::Outcome& outcome : all.outcomes) hull = numeric::hull(hull, outcome.at(output));
+    return hull;
 }
 
-bool is_inside(const KernelReplay::Output& output, const numeric::Bounds& bounds) {
-    if (output.is_float) return bounds.contains(static_cast<double>(std::bit_cast<float>(output.found)));
-    const std::int64_t number =
-        bounds.low < 0.0 ? std::bit_cast<std::int32_t>(output.found) : std::int64_t{output.found};
+bool is_inside(bool is_float, std::uint32_t found, const numeric::Bounds& bounds) {
+    if (is_float) return bounds.contains(static_cast<double>(std::bit_cast<float>(found)));
+    const std::int64_t number = bounds.low < 0.0 ? std::bit_cast<std::int32_t>(found) : std::int64_t{found};
     return bounds.contains(static_cast<double>(number));
 }
 
@@ -85,36 +97,27 @@ void compare_word(const numeric::Bounds& allowed, Comparisons& all) {
 }
 
 // Those with the hull, and with what was found where that is in the hull, but in no outcome's range.
-Comparisons comparisons_of(const KernelReplay& replay, std::size_t i) {
-    if (replay.outcomes.empty()) return {};
-    const KernelReplay::Output& output = replay.outputs[i];
-    const numeric::Bounds hull = hull_at(replay, i);
-    Comparisons all;
-    (output.is_float ? compare_float : compare_word)(hull, all);
-    const bool between =
-        is_inside(output, hull) && std::ranges::none_of(replay.outcomes, [&](const auto& outcome) {
-            return is_inside(output, outcome.at(i));
-        });
+Comparisons comparisons_of(const Reproduction& all, std::size_t i) {
+    if (all.outcomes.empty()) return {};
+    const bool as_float = is_float(all, i);
+    const std::uint32_t found = all.failure->got[i];
+    const numeric::Bounds hull = hull_at(all, i);
+    Comparisons comparisons;
+    (as_float ? compare_float : compare_word)(hull, comparisons);
+    const bool between = is_inside(as_float, found, hull) &&
+                         std::ranges::none_of(all.outcomes, [&](const check::Sample::Outcome& outcome) {
+                             return is_inside(as_float, found, outcome.at(i));
+                         });
     if (between)
-        all.push_back(output.is_float ? fmt::format("NE {:#.9g}", std::bit_cast<float>(output.found))
-                                      : fmt::format("NE {}", output.found));
-    return all;
+        comparisons.push_back(as_float ? fmt::format("NE {:#.9g}", std::bit_cast<float>(found))
+                                       : fmt::format("NE {}", found));
+    return comparisons;
 }
 
-// The comments above the comparisons of an output.
-std::string output_comments(const KernelReplay& replay, std::size_t i) {
-    std::string text = fmt::format("# output {}: {}\n", i, replay.outputs[i].comment);
-    if (replay.outcomes.size() > 1)
-        text += fmt::format("# one of {} outcomes is allowed (report.txt); this expects their hull\n",
-                            replay.outcomes.size());
-    return text;
-}
-
-std::string pipeline(const KernelReplay& replay, const std::string& view) {
+std::string pipeline(const Reproduction& all, const std::string& view) {
     std::string constants;
-    for (std::size_t i = 0; replay.specialized && i < replay.inputs.size(); ++i) {
-        constants += fmt::format(" SPECIALIZE {} AS uint32 {}", i, replay.inputs[i]);
-    }
+    for (std::size_t i = 0; all.specialized && i < all.inputs.size(); ++i)
+        constants += fmt::format(" SPECIALIZE {} AS uint32 {}", i, all.inputs[i]);
     std::string text = fmt::format(
         "PIPELINE compute read_{0}\n"
         "  ATTACH kernel{1}\n"
@@ -123,26 +126,27 @@ std::string pipeline(const KernelReplay& replay, const std::string& view) {
         "  BIND BUFFER {0} AS storage DESCRIPTOR_SET 0 BINDING 1\n"
         "  BIND BUFFER faults AS storage DESCRIPTOR_SET 0 BINDING 2\n",
         view, constants);
-    for (std::size_t i = 0; i < replay.images.size(); ++i) {
+    for (std::size_t i = 0; i < all.images.size(); ++i)
         text += fmt::format("  BIND BUFFER image{} AS storage DESCRIPTOR_SET 0 BINDING {}\n", i, 3 + i);
-    }
     return text + fmt::format("END\n\nRUN read_{} 1 1 1\n", view);
 }
 
 // A view of the outputs as floats or as words, because an Amber buffer has one type.
-std::string view_of(const KernelReplay& replay, bool floats) {
+std::string view_of(const Reproduction& all, bool floats) {
     const std::string view = floats ? "floats" : "words";
-    std::string text =
-        fmt::format("BUFFER {} DATA_TYPE {} SIZE {} FILL {}\n\n", view, floats ? "float" : "uint32",
-                    replay.outputs.size() + 1, floats ? "0.0" : "0");
-    text += pipeline(replay, view);
+    std::string text = fmt::format("BUFFER {} DATA_TYPE {} SIZE {} FILL {}\n\n", view,
+                                   floats ? "float" : "uint32", all.outputs.size() + 1, floats ? "0.0" : "0");
+    text += pipeline(all, view);
     text += "# the kernel ran to its end\n";
-    text += fmt::format("EXPECT {} IDX {} EQ {}\n", view, 4 * replay.outputs.size(),
+    text += fmt::format("EXPECT {} IDX {} EQ {}\n", view, 4 * all.outputs.size(),
                         floats ? "1.0" : std::to_string(canary));
-    for (std::size_t i = 0; i < replay.outputs.size(); ++i) {
-        if (replay.outputs[i].is_float != floats) continue;
-        text += output_comments(replay, i);
-        for (const std::string& comparison : comparisons_of(replay, i))
+    for (std::size_t i = 0; i < all.outputs.size(); ++i) {
+        if (is_float(all, i) != floats) continue;
+        text += fmt::format("# output {}: {}\n", i, output_comment(all, i));
+        if (all.outcomes.size() > 1)
+            text += fmt::format("# one of {} outcomes is allowed (report.txt); this expects their hull\n",
+                                all.outcomes.size());
+        for (const std::string& comparison : comparisons_of(all, i))
             text += fmt::format("EXPECT {} IDX {} {}\n", view, 4 * i, comparison);
     }
     return text + "\n";
@@ -150,28 +154,128 @@ std::string view_of(const KernelReplay& replay, bool floats) {
 
 }  // namespace
 
-std::string to_amber(const KernelReplay& replay) {
+std::string to_amber(const Reproduction& all, const std::vector<std::string>& comments) {
     std::string text = "#!amber\n";
-    for (const std::string& comment : replay.comments) text += "# " + comment + "\n";
+    for (const std::string& comment : comments) text += "# " + comment + "\n";
     // Amber ends a shader at the first "END".
-    text += "\nSHADER compute kernel SPIRV-ASM TARGET_ENV spv1.5\n" +
-            base::replaced(replay.assembly, "END", "End");
+    text +=
+        "\nSHADER compute kernel SPIRV-ASM TARGET_ENV spv1.5\n" + base::replaced(all.assembly, "END", "End");
     if (!text.ends_with('\n')) text += '\n';
     text += "END\n\n";
     text += "# how many inputs, invocations in a row, the word to write behind the outputs\n";
-    text += buffer_declaration("run", {1U, 64U, canary});
-    text += buffer_declaration("inputs", replay.inputs);
+    text += buffer_declaration("run", {1U, check::kernel_group_size, canary});
+    text += buffer_declaration("inputs", all.inputs);
     text += "# accesses outside an image: how many, and the first\n";
     text += buffer_declaration("faults", Words(fault_words));
-    for (std::size_t i = 0; i < replay.images.size(); ++i) {
-        text += image_comment(replay.images[i]);
-        text += buffer_declaration(fmt::format("image{}", i), replay.images[i].words);
+    for (std::size_t i = 0; i < all.images.size(); ++i) {
+        text += fmt::format("# {}: width, height, clamped, then the pixels row by row\n", all.images[i].name);
+        text += buffer_declaration(fmt::format("image{}", i), all.images[i].words);
     }
-    const auto is_float = [](const KernelReplay::Output& output) { return output.is_float; };
-    if (std::ranges::any_of(replay.outputs, is_float)) text += view_of(replay, true);
-    if (!std::ranges::all_of(replay.outputs, is_float)) text += view_of(replay, false);
-    if (!replay.images.empty()) text += "# no access fell outside an image\nEXPECT faults IDX 0 EQ 0\n";
+    const auto is = [](bool floats) {
+        return [=](shader::Scalar output) { return (output == shader::Scalar::float_) == floats; };
+    };
+    for (const bool floats : {true, false})
+        if (std::ranges::any_of(all.outputs, is(floats))) text += view_of(all, floats);
+    if (!all.images.empty()) text += "# no access fell outside an image\nEXPECT faults IDX 0 EQ 0\n";
     return text;
+}
+
+namespace {
+
+std::string array(const std::string& name, const Words& words) {
+    constexpr std::size_t in_a_line = 8;
+    std::string text = fmt::format("static const uint32_t {}[] = {{", name);
+    const Words one{0U};  // no array is empty
+    const Words& all = words.empty() ? one : words;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        text += fmt::format("{}0x{:08x}u,", i % in_a_line == 0 ? "\n    " : " ", all[i]);
+    return text + "\n};\n";
+}
+
+std::string number(double value) {
+    if (std::isinf(value)) return value > 0.0 ? "INFINITY" : "-INFINITY";
+    return fmt::format("{:.17g}", value);
+}
+
+std::string in_comment(std::string text) {
+    return base::replaced(std::move(text), "*/", "* /");
+}
+
+// A literal of C. A driver may give its device any name.
+std::string literal(const std::string& text) {
+    constexpr std::string_view as_it_is = " ()[]<>.,:;+-_/@#=";
+    std::string literal = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = byte < 0x80 && std::isalnum(byte) != 0;
+        literal += plain || as_it_is.find(c) != std::string_view::npos ? std::string(1, c)
+                                                                       : fmt::format("\\{:03o}", byte);
+    }
+    return literal + "\"";
+}
+
+std::string outputs_of(const Reproduction& check) {
+    std::string text = "static const int is_float[] = {\n";
+    for (std::size_t i = 0; i < check.outputs.size(); ++i)
+        text += fmt::format("    {}, /* {} */\n", is_float(check, i) ? 1 : 0,
+                            in_comment(output_comment(check, i)));
+    text += fmt::format(
+        "}};\n/* The outputs lie in the ranges of one of these. */\n"
+        "struct range {{\n    double low, high;\n    int nan, repeated; /* as the range of an earlier "
+        "outcome */\n}};\n"
+        "static const struct range outcomes[][{}] = {{\n",
+        check.outputs.size());
+    std::vector<check::Sample::Outcome> all = check.outcomes;
+    if (all.empty()) all.emplace_back(check.outputs.size(), numeric::Bounds::anything());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        std::vector<std::string> ranges;
+        for (std::size_t i = 0; i < all[k].size(); ++i) {
+            const numeric::Bounds& allowed = all[k][i];
+            const bool repeated =
+                std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k),
+                            [&](const check::Sample::Outcome& earlier) { return earlier[i] == allowed; });
+            ranges.push_back(fmt::format("{{{}, {}, {}, {}}}", number(allowed.low), number(allowed.high),
+                                         allowed.nan ? 1 : 0, repeated ? 1 : 0));
+        }
+        text += fmt::format("    {{{}}},\n", fmt::join(ranges, ", "));
+    }
+    return text + "};\n";
+}
+
+}  // namespace
+
+std::string to_c_program(const Reproduction& all, const std::vector<std::string>& comments,
+                         const std::string& device) {
+    std::string text = "/*\n";
+    for (const std::string& comment : comments) text += " * " + in_comment(comment) + "\n";
+    text +=
+        " */\n#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n"
+        "#include <string.h>\n#include <vulkan/vulkan.h>\n\n";
+    text += fmt::format("#define FOUND_ON {}\n", literal(device));
+    text += fmt::format("#define ROW_LENGTH {}u\n#define SPECIALIZED {}\n#define IMAGES {}\n\n",
+                        check::kernel_group_size, all.specialized ? 1 : 0, all.images.size());
+    text += array("inputs", all.inputs);
+    std::vector<std::pair<const char*, const Words*>> modules{
+        {all.before.empty() ? "the module" : "after the steps", &all.spirv}};
+    if (!all.before.empty() && all.before != all.spirv) modules.emplace_back("before the steps", &all.before);
+    std::string list =
+        "struct module {\n    const char *name;\n    const uint32_t *words;\n    size_t bytes;\n};\n"
+        "static const struct module modules[] = {\n";
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        text += array(fmt::format("module_{}", i), *modules[i].second);
+        list += fmt::format("    {{\"{0}\", module_{1}, sizeof(module_{1})}},\n", modules[i].first, i);
+    }
+    text += list + "};\n";
+    list =
+        "struct image {\n    const uint32_t *words;\n    size_t count;\n    int sampled;\n};\n"
+        "static const struct image images[] = {\n";
+    for (std::size_t i = 0; i < all.images.size(); ++i) {
+        text += array(fmt::format("image_{}", i), all.images[i].words);
+        list += fmt::format("    {{image_{0}, sizeof(image_{0}) / sizeof(image_{0}[0]), {1}}},\n", i,
+                            all.images[i].bound ? 1 : 0);
+    }
+    return text + list + (all.images.empty() ? "    {NULL, 0, 0},\n" : "") + "};\n" + outputs_of(all) +
+           replay_program;
 }
 
 }  // namespace gloam::record

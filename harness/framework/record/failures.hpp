@@ -1,56 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "numeric/interval.hpp"
+#include "judge/reproduction.hpp"
 #include "record/check_report.hpp"
 
 namespace gloam::record {
 
-// One dispatch of a generated kernel for a single input, with all that an AmberScript file needs to repeat
-// it.
-struct KernelReplay {
-    std::vector<std::string> comments;  // lines at the top: what, where, how to run
-    std::string device;                 // where it failed; empty: on none
-    std::string assembly;               // SPIR-V 1.5
-    std::vector<std::uint32_t> inputs;
-    bool specialized = false;  // the inputs are also specialization constants, counted from 0
-    struct Image {
-        std::string name;
-        std::vector<std::uint32_t> words;
-        bool sampled = false;  // no buffer: struct sampled of replay/replay.c, then texels in its format
-    };
-    std::vector<Image> images;  // in the order of their bindings
-    struct Output {
-        bool is_float = true;     // false: compared as words
-        std::uint32_t found = 0;  // the word that failed, if the outputs are judged
-        std::string comment;
-    };
-    std::vector<Output> outputs;
-    std::vector<check::Sample::Outcome>
-        outcomes;  // the outputs lie in one of them; none: they are not judged
-};
+// An AmberScript (https://github.com/google/amber) that runs the check of one input and expects each output
+// in its range, ends included; NaN only if it is allowed. Of several outcomes it expects the hull, and not
+// what was found where that is in no outcome's range. No image is `bound`. `comments`: lines at the top. Run
+// it with `amber -v 1.2 -t spv1.5 FILE`.
+[[nodiscard]] std::string to_amber(const check::Reproduction& all, const std::vector<std::string>& comments);
 
-// An AmberScript (https://github.com/google/amber) that runs the kernel and expects each output in its range,
-// ends included; NaN only if it is allowed. Of several outcomes it expects the hull, and not what was found
-// where that is in no outcome's range. Run it with `amber -v 1.2 -t spv1.5 FILE`.
-[[nodiscard]] std::string to_amber(const KernelReplay& replay);
-
-struct ReplayedModule {
-    std::string name;  // letters, digits and blanks
-    std::vector<std::uint32_t> words;
-};
-
-// A program in C, on the Vulkan loader alone, that runs these modules on the device where it failed, or on
-// one that its argument names, and prints each output beside what is allowed. Its exit status is 1 if no
-// outcome contains the outputs of the first module, and 2 if it could not run. Build it with `cc FILE
-// -lvulkan -lm`.
-[[nodiscard]] std::string to_c_program(const KernelReplay& replay,
-                                       const std::vector<ReplayedModule>& modules);
+// A program in C, on the Vulkan loader alone, that runs the module, and the one before its steps, on the
+// device where it failed, or on one that its argument names, and prints each output beside what is allowed.
+// Its exit status is 1 if no outcome contains the outputs of the first module, and 2 if it could not run.
+// Build it with `cc FILE -lvulkan -lm`. The words of `bound` images are struct sampled of replay/replay.c,
+// then texels in their format. `device`: where it failed; empty: on none.
+[[nodiscard]] std::string to_c_program(const check::Reproduction& all,
+                                       const std::vector<std::string>& comments, const std::string& device);
 
 // What is needed to reproduce a failure.
 struct RunAgain {

@@ -29,30 +29,20 @@ std::string cell(const check::Answer& row) {
     return "ok " + numeric::to_short_text(row.fraction_of_allowed());
 }
 
-std::vector<std::string> variants_of(const CheckReport& report) {
-    std::vector<std::string> variants;
-    for (const check::Answer& row : report.rows) {
-        if (!row.variant.empty() && std::ranges::find(variants, row.variant) == variants.end()) {
-            variants.push_back(row.variant);
-        }
-    }
-    return variants;
-}
-
-// A row for each equation.
+// A row for each equation, a column for each variant on each driver. The row of a device itself is in the
+// summary.
 Table table_of(const std::vector<CheckReport>& reports) {
     Table table{{{.title = "equation"}}};
     std::map<std::string, std::vector<Cell>> by_equation;
     for (std::size_t i = 0; i < reports.size(); ++i) {
-        const std::vector<std::string> variants = variants_of(reports[i]);
-        const std::size_t first = table.columns.size();
-        for (const std::string& variant : variants)
-            table.columns.push_back({reports.size() == 1 ? variant : fmt::format("{} {}", i + 1, variant)});
         for (const check::Answer& row : reports[i].rows) {
-            if (row.variant.empty()) continue;  // the row of the device itself, which is in the summary
+            if (row.variant.empty()) continue;
+            const std::string title =
+                reports.size() == 1 ? row.variant : fmt::format("{} {}", i + 1, row.variant);
+            const auto found = std::ranges::find(table.columns, title, &Column::title);
+            const auto at = static_cast<std::size_t>(found - table.columns.begin());
+            if (at == table.columns.size()) table.columns.push_back({title});
             std::vector<Cell>& cells = by_equation[row.equation];
-            const auto at =
-                first + static_cast<std::size_t>(std::ranges::find(variants, row.variant) - variants.begin());
             cells.resize(std::max(cells.size(), at + 1), "-");
             cells[at] = cell(row);
         }

@@ -40,22 +40,6 @@ std::string in_a_line(const std::string& text) {
     return base::shortened(base::one_line(all), longest);
 }
 
-// "'a < b' -> 'a <= b'"
-std::string change_text(const shader::Mutation& mutation) {
-    return fmt::format("'{}' -> '{}'", in_a_line(mutation.before), in_a_line(mutation.after));
-}
-
-std::string place_text(const MutationReport& report, const MutantRow& row) {
-    return fmt::format("{}:{}", report.files.at(row.file), row.mutation.line);
-}
-
-// "x = 1: 0.5 becomes 1"; empty where no input shows a difference.
-std::string shown_by(const check::MutantComparison& comparison) {
-    if (comparison.words.empty()) return {};
-    return fmt::format("{}({}): {} becomes {}", comparison.function, comparison.values, comparison.before,
-                       comparison.after);
-}
-
 // The gravest first.
 std::vector<const MutantRow*> survivors(const MutationReport& report) {
     std::vector<const MutantRow*> rows;
@@ -103,11 +87,14 @@ std::string to_text(const MutationReport& report) {
         text +=
             "no fault was noticed: expected a command that reads the shaders in the folder GLOAM_SHADERS\n";
     for (const MutantRow* row : survivors(report)) {
-        text += fmt::format("{}: {} in {}: {}\n", place_text(report, *row), change_text(row->mutation),
-                            row->mutation.function.empty() ? "no function" : row->mutation.function,
-                            verdict_of(*row));
-        if (row->fate == Fate::survived && !row->comparison.words.empty())
-            text += "  " + shown_by(row->comparison) + "\n";
+        const shader::Mutation& mutation = row->mutation;
+        const check::MutantComparison& shown = row->comparison;
+        text += fmt::format("{}:{}: '{}' -> '{}' in {}: {}\n", report.files.at(row->file), mutation.line,
+                            in_a_line(mutation.before), in_a_line(mutation.after),
+                            mutation.function.empty() ? "no function" : mutation.function, verdict_of(*row));
+        if (row->fate == Fate::survived && !shown.words.empty())
+            text += fmt::format("  {}({}): {} becomes {}\n", shown.function, shown.values, shown.before,
+                                shown.after);
     }
     return base::for_terminal(text);
 }

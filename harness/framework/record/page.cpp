@@ -42,23 +42,16 @@ std::string url_of(std::string_view file) {
     return url;
 }
 
-std::string image(const PagePicture& picture) {
-    return fmt::format("<img src=\"{}\" alt=\"{}\">", url_of(picture.file), escaped_html(picture.caption));
-}
-
-const char* class_of(Tone tone) {
-    return tone == Tone::good ? "good" : tone == Tone::bad ? "bad" : "";
-}
-
 std::string cell_html(const Column& column, const Cell& cell) {
     std::string style = column.numeric ? "number" : "";
-    if (cell.tone != Tone::plain) style += std::string(style.empty() ? "" : " ") + class_of(cell.tone);
+    if (cell.tone != Tone::plain)
+        style += std::string(style.empty() ? "" : " ") + (cell.tone == Tone::good ? "good" : "bad");
     std::string html = "<td";
     if (!style.empty()) html += fmt::format(" class=\"{}\"", style);
-    if (cell.value && !std::isnan(*cell.value))
-        html += std::isinf(*cell.value)
-                    ? (*cell.value > 0 ? " data-value=\"Infinity\"" : " data-value=\"-Infinity\"")
-                    : fmt::format(" data-value=\"{}\"", *cell.value);
+    if (cell.value && std::isinf(*cell.value))
+        html += *cell.value > 0 ? " data-value=\"Infinity\"" : " data-value=\"-Infinity\"";
+    else if (cell.value && !std::isnan(*cell.value))
+        html += fmt::format(" data-value=\"{}\"", *cell.value);
     return html + ">" + escaped_html(cell.text) + "</td>";
 }
 
@@ -94,20 +87,15 @@ std::string head_html(const Table& table) {
 }  // namespace
 
 std::string escaped_html(std::string_view text) {
+    constexpr std::pair<char, const char*> entities[]{
+        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
     std::string html;
     html.reserve(text.size());
     for (const char c : text) {
+        const auto* const entity = std::ranges::find(entities, c, &std::pair<char, const char*>::first);
         const auto byte = static_cast<unsigned char>(c);
-        if (c == '&')
-            html += "&amp;";
-        else if (c == '<')
-            html += "&lt;";
-        else if (c == '>')
-            html += "&gt;";
-        else if (c == '"')
-            html += "&quot;";
-        else if (c == '\'')
-            html += "&#39;";
+        if (entity != std::end(entities))
+            html += entity->second;
         else if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7F)
             html += "\xEF\xBF\xBD";
         else
@@ -160,7 +148,9 @@ void Page::choose(const std::vector<PagePicture>& pictures, std::string_view cap
         body_ += fmt::format(
             "<input type=\"radio\" name=\"{0}\" id=\"{0}-{1}\"{2}><label for=\"{0}-{1}\">{3}</label>\n",
             group, i, i == 0 ? " checked" : "", escaped_html(pictures[i].caption));
-    for (const PagePicture& picture : pictures) body_ += image(picture) + "\n";
+    for (const PagePicture& picture : pictures)
+        body_ +=
+            fmt::format("<img src=\"{}\" alt=\"{}\">\n", url_of(picture.file), escaped_html(picture.caption));
     body_ += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", escaped_html(caption));
 }
 

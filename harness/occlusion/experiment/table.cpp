@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "record/table.hpp"
 
@@ -19,18 +20,13 @@ using nlohmann::ordered_json;
 
 constexpr const char* measured = "SELECT * FROM result WHERE measured ORDER BY rowid";
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-}
-
 // The SELECT, in which lines with "{}" that stand together are repeated for each of the names. These stand
 // there in single quotes.
 std::string expanded(const Table& table, const Database& database, const std::string& size) {
     std::vector<std::string> names;
     if (!table.each.empty())
         for (const std::vector<Value>& row : database.select(table.each, size).all)
-            replace_all(names.emplace_back(text_of(row.at(0))), "'", "''");
+            names.push_back(base::replaced(text_of(row.at(0)), "'", "''"));
     std::string text;
     const auto repeats = [](const std::string& line) { return line.find("{}") != std::string::npos; };
     for (auto line = table.select.begin(); line != table.select.end();) {
@@ -40,11 +36,8 @@ std::string expanded(const Table& table, const Database& database, const std::st
         }
         const auto end = std::find_if_not(line, table.select.end(), repeats);
         for (const std::string& name : names)
-            for (auto repeated = line; repeated != end; ++repeated) {
-                std::string shown = *repeated;
-                replace_all(shown, "{}", name);
-                text += shown + "\n";
-            }
+            for (auto repeated = line; repeated != end; ++repeated)
+                text += base::replaced(*repeated, "{}", name) + "\n";
         line = end;
     }
     return text;
@@ -73,13 +66,6 @@ record::Table shown(const Rows& rows) {
     return table;
 }
 
-bool misses(const Rows& rows) {
-    return std::ranges::any_of(rows.all, [](const std::vector<Value>& row) {
-        return std::ranges::any_of(row,
-                                   [](const Value& value) { return text_of(value).ends_with("missed"); });
-    });
-}
-
 void add(Text& all, const Table& table, const std::string& text) {
     all.report += "\n" + text;
     if (!table.in_report) all.text += "\n" + text;
@@ -97,9 +83,11 @@ void add_table(Text& all, const Table& table, const Database& database) {
     if (sizes.empty()) sizes.emplace_back();
     for (const std::string& size : sizes) {
         const Rows rows = database.select(expanded(table, database, size), size);
-        all.missed |= misses(rows);
-        const std::string heading = sizes.size() > 1 ? size + ":\n\n" : "";
-        if (!rows.all.empty()) add(all, table, heading + record::to_markdown(shown(rows)));
+        if (rows.all.empty()) continue;
+        const record::Table cells = shown(rows);
+        for (const auto& row : cells.rows)
+            for (const record::Cell& cell : row) all.missed |= cell.text.ends_with("missed");
+        add(all, table, (sizes.size() > 1 ? size + ":\n\n" : "") + record::to_markdown(cells));
     }
 }
 
@@ -122,9 +110,7 @@ ordered_json json_of(const Rows& rows) {
 std::string csv_of(const Value& value) {
     if (std::holds_alternative<std::monostate>(value)) return "";
     if (!std::holds_alternative<std::string>(value)) return text_of(value);
-    std::string text = text_of(value);
-    replace_all(text, "\"", "\"\"");
-    return '"' + text + '"';
+    return '"' + base::replaced(text_of(value), "\"", "\"\"") + '"';
 }
 
 }  // namespace

@@ -46,23 +46,6 @@ void print_row(const check::Answer& row) {
     std::fflush(stdout);
 }
 
-// The command that repeats this check exactly: the same inputs on the same device.
-std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
-                        const check::Answer& row) {
-    std::string what = record::shell_word(row.equation);
-    if (is_of_file(options)) what = record::shell_word(options.equations.front()) + " " + what;
-    std::string variant = record::shell_word(row.variant_before_steps());
-    if (!row.steps().empty()) variant += " --compiler " + record::shell_word(row.steps());
-    for (const std::string& range : options.ranges) what += " --range " + record::shell_word(range);
-    for (const std::string& folder : options.includes) what += " --include " + record::shell_word(folder);
-    for (const std::string& define : options.defines) what += " --define " + record::shell_word(define);
-    std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
-                                      variant, record::shell_word(device.name), options.inputs, options.seed);
-    for (const auto& driver : drivers_asked_for())
-        command += " --driver " + record::shell_word(driver.string());
-    return options.validation ? command + " --validation" : command;
-}
-
 void print_failure(const CheckOptions& options, const record::DeviceSummary& device,
                    const check::Answer& row) {
     fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
@@ -116,24 +99,13 @@ std::filesystem::path journal_of(const CheckOptions& options) {
 }
 
 // The conditions under which it does.
-struct JournalHeading {
-    const CheckOptions& options;
-};
-
-template <class Io>
-void members(Io& io, JournalHeading& heading) {
-    record::each(io, "check_journal", 2, "versions", versions(), "inputs", heading.options.inputs, "seed",
-                 heading.options.seed, "validation", heading.options.validation);
-}
-
-struct JournalRow {
-    std::string device;
-    check::Answer row;
-};
-
-template <class Io>
-void members(Io& io, JournalRow& kept) {
-    record::each(io, "device", kept.device, "row", kept.row);
+std::string journal_heading(const CheckOptions& options) {
+    const nlohmann::ordered_json heading{{"check_journal", 2},
+                                         {"versions", versions()},
+                                         {"inputs", options.inputs},
+                                         {"seed", options.seed},
+                                         {"validation", options.validation}};
+    return heading.dump();
 }
 
 // Prints rows as they come, writes them to the journal, and shows the progress.
@@ -142,7 +114,7 @@ class CheckRun {
     CheckRun(const CheckOptions& options, std::vector<CheckTask> tasks, std::size_t devices)
         : options_(options),
           tasks_(std::move(tasks)),
-          journal_(journal_of(options), record::line_of(JournalHeading{options}), options.resume,
+          journal_(journal_of(options), journal_heading(options), options.resume,
                    [this](std::string_view line) { take_over(record::from_line<JournalRow>(line)); }),
           failures_(options.failures),
           left_(tasks_.size() * devices),

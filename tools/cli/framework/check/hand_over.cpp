@@ -13,60 +13,35 @@
 #include "judge/answer.hpp"
 #include "judge/reproduction.hpp"
 #include "module/spirv.hpp"
-#include "numeric/numbers.hpp"
 #include "record/failures.hpp"
 #include "subject/lab.hpp"
 
 namespace gloam::cli {
 namespace {
 
-std::string output_comment(const check::Reproduction& all, std::size_t i) {
-    if (!all.failure) return "not judged";
-    const check::Word word = all.failure->got[i];
-    const std::string got = shader::is_float(all.outputs[i]) ? check::text_of(all.outputs[i], word)
-                                                             : fmt::format("0x{:08x}", word);
-    return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
+// The lines at the top of a program that repeats it.
+std::vector<std::string> comments_of(const check::Reproduction& all, const check::Question& question,
+                                     const CheckTask& task, const backend::DeviceInfo& device,
+                                     const std::string& how) {
+    std::vector<std::string> comments{
+        fmt::format("{}: {} of {}, variant {}", task.equation, question.function, question.file,
+                    task.variant),
+        fmt::format("Found on: {} ({})", device.name, device.driver),
+        fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
+        "Run it with: " + how};
+    if (!all.scenario.empty()) comments.push_back("Images: " + all.scenario);
+    return comments;
 }
 
-// A sampled image with its texels as the device has them.
-std::vector<check::Word> encoded(const std::vector<check::Word>& image) {
-    std::vector<check::Word> result(image.begin(), image.begin() + backend::sampled_header_words);
-    const std::vector<check::Word> texels = backend::stored_texels(image);
-    result.insert(result.end(), texels.begin(), texels.end());
-    return result;
-}
-
-record::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
-                               const CheckTask& task, const backend::DeviceInfo& device,
-                               const std::string& how) {
-    record::KernelReplay replay{
-        .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
-    replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, question.function,
-                                   question.file, task.variant),
-                       fmt::format("Found on: {} ({})", device.name, device.driver),
-                       fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
-                       "Run it with: " + how};
-    if (device.name != check::interpreter_name) replay.device = device.name;
-    if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
-    for (const check::Reproduction::ImageBuffer& image : all.images)
-        replay.images.push_back({.name = image.name,
-                                 .words = image.bound ? encoded(image.words) : image.words,
-                                 .sampled = image.bound});
-    for (std::size_t i = 0; i < all.outputs.size(); ++i) {
-        replay.outputs.push_back({.is_float = all.outputs[i] == shader::Scalar::float_,
-                                  .found = all.failure ? all.failure->got[i] : 0,
-                                  .comment = output_comment(all, i)});
+// With sampled images whose texels are as the device has them.
+check::Reproduction encoded(check::Reproduction all) {
+    for (check::Reproduction::ImageBuffer& image : all.images) {
+        if (!image.bound) continue;
+        const std::vector<check::Word> texels = backend::stored_texels(image.words);
+        image.words.resize(backend::sampled_header_words);
+        image.words.insert(image.words.end(), texels.begin(), texels.end());
     }
-    replay.outcomes = all.outcomes;
-    return replay;
-}
-
-// The module that failed, then the one before the steps, if it is another.
-std::vector<record::ReplayedModule> modules_of(const check::Reproduction& all) {
-    std::vector<record::ReplayedModule> modules{
-        {all.before.empty() ? "the module" : "after the steps", all.spirv}};
-    if (!all.before.empty() && all.before != all.spirv) modules.push_back({"before the steps", all.before});
-    return modules;
+    return all;
 }
 
 check::Reproduction reproduction_of(const check::Lab& lab, const check::Question& question,
@@ -88,8 +63,8 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                         const HandOverRequest& request, const check::RunOptions& options) {
     const check::Reproduction all = reproduction_of(lab, question, request, options);
     const backend::DeviceInfo& device = lab.info();
-    const auto replay = [&](const std::string& how) {
-        return replay_of(all, question, request.task, device, how);
+    const auto comments = [&](const std::string& how) {
+        return comments_of(all, question, request.task, device, how);
     };
     HandOver hand_over;
     if (!all.opengl.empty()) {
@@ -102,10 +77,12 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
             const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
             const bool has_layers = std::ranges::any_of(
                 all.images, [](const auto& image) { return image.bound && image.words.empty(); });
-            if (!has_images) hand_over.amber = record::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
+            if (!has_images)
+                hand_over.amber = record::to_amber(all, comments("amber -v 1.2 -t spv1.5 repro.amber"));
             if (!has_layers)
                 hand_over.c_program = record::to_c_program(
-                    replay("cc repro.c -o repro -lvulkan -lm && ./repro"), modules_of(all));
+                    encoded(all), comments("cc repro.c -o repro -lvulkan -lm && ./repro"),
+                    device.name == check::interpreter_name ? "" : device.name);
         }
         hand_over.steps = all.steps;
         hand_over.before = all.before;

@@ -101,6 +101,17 @@ void members(Io& io, WorkerRequest& request) {
 [[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                                       const HandOverRequest& request, const check::RunOptions& options);
 
+// A line of the journal, from which --resume continues a check.
+struct JournalRow {
+    std::string device;
+    check::Answer row;
+};
+
+template <class Io>
+void members(Io& io, JournalRow& kept) {
+    record::each(io, "device", kept.device, "row", kept.row);
+}
+
 // A folder with a subfolder for each failure: DEVICE/EQUATION-VARIANT/{report.txt, shader.comp,
 // shader.spvasm, shader.spv, repro.amber}. The constructor finds out whether it can be written to, before the
 // work. Without a failure nothing remains.

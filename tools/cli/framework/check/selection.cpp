@@ -10,6 +10,7 @@
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
 #include "cli/framework/check/worker_session.hpp"
+#include "cli/framework/open_device.hpp"
 #include "module/steps.hpp"
 
 namespace gloam::cli {
@@ -126,6 +127,22 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
         }
     }
     return tasks;
+}
+
+std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
+                        const check::Answer& row) {
+    std::string what = record::shell_word(row.equation);
+    if (is_of_file(options)) what = record::shell_word(options.equations.front()) + " " + what;
+    std::string variant = record::shell_word(row.variant_before_steps());
+    if (!row.steps().empty()) variant += " --compiler " + record::shell_word(row.steps());
+    for (const std::string& range : options.ranges) what += " --range " + record::shell_word(range);
+    for (const std::string& folder : options.includes) what += " --include " + record::shell_word(folder);
+    for (const std::string& define : options.defines) what += " --define " + record::shell_word(define);
+    std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
+                                      variant, record::shell_word(device.name), options.inputs, options.seed);
+    for (const auto& driver : drivers_asked_for())
+        command += " --driver " + record::shell_word(driver.string());
+    return options.validation ? command + " --validation" : command;
 }
 
 std::string step_summary(const std::vector<record::CheckReport>& reports) {

@@ -21,6 +21,10 @@ inline constexpr const char* every_opengl = "gl";
 // for variants that the device does not have.
 [[nodiscard]] std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome);
 
+// The command that repeats this check exactly: the same inputs on the same device.
+[[nodiscard]] std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
+                                      const check::Answer& row);
+
 // What came of the steps, a line for each variant that has some: modules changed, failed, not judged. Empty
 // if no variant has steps.
 [[nodiscard]] std::string step_summary(const std::vector<record::CheckReport>& reports);
