@@ -157,8 +157,8 @@ TEST(Audit, FindsFaultsAndWhatNothingReaches) {
 TEST(Audit, IsThatOfAFunctionInCpp) {
     const Lab lab = test::make_lab(FIXTURES);
     const Function<float(float)> root(lab, "audit.glsl", "undefined_root");
-    EXPECT_FALSE(root.audit({uniform(51, 52)}, {.inputs = 512}).is_broken());
-    EXPECT_TRUE(root.audit({uniform(0, 100)}, {.inputs = 512}).is_broken());
+    EXPECT_FALSE(check::audit(root, {uniform(51, 52)}, {.inputs = 512}).is_broken());
+    EXPECT_TRUE(check::audit(root, {uniform(0, 100)}, {.inputs = 512}).is_broken());
 }
 
 // The domain.

@@ -122,6 +122,8 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("\"sequence\": true}", "\"sequence\": true}, {\"methods\": []}, {\"methods\": []}"),
                    "candidates[2]: expected one query alone");
     expect_refused(with("\"scored\": 1", "\"every\": 0"), "cases[0].every: expected a whole number from 1");
+    expect_refused(with("\"name\": \"all\"", "\"measures\": [\"all\"]"),
+                   "tables[0].measures[0]: expected one of depth, remapped");
 }
 
 TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {
@@ -132,7 +134,12 @@ TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {
     expect(with("SELECT 1", "SELECT candidate = 'lop'"), "\"lop\"");
     expect(with("SELECT 1", "SELECT one"), "mine.json: tables[0]: no such column: one");
     expect(with("SELECT [case]", "DELETE"), "tables[0]: ");
+    expect(with("SELECT 1", "SELECT rmse_fit FROM result"), "reads rmse_fit, expected \"fit\"");
+    expect(with("SELECT 1", "SELECT * FROM class_errors"), "reads class_errors, expected \"by_class\"");
     expect(with("[\"run\"]", "[\"ran\"]"), "\"ran\"");
+    // What is not read may be called so.
+    EXPECT_NO_THROW(require_consistent(
+        read_experiment("mine.json", with("SELECT 1", "SELECT rmse AS 'rmse_fit' FROM result"))));
     expect(with("\"name\": \"loop\"", "\"name\": \"run\""), "twice");
 }
 

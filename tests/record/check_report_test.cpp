@@ -186,8 +186,9 @@ TEST(Changes, TwoBuildsAreCompared) {
 }
 
 std::vector<CheckReport> two_drivers() {
-    check::Answer lost{
-        .equation = "device", .error = "the device cannot be opened", .reason = check::Reason::crash};
+    check::Answer lost{{.equation = "device"}};
+    lost.error = "the device cannot be opened";
+    lost.reason = check::Reason::crash;
     check::Answer strict = passing_row("EQ-2", "strict");
     strict.verdict = check::Verdict::rules;
     strict.fraction = 0.5;
@@ -256,8 +257,9 @@ TEST(Accuracy, TheTableOfAllHasEveryEquationAndDriver) {
     CheckReport newer = report_of("one", {with_error("A", 0.75), with_error("B", 0.25), open,
                                           with_error("B", 0.5, "optimized"), with_error("B", 0.4, "small")});
     newer.device.driver = "newer";
-    const check::Answer gone{
-        .equation = "C", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
+    check::Answer gone{{.equation = "C", .variant = "shipped"}};
+    gone.error = "gone";
+    gone.reason = check::Reason::crash;
     const Table table = accuracy_table(
         {report_of("one", {with_error("A", 0.0), strict("A", 0.5, 2)}), newer, report_of("two", {gone})});
     std::vector<std::vector<std::string>> rows(1);

@@ -17,29 +17,28 @@ inline check::ClassCount& ordinary(check::Answer& row) {
 
 // A row with something in every field; it failed.
 inline check::Answer failing_row() {
-    check::Answer row{
-        {.equation = "EQ-1",
-         .function = "f",
-         .file = "gloam/f.glsl",
-         .variant = "strict",
-         .verdict = check::Verdict::rules,
-         .budget = {.ulp = 4.0, .absolute = 1e-7, .backward_ulp = 1}},
-        {.by_rules = 93, .forbidden = 3, .bounded = 90, .unbounded = 5, .differs = 2},
-        {.max_ulp = std::numeric_limits<double>::infinity(),
-         .max_absolute = 0.1,
-         .fraction = 1.25,
-         .budget_fraction = 0.5,
-         .worst = check::Sample{.index = 17,
-                                .scenario = "3 x 3",
-                                .values = "float 0.5 (0x3f000000)",
-                                .inputs = {0x3f000000U, 0xffffffffU},
-                                .got = {0x7fc00000U},
-                                .want = {0.1, std::numeric_limits<double>::infinity()},
-                                .ulp = 1e9,
-                                .absolute = 0.1,
-                                .permitted = {{.low = 0.0, .high = 0.25, .nan = true}}},
-         .first_unbounded = check::Sample{.values = "float 4 (0x40800000)"}},
-        {.ulp = 2.5, .absolute = 1e-6, .fraction = 0.75}};
+    check::Answer row{{.equation = "EQ-1",
+                       .function = "f",
+                       .file = "gloam/f.glsl",
+                       .variant = "strict",
+                       .verdict = check::Verdict::rules,
+                       .budget = {.ulp = 4.0, .absolute = 1e-7, .backward_ulp = 1}},
+                      {.by_rules = 93, .forbidden = 3, .bounded = 90, .unbounded = 5, .differs = 2},
+                      {.max_ulp = std::numeric_limits<double>::infinity(),
+                       .max_absolute = 0.1,
+                       .fraction = 1.25,
+                       .budget_fraction = 0.5,
+                       .worst = check::Sample{.index = 17,
+                                              .scenario = "3 x 3",
+                                              .values = "float 0.5 (0x3f000000)",
+                                              .inputs = {0x3f000000U, 0xffffffffU},
+                                              .got = {0x7fc00000U},
+                                              .want = {0.1, std::numeric_limits<double>::infinity()},
+                                              .ulp = 1e9,
+                                              .absolute = 0.1,
+                                              .permitted = {{.low = 0.0, .high = 0.25, .nan = true}}},
+                       .first_unbounded = check::Sample{.values = "float 4 (0x40800000)"}},
+                      {.ulp = 2.5, .absolute = 1e-6, .fraction = 0.75}};
     row.coverage = check::Coverage{.inputs = 100, .points = {{"f.glsl", 7, "return 0.0;", "", true}}};
     row.fault = "gloam_fetch_depth: pixel (-1, 0)";
     row.reason = check::Reason::fault;
@@ -51,8 +50,7 @@ inline check::Answer failing_row() {
 }
 
 inline check::Answer passing_row(const std::string& equation, const std::string& variant = "shipped") {
-    check::Answer row{
-        {.equation = equation, .function = "g", .file = "gloam/g.glsl", .variant = variant}};
+    check::Answer row{{.equation = equation, .function = "g", .file = "gloam/g.glsl", .variant = variant}};
     row.budget_fraction = 0.25;
     ordinary(row).inputs = 50;
     return row;
@@ -68,8 +66,7 @@ inline check::Answer unjudged_row(const std::string& equation) {
 
 // A row of a function that the device's language lacks.
 inline check::Answer unsupported_row(const std::string& equation) {
-    check::Answer row{
-        {.equation = equation, .function = "h", .file = "gloam/h.glsl", .variant = "shipped"}};
+    check::Answer row{{.equation = equation, .function = "h", .file = "gloam/h.glsl", .variant = "shipped"}};
     row.error = "h is no GLSL 3.30";
     row.reason = check::Reason::unsupported;
     return row;

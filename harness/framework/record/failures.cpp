@@ -13,7 +13,6 @@
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"
 #include "record/replay_text.hpp"
-#include "subject/kernel_code.hpp"
 
 namespace gloam::record {
 

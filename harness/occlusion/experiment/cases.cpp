@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -108,6 +109,35 @@ std::vector<std::string> candidates_in(const Table& table) {
 
 }  // namespace
 
+namespace {
+
+// Columns, and tables, of a quantity.
+const std::multimap<std::string, Quantity> quantity_of{{"rmse_depth", Quantity::depth},
+                                                       {"rmse_depth_raw", Quantity::depth},
+                                                       {"converged_depth", Quantity::depth},
+                                                       {"converged_depth", Quantity::converged},
+                                                       {"converged_rmse", Quantity::converged},
+                                                       {"converged_bias", Quantity::converged},
+                                                       {"converged_remapped", Quantity::converged},
+                                                       {"converged_similarity", Quantity::converged},
+                                                       {"converged_own", Quantity::converged},
+                                                       {"rmse_remapped", Quantity::remapped},
+                                                       {"rmse_fit", Quantity::fit},
+                                                       {"rmse_own_radius", Quantity::own_radius},
+                                                       {"class_errors", Quantity::by_class},
+                                                       {"class_frames", Quantity::by_class}};
+
+void require_measured(const Table& table, const Database& database) {
+    for (const std::string& name : database.names_in(fmt::format("{}", fmt::join(table.select, "\n"))))
+        for (auto [row, end] = quantity_of.equal_range(name); row != end; ++row)
+            if (std::ranges::find(table.measures, row->second) == table.measures.end())
+                throw std::runtime_error(fmt::format("a table reads {}, expected \"{}\" in its \"measures\"",
+                                                     name,
+                                                     quantities().at(static_cast<std::size_t>(row->second))));
+}
+
+}  // namespace
+
 void require_consistent(const Experiment& experiment) {
     std::set<std::string> names;
     for (const Candidate& candidate : experiment.candidates)
@@ -128,7 +158,9 @@ void require_consistent(const Experiment& experiment) {
     for (const Table& table : experiment.tables)
         for (const std::string& name : candidates_in(table)) require(name, "a table's candidate");
     try {
-        (void)to_text(experiment, Database(Record({})));
+        const Database empty(Record({}));
+        (void)to_text(experiment, empty);
+        for (const Table& table : experiment.tables) require_measured(table, empty);
     } catch (const std::runtime_error& error) {
         throw std::invalid_argument(error.what());
     }

@@ -65,9 +65,11 @@ void set_text(const Statement& statement, int place, const std::string& text) {
                           SQLITE_TRANSIENT);
 }
 
-// A SELECT reads, and calls functions.
-int permit(void* /*unused*/, int action, const char* /*unused*/, const char* /*unused*/,
-           const char* /*unused*/, const char* /*unused*/) {
+// A SELECT reads, and calls functions. names: a set that receives what it reads, or nullptr.
+int permit(void* names, int action, const char* table, const char* column, const char* /*unused*/,
+           const char* /*unused*/) {
+    if (names != nullptr && action == SQLITE_READ)
+        static_cast<std::set<std::string>*>(names)->insert({table, column});
     const bool reads = action == SQLITE_SELECT || action == SQLITE_READ || action == SQLITE_FUNCTION ||
                        action == SQLITE_RECURSIVE;
     return reads ? SQLITE_OK : SQLITE_DENY;
@@ -176,6 +178,15 @@ Rows Database::select(const std::string& text, const std::string& size) const {
         for (int i = 0; i < columns; ++i) row.push_back(value_in(statement, i));
     }
     return rows;
+}
+
+std::set<std::string> Database::names_in(const std::string& text) const {
+    std::set<std::string> names;
+    sqlite3_set_authorizer(handle_.get(), permit, &names);
+    const auto restore = [](sqlite3* handle) { sqlite3_set_authorizer(handle, permit, nullptr); };
+    const std::unique_ptr<sqlite3, decltype(restore)> restored(handle_.get(), restore);
+    (void)prepared(handle_.get(), text);
+    return names;
 }
 
 std::string Database::text(const std::string& select, const std::string& size) const {

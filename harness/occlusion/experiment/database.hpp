@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +31,9 @@ class Database {
     // The rows of a SELECT, in which `:size` is this size. A description of somebody else's may hold it: it
     // only reads, and takes a bounded number of steps. Throws std::runtime_error with SQLite's message.
     [[nodiscard]] Rows select(const std::string& text, const std::string& size = "") const;
+
+    // The names of the tables and columns that a SELECT reads. Throws likewise.
+    [[nodiscard]] std::set<std::string> names_in(const std::string& text) const;
 
     // The only value of a SELECT that has one row.
     [[nodiscard]] std::string text(const std::string& select, const std::string& size = "") const;

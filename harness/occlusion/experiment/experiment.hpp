@@ -92,8 +92,14 @@ struct CandidateQuery {
     bool sequence = true;
 };
 
+// What is measured only for a table that says so, because it costs time.
+enum class Quantity { depth, remapped, fit, own_radius, by_class, places, converged };
+// Their words, in this order.
+[[nodiscard]] const std::vector<std::string>& quantities();
+
 // A table over the results: the rows of a SELECT.
 struct Table {
+    std::vector<Quantity> measures;
     std::string name;        // of the block of a page; empty: it stands in the experiment's
     bool in_report = false;  // it stands in the report alone
     std::string each;        // a SELECT of the names that lines of the other are repeated for; empty: none
@@ -129,7 +135,8 @@ struct Experiment {
 [[nodiscard]] Experiment read_experiment(const std::string& name, std::string_view text);
 
 // Throws std::invalid_argument for two candidates with one name, two cases with one name, kind and "what",
-// for a case or a table that names a candidate that does not exist, and for a table that is no SELECT.
+// for a case or a table that names a candidate that does not exist, for a table that is no SELECT, and for
+// one that reads a quantity that it does not measure.
 void require_consistent(const Experiment& experiment);
 
 // Replaces a query by its cases, and keeps the cases with these names; all without names. half: instead of

@@ -125,12 +125,27 @@ void read_candidates(const JsonReader& value, Experiment& experiment) {
     }
 }
 
+}  // namespace
+
+const std::vector<std::string>& quantities() {
+    static const std::vector<std::string> words{"depth",    "remapped", "fit",      "own_radius",
+                                                "by_class", "places",   "converged"};
+    return words;
+}
+
+namespace {
+
 Table table_from(const JsonReader& value) {
     Members members(value);
     Table table;
     members.read("name", table.name);
     members.read("in_report", table.in_report);
     members.read("each", table.each);
+    std::vector<std::string> measures;
+    members.read("measures", measures, quantities());
+    for (const std::string& word : measures)
+        table.measures.push_back(
+            static_cast<Quantity>(std::ranges::find(quantities(), word) - quantities().begin()));
     if (const JsonReader* select = members.find("select"); select != nullptr && !select->is_array())
         internal::read(*select, table.select.emplace_back());
     else

@@ -21,7 +21,7 @@
 namespace gloam::experiment {
 namespace {
 
-using internal::shows;
+using internal::measures;
 using internal::Subject;
 using internal::subject_of;
 using internal::takes_part;
@@ -102,7 +102,7 @@ class SizeRun {
     // Nothing is measured in a case of which all is recorded.
     [[nodiscard]] Visited visited(const Case& one) {
         Visited made{.shown = &one};
-        bool depth_truth = shows(experiment_, {"rmse_depth", "converged_depth", "'depth'"});
+        bool depth_truth = measures(experiment_, Quantity::depth);
         bool missing = false;
         for (std::size_t i = 0; i < experiment_.candidates.size(); ++i) {
             const Candidate& candidate = experiment_.candidates[i];
@@ -301,12 +301,12 @@ class SizeRun {
     const Place& place_;
     Record& record_;
     Shared& shared_;
-    bool remap_ = shows(experiment_, {"rmse_remapped"});
-    bool fit_ = shows(experiment_, {"rmse_fit"});
-    bool own_radius_ = shows(experiment_, {"rmse_own_radius"});
-    bool by_class_ = shows(experiment_, {"class_errors", "class_frames"});
-    bool places_ = shows(experiment_, {"'contacts'", "'thin'", "'rim'"});
-    bool converged_ = shows(experiment_, {"converged_"});
+    bool remap_ = measures(experiment_, Quantity::remapped);
+    bool fit_ = measures(experiment_, Quantity::fit);
+    bool own_radius_ = measures(experiment_, Quantity::own_radius);
+    bool by_class_ = measures(experiment_, Quantity::by_class);
+    bool places_ = measures(experiment_, Quantity::places);
+    bool converged_ = measures(experiment_, Quantity::converged);
 };
 
 }  // namespace

@@ -72,12 +72,9 @@ Subject subject_of(const Experiment& experiment, const Case& one, const Candidat
     }
 }
 
-bool shows(const Experiment& experiment, const std::vector<std::string_view>& words) {
+bool measures(const Experiment& experiment, Quantity quantity) {
     return std::ranges::any_of(experiment.tables, [&](const Table& table) {
-        return std::ranges::any_of(table.select, [&](const std::string& line) {
-            return std::ranges::any_of(
-                words, [&](std::string_view word) { return line.find(word) != std::string::npos; });
-        });
+        return std::ranges::find(table.measures, quantity) != table.measures.end();
     });
 }
 

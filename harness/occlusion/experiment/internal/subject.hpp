@@ -30,7 +30,7 @@ struct Subject {
 
 [[nodiscard]] bool takes_part(const Case& one, const Candidate& candidate);
 
-// Whether a SELECT of a table holds one of these words: what none of them names is not measured.
-[[nodiscard]] bool shows(const Experiment& experiment, const std::vector<std::string_view>& words);
+// Whether a table does.
+[[nodiscard]] bool measures(const Experiment& experiment, Quantity quantity);
 
 }  // namespace gloam::experiment::internal
