@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include "effect/methods.hpp"
 #include "experiment/comparison.hpp"
 #include "experiment/experiment.hpp"
@@ -43,14 +45,19 @@ TEST(ExperimentFile, ReadsAllParts) {
     EXPECT_NO_THROW(require_consistent(read));
 }
 
+// What the query stands for.
+std::vector<Candidate> candidates_of(CandidateQuery query) {
+    Experiment what;
+    what.candidate_query = std::move(query);
+    choose_candidates(what);
+    return what.candidates;
+}
+
 // Each method with each count, then each preset; single frames before sequences.
 TEST(ExperimentFile, AQueryStandsForCandidates) {
     const auto names_of = [](CandidateQuery query) {
-        Experiment what;
-        what.candidate_query = std::move(query);
-        choose_candidates(what);
         std::vector<std::string> names;
-        for (const Candidate& candidate : what.candidates) names.push_back(candidate.name);
+        for (const Candidate& candidate : candidates_of(std::move(query))) names.push_back(candidate.name);
         return names;
     };
     EXPECT_THAT(
@@ -58,43 +65,37 @@ TEST(ExperimentFile, AQueryStandsForCandidates) {
         ElementsAre("gtao/4/single", "gtao/8/single", "sao/4/single", "sao/8/single", "fast/12/single"));
     EXPECT_THAT(names_of({.presets = {"fast"}, .single = false}), ElementsAre("fast/12/temporal"));
     EXPECT_EQ(names_of({.samples = {4}}).size(), 2 * effect::methods().size());
-    EXPECT_THROW((void)names_of({.presets = {"magic"}}), std::invalid_argument);
-    EXPECT_THROW((void)names_of({.methods = {"magic"}}), std::invalid_argument);
-    EXPECT_THROW((void)names_of({.single = false, .sequence = false}), std::invalid_argument);
+    for (const CandidateQuery& query :
+         {CandidateQuery{.presets = {"magic"}}, {.methods = {"magic"}}, {.single = false, .sequence = false}})
+        EXPECT_THROW((void)names_of(query), std::invalid_argument);
 }
 
-// Without counts each method is as it is, with its preset.
+// Without counts each method is as it is, with its preset, behind the candidates of the list.
 TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
     const char* const both = R"({"name": "loop", "plain": "9x3+1"},
     {"name": "truth", "truth": true})";
     Experiment what =
         read_experiment("mine.json", with(both, R"({"methods": ["gtao", "crytek", "unreal"]})"));
     choose_candidates(what);
-    ASSERT_EQ(what.candidates.size(), 6U);
-    EXPECT_EQ(what.candidates[0].name, "run");
-    EXPECT_EQ(what.candidates[1].name, "gtao");
-    EXPECT_EQ(what.candidates[1].group, "methods");
-    EXPECT_EQ(what.candidates[1].layer.method, "gtao");
-    EXPECT_EQ(what.candidates[3].name, "study-crytek-quality");
-    EXPECT_EQ(what.candidates[3].layer.preset, "study-crytek-quality");
-    EXPECT_EQ(what.candidates[5].name, "unreal-quality");
-    EXPECT_EQ(what.candidates[5].group, "methods");
+    std::vector<std::string> all;
+    for (const Candidate& one : what.candidates)
+        all.push_back(fmt::format("{}|{}|{}|{}", one.name, one.group, one.layer.method, one.layer.preset));
+    EXPECT_THAT(all, ElementsAre("run|||", "gtao|methods|gtao|", "crytek|methods|crytek|",
+                                 "study-crytek-quality|methods||study-crytek-quality",
+                                 "unreal|methods|unreal|", "unreal-quality|methods||unreal-quality"));
 }
 
 // A mean over at least two frames.
 TEST(ExperimentFile, AMethodTakesTheSamplesAskedFor) {
-    Experiment what;
-    what.candidate_query = {.methods = {"hemisphere"}, .samples = {512}};
-    choose_candidates(what);
-    const Candidate& single = what.candidates.at(0);
-    EXPECT_EQ(single.layer.preset, "tssao-paper");
-    EXPECT_EQ(single.layer.sequence, false);
-    using testing::Pair;
-    EXPECT_THAT(single.layer.set, ElementsAre(Pair("samples", "512"), Pair("samples_converged", "512")));
-    const Candidate& sequence = what.candidates.at(1);
-    EXPECT_EQ(sequence.group, "hemisphere, temporal");
-    EXPECT_EQ(sequence.layer.preset, "tssao-paper");
-    EXPECT_EQ(sequence.layer.set.back(), (std::pair<std::string, std::string>("weight_max", "1024")));
+    const std::vector<Candidate> all = candidates_of({.methods = {"hemisphere"}, .samples = {512}});
+    ASSERT_EQ(all.size(), 2U);
+    for (const Candidate& one : all) EXPECT_EQ(one.layer.preset, "tssao-paper");
+    EXPECT_EQ(all[0].layer.sequence, false);
+    EXPECT_EQ(all[1].group, "hemisphere, temporal");
+    const auto samples = Pair("samples", "512");
+    const auto converged = Pair("samples_converged", "512");
+    EXPECT_THAT(all[0].layer.set, ElementsAre(samples, converged));
+    EXPECT_THAT(all[1].layer.set, ElementsAre(samples, converged, Pair("weight_max", "1024")));
 }
 
 TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {

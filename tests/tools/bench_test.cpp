@@ -36,22 +36,12 @@ TEST_F(Bench, GoesOnWhereItWasInterrupted) {
     }
 }
 
-// A description may be of somebody else.
+// A description may be of somebody else (the tests of the room experiment have all that is refused).
 TEST_F(Bench, AHostileSelectIsOneLine) {
-    const std::pair<const char*, const char*> rows[]{
-        {"WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT max(i) FROM n",
-         "too many steps"},
-        {"ATTACH 'stolen.db' AS other", "not authorized"},
-        {"PRAGMA writable_schema = 1", "not authorized"},
-        {"SELECT load_extension('libm.so.6')", "not authorized"},
-        {"DELETE FROM visit", "not authorized"}};
-    for (const auto& [select, why] : rows)
-        expect_could_not_run(
-            gloam("bench {}",
-                  write("theirs.json", R"({"sizes": ["48x27"], "cases": [{"scene": "sky"}], )"
-                                       R"("candidates": [{"name": "a"}], "tables": [{"select": ")" +
-                                           std::string(select) + "\"}]}")),
-            why);
+    expect_could_not_run(
+        gloam("bench {}", write("theirs.json", R"({"sizes": ["48x27"], "cases": [{"scene": "sky"}],
+        "candidates": [{"name": "a"}], "tables": [{"select": "ATTACH 'stolen.db' AS other"}]})")),
+        "not authorized");
 }
 
 }  // namespace gloam::test::bench_test

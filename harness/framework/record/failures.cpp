@@ -12,7 +12,7 @@
 
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"
-#include "record/replay_text.hpp"
+#include "record/assets.hpp"
 
 namespace gloam::record {
 
@@ -274,7 +274,7 @@ std::string to_c_program(const Reproduction& all, const std::vector<std::string>
                             all.images[i].bound ? 1 : 0);
     }
     return text + list + (all.images.empty() ? "    {NULL, 0, 0},\n" : "") + "};\n" + outputs_of(all) +
-           replay_program;
+           internal::replay_program;
 }
 
 }  // namespace gloam::record

@@ -12,7 +12,7 @@
 
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "record/page_assets.hpp"
+#include "record/assets.hpp"
 
 namespace gloam::record {
 namespace {

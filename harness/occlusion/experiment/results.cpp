@@ -83,10 +83,8 @@ const Visit* Record::find(const Visit& like) const {
 
 void Record::add(Visit visit) {
     const auto [place, is_new] = places_.try_emplace(key_of(visit), visits_.size());
-    if (is_new)
-        visits_.push_back(std::move(visit));
-    else
-        visits_[place->second] = std::move(visit);
+    if (is_new) visits_.emplace_back();
+    visits_[place->second] = std::move(visit);
 }
 
 void Record::add_line(std::string_view line) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,19 +44,14 @@ void finish(sqlite3_context* context) noexcept {
         sqlite3_result_null(context);
 }
 
-double sum_of(const Numbers& numbers, double (*of)(double)) {
-    double sum = 0.0;
-    for (const double x : numbers) sum += of(x);
-    return sum;
-}
-
 double mean(const Numbers& numbers) {
-    return sum_of(numbers, [](double x) { return x; }) / static_cast<double>(numbers.size());
+    return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
 
 double geometric_mean(const Numbers& numbers) {
-    return std::exp(sum_of(numbers, [](double x) { return std::log(x); }) /
-                    static_cast<double>(numbers.size()));
+    double sum = 0.0;
+    for (const double x : numbers) sum += std::log(x);
+    return std::exp(sum / static_cast<double>(numbers.size()));
 }
 
 template <double numeric::Spread::* member>
