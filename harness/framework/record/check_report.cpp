@@ -83,21 +83,17 @@ std::string test_case(const check::Answer& row) {
                              escaped(row.ran() ? row.story : row.error));
 }
 
-std::size_t errors(const CheckReport& report) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        report.rows, [](const check::Answer& row) { return row.failed() && !row.ran(); }));
-}
-
 }  // namespace
 
 std::string to_junit(const std::vector<CheckReport>& reports) {
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const CheckReport& report : reports) {
+        const auto errors = static_cast<std::size_t>(std::ranges::count_if(
+            report.rows, [](const check::Answer& row) { return row.failed() && !row.ran(); }));
         xml += fmt::format(
             "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n",
-            escaped(report.device.name), report.rows.size(),
-            report.count(check::Outcome::failed) - errors(report), errors(report),
-            report.count(check::Outcome::not_judged));
+            escaped(report.device.name), report.rows.size(), report.count(check::Outcome::failed) - errors,
+            errors, report.count(check::Outcome::not_judged));
         if (!report.versions.empty())
             xml += fmt::format("    <properties><property name=\"versions\" value=\"{}\"/></properties>\n",
                                escaped(report.versions));

@@ -20,6 +20,7 @@ namespace gloam::record {
 namespace {
 
 namespace fs = std::filesystem;
+using base::fail_to_write;
 
 // The target of a link; the link itself if its target does not exist.
 fs::path end_of_links(const fs::path& path) {
@@ -47,8 +48,8 @@ bool is_written_in_place(const fs::path& path) {
 // named: in the message of an error.
 void write_in_place(const fs::path& path, std::string_view text, const fs::path& named) {
     base::FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (!file.is_open()) base::fail_to_write(named, errno);
-    if (const int error = base::write_all(std::move(file), text)) base::fail_to_write(named, error);
+    if (!file.is_open()) fail_to_write(named, errno);
+    if (const int error = base::write_all(std::move(file), text)) fail_to_write(named, error);
 }
 
 }  // namespace
@@ -56,9 +57,9 @@ void write_in_place(const fs::path& path, std::string_view text, const fs::path&
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
     if (path_.empty()) return;
     std::error_code none;
-    if (fs::is_directory(path_, none)) base::fail_to_write(path_, EISDIR);
+    if (fs::is_directory(path_, none)) fail_to_write(path_, EISDIR);
     const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
-    if (access(folder.c_str(), W_OK) != 0) base::fail_to_write(path_, errno);
+    if (access(folder.c_str(), W_OK) != 0) fail_to_write(path_, errno);
 }
 
 void OutputFile::write(std::string_view text) const {
@@ -70,39 +71,15 @@ void OutputFile::write(std::string_view text) const {
     }
 }
 
-namespace {
-
-using base::fail_to_write;
-
-// Names can come from data, and must not lead out of the folder.
-void require_file_name(const std::string& name) {
-    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
-        name.find('\0') != std::string::npos)
-        throw std::invalid_argument("output file \"" + name + "\": expected a name without a folder");
-}
-
-// Locks the folder for this process until the end of the scope.
-class FolderLock {
-  public:
-    explicit FolderLock(const fs::path& folder)
-        : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        if (!file_.is_open()) return;  // keep() reports the reason
-        while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
-        }
-    }
-
-  private:
-    base::FileDescriptor file_;
-};
-
-}  // namespace
-
 OutputFolder::OutputFolder(fs::path folder)
     : folder_(folder.empty() ? fs::path(".") : std::move(folder)),
       waiting_(base::TemporaryFolder::in(folder_)) {}
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
-    require_file_name(name);
+    // Names can come from data, and must not lead out of the folder.
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
+        name.find('\0') != std::string::npos)
+        throw std::invalid_argument("output file \"" + name + "\": expected a name without a folder");
     const fs::path file = folder_ / name;
     std::error_code none;
     if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
@@ -111,7 +88,10 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
 }
 
 void OutputFolder::keep() {
-    const FolderLock lock(folder_);
+    // Other runs wait until this one's files are there. Where it cannot be locked, rename() tells why.
+    const base::FileDescriptor lock(open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    while (lock.is_open() && flock(lock.get(), LOCK_EX) != 0 && errno == EINTR) {
+    }
     for (const std::string& name : names_)
         if (rename((waiting_.path() / name).c_str(), (folder_ / name).c_str()) != 0)
             fail_to_write(folder_ / name, errno);
@@ -155,9 +135,9 @@ Journal::Journal(fs::path path, const std::string& heading, bool resume, const T
 void Journal::add(std::string_view line) const {
     if (path_.empty()) return;
     base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
-    if (!file.is_open()) base::fail_to_write(path_, errno);
+    if (!file.is_open()) fail_to_write(path_, errno);
     const std::string text = std::string(line) + "\n";
-    if (const int error = base::write_all(std::move(file), text)) base::fail_to_write(path_, error);
+    if (const int error = base::write_all(std::move(file), text)) fail_to_write(path_, error);
 }
 
 }  // namespace gloam::record

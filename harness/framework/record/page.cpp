@@ -104,8 +104,6 @@ std::string escaped_html(std::string_view text) {
     return html;
 }
 
-Page::Page(std::string_view title) : title_(title) {}
-
 void Page::heading(std::string_view text) {
     body_ += fmt::format("<h2>{}</h2>\n", escaped_html(text));
 }
@@ -126,10 +124,6 @@ void Page::source(const std::vector<PageLine>& lines) {
                              std::min(line.heat, hottest), line.number, escaped_html(line.text),
                              line.note.empty() ? "" : "  // ", escaped_html(line.note));
     body_ += "</pre>\n";
-}
-
-void Page::markup(std::string_view html) {
-    body_ += html;
 }
 
 void Page::script(std::string_view file) {

@@ -28,7 +28,7 @@ struct PageLine {
 // policy permits the page's own script only, and those of script().
 class Page {
   public:
-    explicit Page(std::string_view title);
+    explicit Page(std::string_view title) : title_(title) {}
 
     void heading(std::string_view text);
     void paragraph(std::string_view text);
@@ -36,7 +36,7 @@ class Page {
     void source(const std::vector<PageLine>& lines);
 
     // Elements of HTML as they are: the caller has escaped what they contain.
-    void markup(std::string_view html);
+    void markup(std::string_view html) { body_ += html; }
 
     // A script in a file beside the page. It runs when the page has been read.
     void script(std::string_view file);
