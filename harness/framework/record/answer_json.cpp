@@ -69,12 +69,4 @@ Answer value_from(const JsonReader& json, const Answer&) {
     return answer;
 }
 
-std::string to_json(const Answer& answer) {
-    return line_of(answer);
-}
-
-Answer answer_from_json(std::string_view text) {
-    return from_line<Answer>(text);
-}
-
 }  // namespace gloam::record

@@ -13,7 +13,8 @@ namespace gloam::record {
 [[nodiscard]] check::Verdict value_from(const JsonReader& json, check::Verdict);
 [[nodiscard]] check::InputClass value_from(const JsonReader& json, check::InputClass);
 [[nodiscard]] check::NoResult value_from(const JsonReader& json, check::NoResult);
-// With all that follows from an answer's members. Throws where those disagree.
+// With all that follows from an answer's members: the worst input without its fractions, the first unbounded
+// input as text alone, and no first failures. Throws where members disagree.
 [[nodiscard]] check::Answer value_from(const JsonReader& json, const check::Answer&);
 
 template <class Io>

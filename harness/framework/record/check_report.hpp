@@ -88,12 +88,6 @@ struct OutcomeCounts {
 // type is its reason; one that was not judged is skipped.
 [[nodiscard]] std::string to_junit(const std::vector<CheckReport>& reports);
 
-// One line of JSON, and back. Reading restores the worst input without its fractions, the first unbounded
-// input as text alone, and no first failures. It throws std::runtime_error with the field's name and what was
-// expected.
-[[nodiscard]] std::string to_json(const check::Answer& answer);
-[[nodiscard]] check::Answer answer_from_json(std::string_view text);
-
 // A report, and the file that it was read from.
 struct ReportFile {
     std::string file;

@@ -64,6 +64,7 @@ void members(Io& io, Visit& all) {
                  "candidate", all.candidate, "group", all.group, "round", all.round, "samples_asked",
                  all.samples_asked, "quality", all.quality, "point", all.point, "rmse_own_radius",
                  all.own_radius_error, "readings", all.readings);
+    io.require(all.size.width > 0 && all.size.height > 0, "a size of at least 1 x 1");
 }
 
 namespace {

@@ -115,7 +115,7 @@ Answer ask(WorkerSession& session, const CheckTask& task, const std::vector<chec
     Reply reply = session.ask(record::line_of(WorkerRequest{.check = task, .hand_over = {}}));
     if (reply.error.empty()) {
         try {
-            Answer row = record::answer_from_json(reply.line);
+            Answer row = record::from_line<Answer>(reply.line);
             if (is_unusable_after(row.reason)) session.dismiss();
             return row;
         } catch (const std::runtime_error& error) {

@@ -77,7 +77,7 @@ void run_worker(const CheckerOptions& options) {
     for (std::string line; std::getline(std::cin, line);) {
         const auto request = record::from_line<WorkerRequest>(line);
         replies.send(request.hand_over ? record::line_of(checker->hand_over(*request.hand_over))
-                                       : record::to_json(checker->run(request.check.value())));
+                                       : record::line_of(checker->run(request.check.value())));
     }
 }
 
