@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "record/answer_json.hpp"
 #include "record/rows.hpp"
 
 namespace gloam::record::answer_json_test {

@@ -33,7 +33,7 @@ auto severity(const check::Answer& row) {
 
 bool tell_the_same(check::Answer a, check::Answer b) {
     a.seconds = b.seconds = 0.0;
-    return to_json(a) == to_json(b);
+    return line_of(a) == line_of(b);
 }
 
 std::string outcome(const check::Answer& row) {

@@ -62,7 +62,8 @@ inline constexpr std::size_t image_header_words = 3;
 // A compiled kernel, as it is passed to a driver or the interpreter. Its `spirv` follows the interface of
 // kernel_code().
 struct KernelModule : backend::KernelProgram {
-    std::shared_ptr<const KernelSource> source = {};  // what it was generated from
+    // What it was generated from; of a module made by hand nothing.
+    std::shared_ptr<const KernelSource> source = std::make_shared<const KernelSource>();
     // The module before the variant's optimizer and the steps of a compiler, whose rules hold for the
     // results. Empty: there were none.
     shader::Spirv before = {};
