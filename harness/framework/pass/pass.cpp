@@ -8,6 +8,7 @@
 #include <limits>
 #include <ostream>
 
+#include "backend/gl/device.hpp"
 #include "module/include.hpp"
 #include "module/module.hpp"
 #include "numeric/numbers.hpp"
@@ -22,6 +23,17 @@ using internal::PassWork;
 struct Pass::Impl {
     const Lab* lab;
     internal::PassInterface interface;
+    std::string text;  // for OpenGL
+
+    void run(PassWork& work) const {
+        if (lab->info().type == interpreter_name)
+            internal::run_interpreted(interface, work);
+        else if (const auto* opengl = dynamic_cast<const gl::Device*>(lab->backend().get()))
+            internal::run_on_opengl(*opengl, interface, text, work);
+        else
+            internal::run_on_device(lab->device(), interface, work);
+        lab->require_silent_validation();
+    }
 };
 
 namespace {
@@ -129,27 +141,34 @@ const typename Map::mapped_type& found_in(const Map& all, const std::string& nam
 
 }  // namespace
 
-Pass::Pass(const Lab& lab, const std::string& file)
-    : impl_(std::make_shared<const Impl>(&lab, internal::interface_of(file, compiled(lab, file)))) {}
+Pass::Pass(const Lab& lab, const std::string& file) : Pass(lab, file, compiled(lab, file)) {}
+
+Pass::Pass(const Lab& lab, const std::string& name, shader::Spirv module, std::string text)
+    : impl_(std::make_shared<const Impl>(&lab, internal::interface_of(name, std::move(module)),
+                                         std::move(text))) {}
 
 PassResult Pass::run(const PassInputs& inputs, const PassOptions& options) const {
-    const Lab& lab = *impl_->lab;
     PassWork first = internal::bound(impl_->interface, inputs, options);
-    const auto run = [&](PassWork& work) {
-        if (lab.info().type == interpreter_name)
-            internal::run_interpreted(impl_->interface, work);
-        else
-            internal::run_on_device(lab.device(), impl_->interface, work);
-    };
     PassWork second = first;
     const bool twice = fill(first, 0);
-    run(first);
+    impl_->run(first);
     if (twice) {
         (void)fill(second, 1);
-        run(second);
+        impl_->run(second);
     }
-    lab.require_silent_validation();
     return result_of(impl_->interface, first, twice ? second : first);
+}
+
+void Pass::run(PassBindings& bindings) const {
+    PassWork work = internal::bound(impl_->interface, bindings);
+    impl_->run(work);
+    for (auto& [number, image] : bindings.images) {
+        if (number >= work.bindings.size() || !work.bindings[number].written) continue;
+        const Bound& bound = work.bindings[number];
+        image.words = image_of({}, {bound, bound}, image.element).words;
+    }
+    for (auto& [number, words] : bindings.buffers)
+        if (number < work.bindings.size()) words = work.bindings[number].words;
 }
 
 const PassImage& PassResult::image(const std::string& name) const {

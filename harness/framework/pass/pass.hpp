@@ -61,6 +61,16 @@ struct PassOptions {
     std::array<std::uint32_t, 3> groups{};  // zeros: enough for a pixel per invocation
 };
 
+// The same by the numbers of a shader's bindings, as plans of frames have it. An image that is read and not
+// given is one pixel of zeros. A run changes the images and buffers as the pass does.
+struct PassBindings {
+    std::map<std::uint32_t, Image> images;
+    std::map<std::uint32_t, std::vector<Word>> buffers;
+    std::vector<std::byte> push_constants;
+    std::vector<backend::Constant> constants;
+    std::array<std::uint32_t, 3> groups{};
+};
+
 // The differences of two images.
 struct ImageComparison {
     double largest = 0.0;     // of a component; infinite where it is NaN in one image alone
@@ -123,17 +133,21 @@ class PassResult {
 // A whole compute shader with its own main(), run on images and buffers by name. An output that is not given
 // and that the shader cannot read starts as nothing: what the pass does not write is found (two runs with
 // different contents) and fails every comparison. The interpreter reports accesses outside an image, races
-// and barriers that not all invocations reach.
+// and barriers that not all invocations reach. OpenGL gets what SPIRV-Cross makes of the shader.
 // The lab must outlive it.
 class Pass {
   public:
     // The file is searched in the lab's include roots. Throws std::invalid_argument for a file that is not
     // there, and for an interface that is not supported; shader::CompileError.
     Pass(const Lab& lab, const std::string& file);
+    // Of a module. text: the same shader for OpenGL, whose first free uniform block has the push constants.
+    Pass(const Lab& lab, const std::string& name, shader::Spirv module, std::string text = {});
 
     // Throws std::invalid_argument, in one line with what was expected, for a name that is unknown or not
-    // given and a value of another type or size; backend::Error; std::runtime_error for validation messages.
+    // given and a value of another type or size; backend::Error; backend::Unsupported for what OpenGL lacks;
+    // std::runtime_error for validation messages.
     [[nodiscard]] PassResult run(const PassInputs& inputs, const PassOptions& options = {}) const;
+    void run(PassBindings& bindings) const;
 
     struct Impl;
 

@@ -109,10 +109,8 @@ void dispatch(const Device& device, const Dispatch& work) {
         throw backend::Error(to_string(device.info().id.version) + " has no compute shaders");
     gl.UseProgram(work.program.handle());
     for (const auto& [binding, image] : work.images) {
-        const auto level = work.levels.find(binding);
-        gl.BindImageTexture(binding, image.get().handle(),
-                            level == work.levels.end() ? 0 : static_cast<GLint>(level->second), GL_FALSE, 0,
-                            GL_READ_WRITE, internal::format_of(image.get().format()));
+        gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE,
+                            image.get().format());
         gl.ActiveTexture(GL_TEXTURE0 + binding);
         gl.BindTexture(GL_TEXTURE_2D, image.get().handle());
     }

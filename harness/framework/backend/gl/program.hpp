@@ -43,7 +43,6 @@ struct Dispatch {
     std::map<std::uint32_t, std::reference_wrapper<const Buffer>> uniforms;  // by binding
     // By binding, for a storage image and for a sampled image alike.
     std::map<std::uint32_t, std::reference_wrapper<const Image>> images{};
-    std::map<std::uint32_t, std::uint32_t> levels{};  // of storage images, by binding; else the first
     std::array<std::uint32_t, 3> groups{1, 1, 1};
 };
 

@@ -2,9 +2,12 @@
 #include "backend/gl/resources.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string_view>
 
 #include "backend/gl/internal/context.hpp"
+#include "backend/sampled.hpp"
 
 namespace gloam::gl {
 namespace {
@@ -62,51 +65,81 @@ std::vector<Word> Buffer::read() const {
     return copy;
 }
 
-std::size_t channels_of(Image::Format format) {
-    return format < Image::Format::rgba16f ? 1 : 4;
+namespace {
+
+struct ImageFormat {
+    std::string_view name;
+    GLenum internal;
+    std::size_t channels;
+    bool integers;
+    bool es;  // OpenGL ES has such images, and takes texels of 32 bits a channel
+};
+
+constexpr std::array image_formats{
+    ImageFormat{"r32f", GL_R32F, 1, false, true},
+    ImageFormat{"rgba32f", GL_RGBA32F, 4, false, true},
+    ImageFormat{"rgba16f", GL_RGBA16F, 4, false, true},
+    ImageFormat{"r32ui", GL_R32UI, 1, true, true},
+    ImageFormat{"rgba32ui", GL_RGBA32UI, 4, true, true},
+    ImageFormat{"r16f", GL_R16F, 1, false, false},
+    ImageFormat{"r8", GL_R8, 1, false, false},
+    ImageFormat{"rg32f", GL_RG32F, 2, false, false},
+    ImageFormat{"rg16f", GL_RG16F, 2, false, false},
+    ImageFormat{"rgba8", GL_RGBA8, 4, false, false},
+    ImageFormat{"rg32ui", GL_RG32UI, 2, true, false},
+    ImageFormat{"r16ui", GL_R16UI, 1, true, false},
+    ImageFormat{"rg16ui", GL_RG16UI, 2, true, false},
+    ImageFormat{"rgba16ui", GL_RGBA16UI, 4, true, false},
+    ImageFormat{"rgb10_a2", GL_RGB10_A2, 4, false, false},
+};
+
+const ImageFormat& format_named(const Device& device, const std::string& name) {
+    const Version& version = device.info().id.version;
+    const auto found = std::ranges::find(image_formats, name, &ImageFormat::name);
+    if (found == image_formats.end() || !has_compute(version) || (version.api == Api::es && !found->es))
+        throw backend::Unsupported(to_string(version) + " has no images of format " + name);
+    return *found;
 }
 
-Image::Image(const Device& device, Format format, std::size_t width, std::size_t height, std::size_t levels)
-    : format_(format), width_(width), height_(height), handle_(device, Handle::Kind::texture) {
+}  // namespace
+
+Image::Image(const Device& device, const std::string& format, std::size_t width, std::size_t height,
+             std::span<const Word> texels)
+    : width_(width), height_(height), handle_(device, Handle::Kind::texture) {
+    constexpr std::array<GLenum, 4> floats{GL_RED, GL_RG, GL_RGBA, GL_RGBA};
+    constexpr std::array<GLenum, 4> whole{GL_RED_INTEGER, GL_RG_INTEGER, GL_RGBA_INTEGER, GL_RGBA_INTEGER};
+    const ImageFormat& known = format_named(device, format);
+    format_ = known.internal;
+    integers_ = known.integers;
+    std::vector<Word> kept;
+    for (std::size_t w = 0; w < texels.size(); ++w)
+        if (w % backend::texel_words < known.channels) kept.push_back(texels[w]);
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    if (!has_compute(device.info().id.version))
-        throw backend::Error(to_string(device.info().id.version) + " has no images");
     gl.BindTexture(GL_TEXTURE_2D, handle_.name());
-    gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(levels), internal::format_of(format),
-                    static_cast<GLsizei>(width), static_cast<GLsizei>(height));
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, format_, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    context.check("an image");
-    write(std::vector<float>(width * height * channels_of(format)));
-}
-
-void Image::write(std::span<const float> channels) {
-    if (channels.size() != width_ * height_ * channels_of(format_))
-        throw std::invalid_argument("an image has one number for each channel of each texel");
-    const internal::Functions& gl = handle_.device().context().use();
-    gl.BindTexture(GL_TEXTURE_2D, handle_.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    const bool whole = format_ == Format::r32ui;
-    const GLenum one = whole ? GL_RED_INTEGER : GL_RED;
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_),
-                     channels_of(format_) == 1 ? one : GL_RGBA, whole ? GL_UNSIGNED_INT : GL_FLOAT,
-                     channels.data());
-    handle_.device().context().check("writing an image");
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height),
+                     (integers_ ? whole : floats).at(known.channels - 1),
+                     integers_ ? GL_UNSIGNED_INT : GL_FLOAT, kept.data());
+    context.check("an image");
 }
 
-std::vector<float> Image::read() const {
+std::vector<Word> Image::read() const {
     const internal::Functions& gl = handle_.device().context().use();
-    std::vector<float> texels(width_ * height_ * 4);
+    std::vector<Word> texels(width_ * height_ * backend::texel_words);
     GLuint framebuffer = 0;
     gl.GenFramebuffers(1, &framebuffer);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, handle_.name(), 0);
     gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl.ReadPixels(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_), GL_RGBA, GL_FLOAT,
+    gl.ReadPixels(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_),
+                  integers_ ? GL_RGBA_INTEGER : GL_RGBA, integers_ ? GL_UNSIGNED_INT : GL_FLOAT,
                   texels.data());
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl.DeleteFramebuffers(1, &framebuffer);

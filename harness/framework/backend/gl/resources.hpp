@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -51,33 +52,29 @@ class Buffer {
     Handle handle_;
 };
 
-// An image of floats that compute shaders load from and store to.
+// An image that compute shaders load from, store to, and sample: the nearest texel, that at the edge beyond
+// it.
 class Image {
   public:
-    enum class Format { r8, r16f, r32f, r32ui, rgba16f, rgba32f };
+    // format: as GLSL calls it. texels: row by row, four words each, bits of the floats or integers that a
+    // shader sees; those that the format lacks are not kept. Throws backend::Unsupported for a format that
+    // the version of OpenGL lacks, backend::Error.
+    Image(const Device& device, const std::string& format, std::size_t width, std::size_t height,
+          std::span<const Word> texels);
 
-    // The first level is all zero. Throws backend::Error, also on a device without compute
-    // shaders.
-    Image(const Device& device, Format format, std::size_t width, std::size_t height, std::size_t levels = 1);
+    // The texels, likewise; what the format lacks is 0, 0, 1.
+    [[nodiscard]] std::vector<Word> read() const;
 
-    // All texels of the first level, row by row, one number for each channel. Throws std::invalid_argument
-    // for another count. Of r32ui, the bits are taken.
-    void write(std::span<const float> channels);
-    // The same, but always four channels; those that the format lacks are 0, 0, 1.
-    [[nodiscard]] std::vector<float> read() const;
-
-    [[nodiscard]] Format format() const { return format_; }
+    [[nodiscard]] std::uint32_t format() const { return format_; }  // OpenGL's name of it
     [[nodiscard]] std::uint32_t handle() const { return handle_.name(); }
 
   private:
-    Format format_;
+    std::uint32_t format_ = 0;
+    bool integers_ = false;
     std::size_t width_;
     std::size_t height_;
     Handle handle_;
 };
-
-// The number of channels: 1 or 4.
-[[nodiscard]] std::size_t channels_of(Image::Format format);
 
 // A texture with a sampler's state. The words are those of backend/sampled.hpp. Needs compute shaders.
 class SampledTexture {

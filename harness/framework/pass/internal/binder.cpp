@@ -46,6 +46,32 @@ class Binder {
         return std::move(work_);
     }
 
+    PassWork run(const PassBindings& all) {
+        std::vector<PassValue> images;
+        images.reserve(given_.size());
+        make_bindings();
+        work_.push_constants = all.push_constants;
+        work_.constants = all.constants;
+        for (std::size_t i = 0; i < given_.size(); ++i) {
+            const PassSlot& slot = pass_.slots[i];
+            if (slot.kind != Kind::image) continue;
+            const auto found = all.images.find(pass_.declared.bindings[slot.index].number);
+            given_[i] = &images.emplace_back(
+                found != all.images.end()
+                    ? found->second
+                    : Image{slot.type,
+                            {1, 1},
+                            {},
+                            std::vector<Word>(static_cast<std::size_t>(slot.type.rows))});
+            require_image(slot, *given_[i]);
+            bind_image(slot, given_[i]);
+        }
+        for (const auto& [number, words] : all.buffers)
+            if (number < work_.bindings.size()) work_.bindings[number].words = words;
+        set_groups();
+        return std::move(work_);
+    }
+
   private:
     [[noreturn]] void refuse(const std::string& name, const std::string& why) const {
         throw std::invalid_argument(fmt::format("{}: \"{}\" {}", pass_.name, name, why));
@@ -210,7 +236,7 @@ class Binder {
         bound.integers = binding.texel != "float";
         if (sampled) return bind_sampler(slot, *value->image(), bound);
         bound.kind = Bound::Kind::image;
-        bound.format = *gpu::format_from(binding.format);
+        bound.format = *format_named(binding.format);
         bound.written = binding.writes;
         const std::size_t texels =
             static_cast<std::size_t>(bound.size.x) * static_cast<std::size_t>(bound.size.y);
@@ -288,6 +314,10 @@ class Binder {
 
 PassWork bound(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options) {
     return Binder(pass, inputs, options).run();
+}
+
+PassWork bound(const PassInterface& pass, const PassBindings& bindings) {
+    return Binder(pass, {}, {.groups = bindings.groups}).run(bindings);
 }
 
 }  // namespace gloam::check::internal

@@ -40,7 +40,7 @@ void require_supported(const std::string& pass, const Binding& binding) {
                            binding.number, most_bindings));
     switch (binding.type) {
         case BindingType::storage_image:
-            if (binding.shape != "2D" || !gpu::format_from(binding.format))
+            if (binding.shape != "2D" || !format_named(binding.format))
                 refuse(
                     pass, binding.name,
                     fmt::format("is an image{} of format \"{}\", expected image2D of a format like rgba32f",
@@ -97,9 +97,8 @@ void add_members(const shader::BlockLayout& block, PassSlot::Kind kind, std::siz
 
 PassSlot image_slot(const Binding& binding, std::size_t index) {
     const bool sampled = binding.type == BindingType::sampled_image;
-    const shader::Type pixel =
-        vector_type(binding.texel,
-                    sampled ? 4U : static_cast<unsigned>(gpu::channels(*gpu::format_from(binding.format))));
+    const shader::Type pixel = vector_type(
+        binding.texel, sampled ? 4U : static_cast<unsigned>(channels_of(*format_named(binding.format))));
     return {PassSlot::Kind::image,
             binding.name,
             {},
@@ -152,6 +151,15 @@ void append_places(const LaidOut& member, std::size_t at, std::size_t depth, std
 }
 
 }  // namespace
+
+std::optional<gpu::Format> format_named(const std::string& name) {
+    if (name == "rgb10_a2") return gpu::Format::rgb10_a2;
+    return gpu::format_from(name);
+}
+
+std::size_t channels_of(gpu::Format format) {
+    return format == gpu::Format::rgb10_a2 ? 4 : static_cast<std::size_t>(gpu::channels(format));
+}
 
 std::vector<std::size_t> places_of(const LaidOut& member, std::size_t elements) {
     std::vector<std::size_t> places;

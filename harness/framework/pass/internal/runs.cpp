@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pass on a device, and on the interpreter.
+// A pass on Vulkan, OpenGL and the interpreter.
 #include <fmt/format.h>
 #include <algorithm>
 #include <bit>
@@ -7,6 +7,7 @@
 #include <deque>
 #include <glm/gtc/packing.hpp>
 
+#include "backend/gl/program.hpp"
 #include "backend/vulkan/commands.hpp"
 #include "interpreter/machine.hpp"
 #include "pass/internal/work.hpp"
@@ -18,6 +19,12 @@ using At = Bound::Kind;
 
 bool has_short_integers(gpu::Format format) {
     return format == gpu::Format::r16ui || format == gpu::Format::rg16ui || format == gpu::Format::rgba16ui;
+}
+
+// A texel of rgb10_a2.
+Word packed(std::span<const Word> texel) {
+    const auto number = [&](std::size_t i) { return std::bit_cast<float>(texel[i]); };
+    return glm::packUnorm3x10_1x2({number(0), number(1), number(2), number(3)});
 }
 
 // The memory of a run on the device. Uploads and downloads of images take floats: integers of 16 bits by
@@ -61,12 +68,15 @@ class DeviceMemory {
     }
 
     gpu::Image& make_image(const Bound& bound) {
-        const std::size_t first = bound.kind == At::sampler ? backend::sampled_header_words : 0;
         std::vector<float> texels;
-        for (std::size_t w = first; w < bound.words.size(); ++w)
-            if ((w - first) % texel_words < bound.channels())
-                texels.push_back(has_short_integers(bound.format) ? static_cast<float>(bound.words[w])
-                                                                  : std::bit_cast<float>(bound.words[w]));
+        const std::span<const Word> words = bound.texels();
+        for (std::size_t w = 0; w < words.size(); ++w)
+            if (bound.format == gpu::Format::rgb10_a2) {
+                if (w % texel_words == 0) texels.push_back(std::bit_cast<float>(packed(words.subspan(w, 4))));
+            } else if (w % texel_words < bound.channels()) {
+                texels.push_back(has_short_integers(bound.format) ? static_cast<float>(words[w])
+                                                                  : std::bit_cast<float>(words[w]));
+            }
         const gpu::Extent extent{static_cast<std::uint32_t>(bound.size.x),
                                  static_cast<std::uint32_t>(bound.size.y)};
         gpu::Image& made = images_.emplace_back(device_, extent, bound.format);
@@ -77,9 +87,14 @@ class DeviceMemory {
     static void read(const gpu::Image& from, Bound& bound) {
         const std::vector<float> texels = from.download();
         for (std::size_t i = 0; i < texels.size(); ++i)
-            bound.words[i / bound.channels() * texel_words + i % bound.channels()] =
-                has_short_integers(bound.format) ? static_cast<Word>(texels[i])
-                                                 : std::bit_cast<Word>(texels[i]);
+            if (bound.format == gpu::Format::rgb10_a2) {
+                const glm::vec4 texel = glm::unpackUnorm3x10_1x2(std::bit_cast<Word>(texels[i]));
+                for (std::size_t c = 0; c < texel_words; ++c)
+                    bound.words[i * texel_words + c] = std::bit_cast<Word>(texel[static_cast<int>(c)]);
+            } else
+                bound.words[i / bound.channels() * texel_words + i % bound.channels()] =
+                    has_short_integers(bound.format) ? static_cast<Word>(texels[i])
+                                                     : std::bit_cast<Word>(texels[i]);
     }
 
     const gpu::Device& device_;
@@ -105,9 +120,95 @@ void run_on_device(const gpu::Device& device, const PassInterface& pass, PassWor
 
 namespace {
 
-// What an image of this format keeps of a word that a shader writes.
-Word stored(gpu::Format format, Word word) {
+// A number as GLSL has it.
+std::string literal(const std::string& type, Word bits) {
+    if (type == "bool") return bits == 0 ? "false" : "true";
+    if (type == "uint") return fmt::format("{}u", bits);
+    if (type == "int") return fmt::format("{}", std::bit_cast<std::int32_t>(bits));
+    return fmt::format("uintBitsToFloat({}u)", bits);
+}
+
+// The first uniform block that the pass has not.
+std::uint32_t free_block(const PassWork& work) {
+    const auto taken = [](const Bound& bound) { return bound.kind == At::uniform; };
+    return static_cast<std::uint32_t>(std::ranges::find_if_not(work.bindings, taken) - work.bindings.begin());
+}
+
+std::string translated(const gl::Device& device, const PassInterface& pass, const PassWork& work) {
+    std::string text =
+        shader::opengl_text(pass.module, *shader::language_from(device.info().glsl), free_block(work));
+    for (const backend::Constant& constant : work.constants)
+        text.insert(text.find('\n') + 1,
+                    fmt::format("#define SPIRV_CROSS_CONSTANT_ID_{} {}\n", constant.id,
+                                literal(std::ranges::find(pass.declared.constants, constant.id,
+                                                          &shader::SpecializationConstant::id)
+                                            ->type,
+                                        constant.bits)));
+    return text;
+}
+
+void run_gl(const gl::Device& device, const PassInterface& pass, const std::string& text, PassWork& work) {
+    const gl::Program program(
+        device, gl::Program::Stage::compute,
+        {.name = pass.name, .text = text.empty() ? translated(device, pass, work) : text});
+    gl::Dispatch dispatch{.program = program, .storage = {}, .uniforms = {}, .groups = work.groups};
+    std::deque<gl::Image> images;
+    std::deque<gl::Buffer> buffers;
+    std::map<std::uint32_t, gl::SampledTexture> textures;
+    const auto buffer = [&](std::vector<Word> words) {
+        words.resize((words.size() + 3) / 4 * 4);  // a uniform block ends with a vec4
+        buffers.emplace_back(device, words.size()).write(0, words);
+        return std::cref(buffers.back());
+    };
+    for (const shader::Binding& binding : pass.declared.bindings) {
+        const Bound& bound = work.bindings[binding.number];
+        if (bound.kind == At::image || bound.stateless)
+            dispatch.images.emplace(
+                binding.number, images.emplace_back(device, bound.stateless ? "rgba32f" : binding.format,
+                                                    static_cast<std::size_t>(bound.size.x),
+                                                    static_cast<std::size_t>(bound.size.y), bound.texels()));
+        else if (bound.kind == At::sampler)
+            textures.try_emplace(binding.number, device, bound.words);
+        else
+            (bound.kind == At::uniform ? dispatch.uniforms : dispatch.storage)
+                .emplace(binding.number, buffer(bound.words));
+    }
+    std::vector<Word> parameters(work.push_constants.size() / sizeof(Word));
+    std::ranges::copy(work.push_constants, std::as_writable_bytes(std::span(parameters)).begin());
+    if (!parameters.empty()) dispatch.uniforms.emplace(free_block(work), buffer(parameters));
+    for (const auto& [unit, texture] : textures) texture.bind(unit);
+    gl::dispatch(device, dispatch);
+    for (const auto& [number, image] : dispatch.images)
+        if (work.bindings[number].written) work.bindings[number].words = image.get().read();
+    for (const auto& [number, storage] : dispatch.storage)
+        std::ranges::copy_n(storage.get().read().begin(),
+                            static_cast<std::ptrdiff_t>(work.bindings[number].words.size()),
+                            work.bindings[number].words.begin());
+}
+
+}  // namespace
+
+void run_on_opengl(const gl::Device& device, const PassInterface& pass, const std::string& text,
+                   PassWork& work) {
+    if (!gl::has_compute(device.info().id.version))
+        throw backend::Unsupported(to_string(device.info().id.version) + " has no compute shaders");
+    try {
+        run_gl(device, pass, text, work);
+    } catch (const backend::Error&) {
+        throw;
+    } catch (const std::runtime_error& error) {  // of SPIRV-Cross
+        throw backend::Unsupported(pass.name + ": " + error.what());
+    }
+}
+
+namespace {
+
+// What an image of this format keeps of a word that a shader writes as that component.
+Word stored(gpu::Format format, std::size_t component, Word word) {
     const auto value = std::bit_cast<float>(word);
+    const auto rounded = [value](float most) {
+        return std::bit_cast<Word>(value > 0.0F ? std::round(std::min(value, 1.0F) * most) / most : 0.0F);
+    };
     switch (format) {
         case gpu::Format::r16f:
         case gpu::Format::rg16f:
@@ -115,8 +216,9 @@ Word stored(gpu::Format format, Word word) {
             return std::bit_cast<Word>(glm::unpackHalf1x16(glm::packHalf1x16(value)));
         case gpu::Format::r8:
         case gpu::Format::rgba8:
-            return std::bit_cast<Word>(value > 0.0F ? std::round(std::min(value, 1.0F) * 255.0F) / 255.0F
-                                                    : 0.0F);
+            return rounded(255.0F);
+        case gpu::Format::rgb10_a2:
+            return rounded(component < 3 ? 1023.0F : 3.0F);
         default:
             return has_short_integers(format) ? std::min(word, 0xFFFFU) : word;
     }
@@ -146,8 +248,9 @@ void interpret(const shader::Spirv& module, PassWork& work) {
                 machine.run();
                 for (std::uint32_t b = 0; b < count; ++b)
                     machine.keep_writes(0, b, [&bound = work.bindings[b]](std::size_t word, Word bits) {
-                        return bound.words[word] =
-                                   bound.kind == At::image ? stored(bound.format, bits) : bits;
+                        return bound.words[word] = bound.kind == At::image
+                                                       ? stored(bound.format, word % texel_words, bits)
+                                                       : bits;
                     });
             }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "module/reflection.hpp"
@@ -46,6 +47,10 @@ struct PassInterface {
 // unbounded array.
 [[nodiscard]] std::vector<std::size_t> places_of(const shader::LaidOut& member, std::size_t elements);
 
+// The format that GLSL calls so, and the components that a shader sees of it.
+[[nodiscard]] std::optional<gpu::Format> format_named(const std::string& name);
+[[nodiscard]] std::size_t channels_of(gpu::Format format);
+
 // What stands at a binding during a run, in the host's memory. A run changes it as the pass does.
 struct Bound {
     enum class Kind { nothing, image, sampler, storage, uniform };
@@ -62,9 +67,13 @@ struct Bound {
     bool written = false;    // the shader may write to it
     bool stateless = false;  // a sampler
 
-    [[nodiscard]] std::size_t channels() const { return static_cast<std::size_t>(gpu::channels(format)); }
+    [[nodiscard]] std::size_t channels() const { return channels_of(format); }
+    // Of an image, and of a sampler's one level.
+    [[nodiscard]] std::span<const Word> texels() const {
+        return std::span(words).subspan(kind == Kind::sampler ? backend::sampled_header_words : 0);
+    }
 };
-inline constexpr std::size_t texel_words = 4;
+using backend::texel_words;
 
 struct PassWork {
     std::vector<Bound> bindings;  // by number
@@ -77,9 +86,15 @@ struct PassWork {
 // A run of a pass with these inputs, ready but for the contents of what is not given. Throws
 // std::invalid_argument like Pass::run().
 [[nodiscard]] PassWork bound(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options);
+[[nodiscard]] PassWork bound(const PassInterface& pass, const PassBindings& bindings);
 
 // Runs a pass on a device. Throws like gpu::Commands and the pipelines.
 void run_on_device(const gpu::Device& device, const PassInterface& pass, PassWork& work);
+
+// The same on OpenGL, from its text; where there is none, from what SPIRV-Cross makes of its module. Throws
+// backend::Unsupported for what the version lacks.
+void run_on_opengl(const gl::Device& device, const PassInterface& pass, const std::string& text,
+                   PassWork& work);
 
 // Runs a pass on the interpreter, one invocation after another. Throws backend::Unsupported for instructions
 // that it does not know; backend::Fault, with the place, for an access outside an image or array.

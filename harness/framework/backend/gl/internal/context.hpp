@@ -8,7 +8,6 @@
 #include <string>
 
 #include "backend/gl/device.hpp"
-#include "backend/gl/resources.hpp"
 
 namespace gloam::gl::internal {
 
@@ -108,11 +107,5 @@ struct Context {
     Functions functions;
     GLuint vertex_array = 0;  // draws need one in the core profile
 };
-
-// OpenGL's name of an image's format.
-inline GLenum format_of(Image::Format format) {
-    constexpr GLenum names[] = {GL_R8, GL_R16F, GL_R32F, GL_R32UI, GL_RGBA16F, GL_RGBA32F};
-    return names[static_cast<std::size_t>(format)];
-}
 
 }  // namespace gloam::gl::internal

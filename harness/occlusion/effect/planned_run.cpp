@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "effect/planned_run.hpp"
+
+#include <algorithm>
+
+namespace gloam::effect {
+namespace {
+
+using check::Image;
+using check::Word;
+
+shader::Type texel_of(gpu::Format format) {
+    using enum gpu::Format;
+    const bool whole = format == r32ui || format == rg32ui || format == rgba16ui;
+    return {.scalar = whole ? shader::Scalar::uint_ : shader::Scalar::float_,
+            .rows = format == rgb10_a2 ? 4 : gpu::channels(format)};
+}
+
+Image level_of(const PlannedImage& planned, std::uint32_t level) {
+    const glm::ivec2 size(std::max(planned.extent.width >> level, 1U),
+                          std::max(planned.extent.height >> level, 1U));
+    Image image{.element = texel_of(planned.format), .size = size, .words = {}};
+    image.words.resize(static_cast<std::size_t>(size.x * size.y * image.element.rows));
+    return image;
+}
+
+// All levels as one image for a sampler, which takes the nearest texel.
+Image sampled(const std::vector<Image>& levels) {
+    Image all = levels.front();
+    if (levels.size() == 1 && all.element.scalar == shader::Scalar::float_) return all;
+    for (std::size_t i = 1; i < levels.size(); ++i)
+        all.words.insert(all.words.end(), levels[i].words.begin(), levels[i].words.end());
+    all.sampling =
+        Image::Sampling{.wrap = backend::Wrap::edge, .levels = static_cast<unsigned>(levels.size())};
+    return all;
+}
+
+check::Pass made(const check::Lab& lab, const PlannedPass& pass, const scene::PassLibrary& passes) {
+    std::string text;
+    if (lab.language()) {
+        const bool es =
+            lab.language() == shader::Language::es310 || lab.language() == shader::Language::es320;
+        std::map<std::uint32_t, std::uint32_t> constants;
+        for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
+        std::vector<std::string> defines = pass.source.defines;
+        defines.emplace_back("GLOAM_PARAMETER_BLOCK");
+        text = passes.text(pass.source.file, defines, pass.source.replaced, constants,
+                           es ? shader::Language::es310 : shader::Language::gl430);
+    }
+    return {lab, pass.name, module_of(pass.source, passes), std::move(text)};
+}
+
+}  // namespace
+
+PlanMemory::PlanMemory(const Plan& plan, const scene::GBuffer& view) {
+    for (const PlannedImage& planned : plan.images) {
+        std::vector<Image>& levels = images[planned.name];
+        for (std::uint32_t level = 0; level < planned.levels; ++level)
+            levels.push_back(level_of(planned, level));
+    }
+    std::vector<Word> depth;
+    std::vector<Word> normal;
+    for (const float one : view.depth) check::append_words(one, depth);
+    for (const glm::vec3& one : view.normal) check::append_words(glm::vec4(one, 0.0F), normal);
+    images.at("depth").front().words = std::move(depth);
+    if (!normal.empty()) images.at("normal").front().words = std::move(normal);
+    for (const PlannedBuffer& planned : plan.buffers) {
+        std::vector<Word>& words = buffers[planned.name];
+        words.resize((planned.contents.size() + sizeof(Word) - 1) / sizeof(Word));
+        std::ranges::copy(planned.contents, std::as_writable_bytes(std::span(words)).begin());
+    }
+}
+
+void run(const check::Lab& lab, const Plan& plan, const scene::PassLibrary& passes, PlanMemory& memory) {
+    for (const PlannedPass& pass : plan.passes) {
+        check::PassBindings bindings{
+            .push_constants = pass.parameters, .constants = {}, .groups = pass.groups};
+        for (const auto& constant : pass.source.constants)
+            bindings.constants.push_back({constant.id, constant.bits});
+        for (std::uint32_t binding = 0; binding < pass.resources.size(); ++binding) {
+            const ImageName name = image_name_of(pass.resources[binding]);
+            if (const auto image = memory.images.find(name.image); image != memory.images.end())
+                bindings.images.emplace(binding,
+                                        name.level ? image->second.at(*name.level) : sampled(image->second));
+            if (const auto buffer = memory.buffers.find(name.image); buffer != memory.buffers.end())
+                bindings.buffers.emplace(binding, buffer->second);
+        }
+        const auto before = bindings.images;
+        made(lab, pass, passes).run(bindings);
+        for (auto& [binding, image] : bindings.images) {
+            const ImageName name = image_name_of(pass.resources[binding]);
+            if (image.words != before.at(binding).words)  // two bindings may have one image
+                memory.images.at(name.image).at(name.level.value_or(0)).words = image.words;
+        }
+        for (auto& [binding, words] : bindings.buffers) memory.buffers.at(pass.resources[binding]) = words;
+    }
+}
+
+}  // namespace gloam::effect
