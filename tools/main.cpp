@@ -87,8 +87,8 @@ int run(int argc, char** argv) {
     gloam::cli::add_demo(app, status);
     gloam::cli::add_devices(app);
     gloam::cli::add_list(app);
-    gloam::cli::add_check(app, gloam::cli::equations_named, status);
-    gloam::cli::add_check_worker(app, gloam::cli::equations_named);
+    gloam::cli::add_check(app, gloam::cli::subjects_named, status);
+    gloam::cli::add_check_worker(app, gloam::cli::subjects_named);
     gloam::cli::add_audit(app, gloam::cli::equations_named, status);
     gloam::cli::add_explain(app, gloam::cli::equations_named);
     gloam::cli::add_cost(app, gloam::cli::equations_named, gloam::cli::frame_of, status);

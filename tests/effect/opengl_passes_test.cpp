@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Frames pass by pass on OpenGL 4.5, OpenGL ES 3.1 and the interpreter: the picture is that of Vulkan.
 #include "backend/gl/device.hpp"
-#include "effect/errors.hpp"
-#include "effect/internal/frame.hpp"
 #include "effect/planned_run.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
 #include "support/lab.hpp"
 #include "support/method_names.hpp"
-#include "support/poison.hpp"
 
 namespace gloam::effect::opengl_passes_test {
 
@@ -97,30 +94,5 @@ TEST_F(OpenGlPasses, OfLaterFramesAreThoseOfVulkan) {
         }
     }
 }
-
-class OpenGlFrames : public OnDevice<testing::TestWithParam<Preset>> {};
-
-// Of an odd size, poisoned.
-TEST_P(OpenGlFrames, GiveThePictureOfVulkan) {
-    const std::optional<check::Lab> lab = opened("gl:llvmpipe-4.5");
-    if (!lab) GTEST_SKIP();
-    for (const bool from_depth : {false, true}) {
-        scene::GBuffer view = drawn("columns", {83, 45});
-        test::poison(view);
-        if (from_depth) view.normal.clear();
-        Settings settings = GetParam().settings;
-        settings.output = OutputFormat::r32f;
-        settings.history = false;
-        const std::vector<float> want = run(view, settings).filtered;
-        const std::vector<float> got = shown_by(*lab, frame_plan(settings, view), view, passes_);
-        ASSERT_EQ(got.size(), want.size());
-        // A tap within rounding of a limit counts on one driver and not on the other.
-        EXPECT_LT(errors_of(got, want).rmse, 1e-3) << from_depth;
-        EXPECT_LT(largest_difference(got, want), 0.06) << from_depth;
-        EXPECT_GT(std::ranges::max(want), 0.5F);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(All, OpenGlFrames, testing::ValuesIn(frames_of_all_resolutions()), preset_name);
 
 }  // namespace gloam::effect::opengl_passes_test

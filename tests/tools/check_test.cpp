@@ -74,4 +74,39 @@ TEST_F(CheckResume, AKilledRunLeavesItsResultsAndTheNextGoesOnFromThere) {
     }
 }
 
+// Passes, on the devices that this machine has: the study's, and the frame of each own preset.
+TEST(CheckPasses, AreRight) {
+    for (const char* device : {"", "interpreter", "gl:llvmpipe-4.5", "es:llvmpipe-3.1"}) {
+        const CommandResult result =
+            *device == '\0' ? gloam("check PASS-*") : gloam("check PASS-* --device {}", device);
+        if (result.status == 2) continue;  // there is none
+        const bool es = std::string_view(device).starts_with("es");
+        EXPECT_THAT(output_of(result),
+                    HasSubstr(es ? "8 checks, 0 failed, 4 not judged" : "8 checks, 0 failed\n"))
+            << device;
+    }
+}
+
+TEST(CheckPasses, WithAFaultFail) {
+    const Installation broken;
+    for (const auto& [pass, store] : {std::pair{"reproject", "imageStore(history, pixel, "},
+                                      {"ambient_occlusion", "imageStore(history_after, pixel, "},
+                                      {"spatial_filter", "imageStore(filtered_image, pixel, "},
+                                      {"remap", "imageStore(mapped_image, pixel, "}})
+        broken.replace("passes/study/" + std::string(pass) + ".comp", store,
+                       std::string(store) + "vec4(pixel.x == 3 ? 2e-6 : 0.0) + ");
+    const CommandResult study = broken.gloam("check PASS-* --device interpreter");
+    EXPECT_THAT(study.out, HasSubstr("8 checks, 4 failed"));
+    EXPECT_THAT(study.out, HasSubstr("ivec2 (3, "));
+    // As a driver would have it that is wrong.
+    broken.replace("passes/frame/sweep.glsl", "float place = places.x",
+                   "#ifndef VULKAN\nplaces *= 0.9;\n#endif\nfloat place = places.x");
+    broken.replace("passes/frame/join.glsl",
+                   "float spatial = ", "#ifndef VULKAN\ntent.x += 0.01;\n#endif\nfloat spatial = ");
+    const CommandResult frame = broken.gloam("check PASS-frame-* --device gl:llvmpipe-4.5");
+    if (frame.status == 2) GTEST_SKIP() << frame.err;
+    EXPECT_THAT(frame.out, HasSubstr("4 checks, 4 failed"));
+    EXPECT_THAT(frame.out, AllOf(HasSubstr("images sweep: texels"), HasSubstr("images join: shown")));
+}
+
 }  // namespace gloam::test::check_test

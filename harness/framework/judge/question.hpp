@@ -52,6 +52,8 @@ struct Question {
     bool must_hold = false;
     std::vector<ImageScenario> scenarios;  // empty: the function reads no image
     bool only_rules = false;               // it documents no accuracy: judged by the rules in every variant
+    // Of a whole pass: runs and judges it. Its inputs are pixels, and there is no kernel of the function.
+    std::function<Answer(const Lab&)> answers;
 };
 
 namespace detail {

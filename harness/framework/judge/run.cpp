@@ -91,6 +91,7 @@ void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t se
 }  // namespace
 
 Answer run(const Lab& lab, const Question& question, const RunOptions& options) {
+    if (question.answers) return question.answers(lab);
     try {
         return judged(lab, question, options);
     } catch (const interpreter::Error& error) {

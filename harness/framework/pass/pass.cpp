@@ -25,13 +25,13 @@ struct Pass::Impl {
     internal::PassInterface interface;
     std::string text;  // for OpenGL
 
-    void run(PassWork& work) const {
+    void run(std::span<PassWork> works) const {
         if (lab->info().type == interpreter_name)
-            internal::run_interpreted(interface, work);
+            internal::run_interpreted(interface, works);
         else if (const auto* opengl = dynamic_cast<const gl::Device*>(lab->backend().get()))
-            internal::run_on_opengl(*opengl, interface, text, work);
+            internal::run_on_opengl(*opengl, interface, text, works);
         else
-            internal::run_on_device(lab->device(), interface, work);
+            internal::run_on_device(lab->device(), interface, works);
         lab->require_silent_validation();
     }
 };
@@ -148,20 +148,15 @@ Pass::Pass(const Lab& lab, const std::string& name, shader::Spirv module, std::s
                                          std::move(text))) {}
 
 PassResult Pass::run(const PassInputs& inputs, const PassOptions& options) const {
-    PassWork first = internal::bound(impl_->interface, inputs, options);
-    PassWork second = first;
-    const bool twice = fill(first, 0);
-    impl_->run(first);
-    if (twice) {
-        (void)fill(second, 1);
-        impl_->run(second);
-    }
-    return result_of(impl_->interface, first, twice ? second : first);
+    std::vector<PassWork> works{internal::bound(impl_->interface, inputs, options)};
+    if (fill(works.front(), 0)) (void)fill(works.emplace_back(works.front()), 1);
+    impl_->run(works);
+    return result_of(impl_->interface, works.front(), works.back());
 }
 
 void Pass::run(PassBindings& bindings) const {
     PassWork work = internal::bound(impl_->interface, bindings);
-    impl_->run(work);
+    impl_->run(std::span(&work, 1));
     for (auto& [number, image] : bindings.images) {
         if (number >= work.bindings.size() || !work.bindings[number].written) continue;
         const Bound& bound = work.bindings[number];

@@ -35,19 +35,20 @@ Image sampled(const std::vector<Image>& levels) {
     return all;
 }
 
-check::Pass made(const check::Lab& lab, const PlannedPass& pass, const scene::PassLibrary& passes) {
-    std::string text;
-    if (lab.language()) {
-        const bool es =
-            lab.language() == shader::Language::es310 || lab.language() == shader::Language::es320;
-        std::map<std::uint32_t, std::uint32_t> constants;
-        for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
-        std::vector<std::string> defines = pass.source.defines;
-        defines.emplace_back("GLOAM_PARAMETER_BLOCK");
-        text = passes.text(pass.source.file, defines, pass.source.replaced, constants,
+// The text of a pass that engines take.
+std::string text_of(const PlannedPass& pass, const scene::PassLibrary& passes, bool es) {
+    std::map<std::uint32_t, std::uint32_t> constants;
+    for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
+    std::vector<std::string> defines = pass.source.defines;
+    defines.emplace_back("GLOAM_PARAMETER_BLOCK");
+    try {
+        return passes.text(pass.source.file, defines, pass.source.replaced, constants,
                            es ? shader::Language::es310 : shader::Language::gl430);
+    } catch (const shader::CompileError& error) {
+        const std::string all = error.what();
+        if (es) throw backend::Unsupported(pass.name + ": " + all.substr(0, all.find('\n')));
+        throw;
     }
-    return {lab, pass.name, module_of(pass.source, passes), std::move(text)};
 }
 
 }  // namespace
@@ -86,7 +87,10 @@ void run(const check::Lab& lab, const Plan& plan, const scene::PassLibrary& pass
                 bindings.buffers.emplace(binding, buffer->second);
         }
         const auto before = bindings.images;
-        made(lab, pass, passes).run(bindings);
+        const auto language = lab.language();
+        const bool es = language == shader::Language::es310 || language == shader::Language::es320;
+        check::Pass(lab, pass.name, module_of(pass.source, passes), language ? text_of(pass, passes, es) : "")
+            .run(bindings);
         for (auto& [binding, image] : bindings.images) {
             const ImageName name = image_name_of(pass.resources[binding]);
             if (image.words != before.at(binding).words)  // two bindings may have one image

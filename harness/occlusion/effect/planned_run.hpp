@@ -23,7 +23,8 @@ struct PlanMemory {
 };
 
 // Runs the passes of a plan one after another on the device of a lab: Vulkan and the interpreter get their
-// modules, OpenGL the texts that engines take. Throws like check::Pass.
+// modules, OpenGL the texts that engines take. Throws like check::Pass; backend::Unsupported for a pass that
+// is no text of OpenGL ES.
 void run(const check::Lab& lab, const Plan& plan, const scene::PassLibrary& passes, PlanMemory& memory);
 
 }  // namespace gloam::effect

@@ -32,6 +32,9 @@ struct Named {
 [[nodiscard]] catalogue::Entries entries_named(const std::vector<std::string>& names);
 [[nodiscard]] std::vector<check::Question> equations_named(const std::vector<std::string>& names);
 
+// The same, and passes ("PASS-remap", "PASS-frame-fast") by their names or globs of these.
+[[nodiscard]] std::vector<check::Question> subjects_named(const std::vector<std::string>& names);
+
 // What the papers print, and what has it; and as a page.
 [[nodiscard]] std::vector<Named> names_of(const std::vector<catalogue::PrintedRow>& rows);
 [[nodiscard]] std::string numbers_page();

@@ -21,6 +21,12 @@ bool has_short_integers(gpu::Format format) {
     return format == gpu::Format::r16ui || format == gpu::Format::rg16ui || format == gpu::Format::rgba16ui;
 }
 
+std::vector<Word> push_words(const PassWork& work) {
+    std::vector<Word> words(work.push_constants.size() / sizeof(Word));
+    std::ranges::copy(work.push_constants, std::as_writable_bytes(std::span(words)).begin());
+    return words;
+}
+
 // A texel of rgb10_a2.
 Word packed(std::span<const Word> texel) {
     const auto number = [&](std::size_t i) { return std::bit_cast<float>(texel[i]); };
@@ -105,17 +111,21 @@ class DeviceMemory {
 
 }  // namespace
 
-void run_on_device(const gpu::Device& device, const PassInterface& pass, PassWork& work) {
-    DeviceMemory memory(device, work);
-    const gpu::ComputePipeline pipeline(
-        device, {.spirv = pass.module,
-                 .bindings = memory.kinds,
-                 .push_constant_bytes = static_cast<std::uint32_t>(work.push_constants.size()),
-                 .constants = work.constants});
-    gpu::Commands commands(device);
-    commands.dispatch(pipeline, memory.resources, work.groups, work.push_constants);
-    commands.submit();
-    memory.read_back(work);
+void run_on_device(const gpu::Device& device, const PassInterface& pass, std::span<PassWork> works) {
+    std::optional<gpu::ComputePipeline> pipeline;
+    for (PassWork& work : works) {
+        DeviceMemory memory(device, work);
+        if (!pipeline)
+            pipeline.emplace(device, gpu::ComputeProgram{.spirv = pass.module,
+                                                         .bindings = memory.kinds,
+                                                         .push_constant_bytes = static_cast<std::uint32_t>(
+                                                             work.push_constants.size()),
+                                                         .constants = work.constants});
+        gpu::Commands commands(device);
+        commands.dispatch(*pipeline, memory.resources, work.groups, work.push_constants);
+        commands.submit();
+        memory.read_back(work);
+    }
 }
 
 namespace {
@@ -135,8 +145,12 @@ std::uint32_t free_block(const PassWork& work) {
 }
 
 std::string translated(const gl::Device& device, const PassInterface& pass, const PassWork& work) {
-    std::string text =
-        shader::opengl_text(pass.module, *shader::language_from(device.info().glsl), free_block(work));
+    std::string text;
+    try {
+        text = shader::opengl_text(pass.module, *shader::language_from(device.info().glsl), free_block(work));
+    } catch (const std::runtime_error& error) {
+        throw backend::Unsupported(pass.name + ": " + error.what());
+    }
     for (const backend::Constant& constant : work.constants)
         text.insert(text.find('\n') + 1,
                     fmt::format("#define SPIRV_CROSS_CONSTANT_ID_{} {}\n", constant.id,
@@ -147,18 +161,18 @@ std::string translated(const gl::Device& device, const PassInterface& pass, cons
     return text;
 }
 
-void run_gl(const gl::Device& device, const PassInterface& pass, const std::string& text, PassWork& work) {
-    const gl::Program program(
-        device, gl::Program::Stage::compute,
-        {.name = pass.name, .text = text.empty() ? translated(device, pass, work) : text});
+void run_once(const gl::Device& device, const gl::Program& program, const PassInterface& pass,
+              PassWork& work) {
     gl::Dispatch dispatch{.program = program, .storage = {}, .uniforms = {}, .groups = work.groups};
     std::deque<gl::Image> images;
     std::deque<gl::Buffer> buffers;
     std::map<std::uint32_t, gl::SampledTexture> textures;
-    const auto buffer = [&](std::vector<Word> words) {
-        words.resize((words.size() + 3) / 4 * 4);  // a uniform block ends with a vec4
-        buffers.emplace_back(device, words.size()).write(0, words);
+    const auto buffer = [&](std::span<const Word> words, std::size_t size) {
+        buffers.emplace_back(device, size).write(0, words);
         return std::cref(buffers.back());
+    };
+    const auto uniforms = [&](std::span<const Word> words) {
+        return buffer(words, (words.size() + 3) / 4 * 4);  // a uniform block ends with a vec4
     };
     for (const shader::Binding& binding : pass.declared.bindings) {
         const Bound& bound = work.bindings[binding.number];
@@ -169,36 +183,30 @@ void run_gl(const gl::Device& device, const PassInterface& pass, const std::stri
                                                     static_cast<std::size_t>(bound.size.y), bound.texels()));
         else if (bound.kind == At::sampler)
             textures.try_emplace(binding.number, device, bound.words);
+        else if (bound.kind == At::uniform)
+            dispatch.uniforms.emplace(binding.number, uniforms(bound.words));
         else
-            (bound.kind == At::uniform ? dispatch.uniforms : dispatch.storage)
-                .emplace(binding.number, buffer(bound.words));
+            dispatch.storage.emplace(binding.number, buffer(bound.words, bound.words.size()));
     }
-    std::vector<Word> parameters(work.push_constants.size() / sizeof(Word));
-    std::ranges::copy(work.push_constants, std::as_writable_bytes(std::span(parameters)).begin());
-    if (!parameters.empty()) dispatch.uniforms.emplace(free_block(work), buffer(parameters));
+    const std::vector<Word> parameters = push_words(work);
+    if (!parameters.empty()) dispatch.uniforms.emplace(free_block(work), uniforms(parameters));
     for (const auto& [unit, texture] : textures) texture.bind(unit);
     gl::dispatch(device, dispatch);
     for (const auto& [number, image] : dispatch.images)
         if (work.bindings[number].written) work.bindings[number].words = image.get().read();
-    for (const auto& [number, storage] : dispatch.storage)
-        std::ranges::copy_n(storage.get().read().begin(),
-                            static_cast<std::ptrdiff_t>(work.bindings[number].words.size()),
-                            work.bindings[number].words.begin());
+    for (const auto& [number, storage] : dispatch.storage) work.bindings[number].words = storage.get().read();
 }
 
 }  // namespace
 
 void run_on_opengl(const gl::Device& device, const PassInterface& pass, const std::string& text,
-                   PassWork& work) {
+                   std::span<PassWork> works) {
     if (!gl::has_compute(device.info().id.version))
         throw backend::Unsupported(to_string(device.info().id.version) + " has no compute shaders");
-    try {
-        run_gl(device, pass, text, work);
-    } catch (const backend::Error&) {
-        throw;
-    } catch (const std::runtime_error& error) {  // of SPIRV-Cross
-        throw backend::Unsupported(pass.name + ": " + error.what());
-    }
+    const gl::Program program(
+        device, gl::Program::Stage::compute,
+        {.name = pass.name, .text = text.empty() ? translated(device, pass, works.front()) : text});
+    for (PassWork& work : works) run_once(device, program, pass, work);
 }
 
 namespace {
@@ -226,8 +234,7 @@ Word stored(gpu::Format format, std::size_t component, Word word) {
 
 void interpret(const shader::Spirv& module, PassWork& work) {
     interpreter::Machine<float> machine(interpreter::Program(module, work.constants));
-    std::vector<Word> parameters(work.push_constants.size() / sizeof(Word));
-    std::ranges::copy(work.push_constants, std::as_writable_bytes(std::span(parameters)).begin());
+    const std::vector<Word> parameters = push_words(work);
     machine.bind_push_constants(parameters);
     const auto count = static_cast<std::uint32_t>(work.bindings.size());
     for (std::uint32_t b = 0; b < count; ++b) {
@@ -257,9 +264,9 @@ void interpret(const shader::Spirv& module, PassWork& work) {
 
 }  // namespace
 
-void run_interpreted(const PassInterface& pass, PassWork& work) {
+void run_interpreted(const PassInterface& pass, std::span<PassWork> works) {
     try {
-        interpret(pass.module, work);
+        for (PassWork& work : works) interpret(pass.module, work);
     } catch (const interpreter::Error& error) {
         const std::string message = pass.name + ": " + error.what();
         if (error.kind() == interpreter::Error::Kind::unknown_instruction)

@@ -88,16 +88,16 @@ struct PassWork {
 [[nodiscard]] PassWork bound(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options);
 [[nodiscard]] PassWork bound(const PassInterface& pass, const PassBindings& bindings);
 
-// Runs a pass on a device. Throws like gpu::Commands and the pipelines.
-void run_on_device(const gpu::Device& device, const PassInterface& pass, PassWork& work);
+// Run a pass on a Vulkan device, once for each work. Throws like gpu::Commands and the pipelines.
+void run_on_device(const gpu::Device& device, const PassInterface& pass, std::span<PassWork> works);
 
 // The same on OpenGL, from its text; where there is none, from what SPIRV-Cross makes of its module. Throws
 // backend::Unsupported for what the version lacks.
 void run_on_opengl(const gl::Device& device, const PassInterface& pass, const std::string& text,
-                   PassWork& work);
+                   std::span<PassWork> works);
 
-// Runs a pass on the interpreter, one invocation after another. Throws backend::Unsupported for instructions
+// The same on the interpreter, one invocation after another. Throws backend::Unsupported for instructions
 // that it does not know; backend::Fault, with the place, for an access outside an image or array.
-void run_interpreted(const PassInterface& pass, PassWork& work);
+void run_interpreted(const PassInterface& pass, std::span<PassWork> works);
 
 }  // namespace gloam::check::internal

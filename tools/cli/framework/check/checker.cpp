@@ -203,7 +203,8 @@ check::Answer Checker::run(const CheckTask& task) {
     try {
         const check::Question question = question_of(task);
         answer = check::run(lab(task), question, options_of(task));
-        if (task.coverage) answer.coverage = measure_coverage(lab(task), question, options_of(task));
+        if (task.coverage && !question.answers)
+            answer.coverage = measure_coverage(lab(task), question, options_of(task));
     } catch (const std::exception& error) {
         answer = answer_without_result(task, equations_, base::reason_of(error), error.what());
     }

@@ -89,33 +89,34 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     return variants;
 }
 
-// The IDs of the selected equations, or the functions of a file.
-std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
+// The selected equations and passes, or the functions of a file by their names.
+std::vector<check::Question> questions_of(const CheckOptions& options, CheckOutcome& outcome) {
     if (is_of_file(options)) {
         OwnSelection own =
             own_selection(options.equations, options.ranges, options.includes, options.defines);
         outcome.notes = std::move(own.notes);
         outcome.complete = own.complete;
-        return own.names;
+        std::vector<check::Question> functions;
+        for (const std::string& name : own.names) functions.push_back({.name = name});
+        return functions;
     }
-    std::vector<std::string> names;
-    for (const check::Question& equation : options.named(options.equations)) names.push_back(equation.name);
-    return names;
+    return options.named(options.equations);
 }
 
 }  // namespace
 
 std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
     const Shard shard = shard_from(options.shard);
-    const std::vector<std::string> names = names_of(options, outcome);
+    const std::vector<check::Question> questions = questions_of(options, outcome);
     const std::string file =
         is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
     std::vector<CheckTask> tasks;
     std::size_t position = 0;
     for (const shader::Variant& variant : variants_of(options)) {
-        for (const std::string& name : names) {
+        for (const check::Question& question : questions) {
+            if (question.answers && variant.name != "shipped") continue;  // a pass has no other
             if (!shard.holds(position++)) continue;
-            tasks.push_back({.equation = name,
+            tasks.push_back({.equation = question.name,
                              .variant = variant.name,
                              .inputs = options.inputs,
                              .seed = options.seed,
@@ -126,6 +127,7 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
                              .defines = options.defines});
         }
     }
+    if (position == 0) throw std::invalid_argument("passes: expected the variant shipped, without steps");
     return tasks;
 }
 

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "judge/question.hpp"
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <limits>
+#include <string>
+
 #include "reference/filter.hpp"
 #include "reference/sampling.hpp"
-#include "support/test.hpp"
+#include "subject/images.hpp"
 
 // The study's passes in double, as the paper's equations have them, on a view that is drawn for them.
-namespace gloam::effect::study_passes_test {
+namespace gloam::catalogue::study {
 
-using namespace check;
+using check::Image;
+using check::make_image;
 using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
@@ -44,10 +50,6 @@ struct Case {
     std::string filter = "convergence";
     float filter_cap = 1e18F;
 };
-
-inline void PrintTo(const Case& one, std::ostream* out) {
-    *out << one.name;
-}
 
 struct Camera {
     glm::vec2 p00_p11;
@@ -329,4 +331,4 @@ inline double filtered(const Case& one, const View& view, const Image& history, 
     return sum.y >= 1e-8 ? sum.x / sum.y : occlusion(pixel);
 }
 
-}  // namespace gloam::effect::study_passes_test
+}  // namespace gloam::catalogue::study
