@@ -35,47 +35,54 @@ check::Budget budget_of(const std::string& image, const Image& texels) {
     return image == "levels" ? check::Budget{.ulp = 8192} : check::Budget{.absolute = 1e-5};
 }
 
-// Every pass on the device, and on the interpreter with what the device has written before.
-check::Answer frame_answer(const check::Lab& lab, const check::Question& question,
-                           const effect::Preset& preset) {
-    // Whole groups of all passes: no store is outside an image.
+// An image of the device beside that of the interpreter.
+void judge(const check::Lab& lab, check::Question question, const std::string& name,
+           const std::string& scenario, const Image& written, const Image& expected, check::Answer& answer) {
+    const Image got = by_meaning(written);
+    const Image want = by_meaning(expected);
+    question.budget = budget_of(name, expected);
+    question.signature.result = got.element;
+    const check::Answer part =
+        catalogue::judged(lab, question, got, scenario, [&](glm::ivec2 pixel, std::vector<double>& numbers) {
+            if (want.element.rows == 1) return numbers.push_back(want.at<double>(pixel));
+            check::append_numbers(want.at<glm::dvec4>(pixel), numbers);
+        });
+    answer.merge(part);
+    if (part.failed()) answer.story += describe(question.signature, part);
+}
+
+// Whole groups of all passes, so that no store is outside an image; with what is no depth.
+scene::GBuffer small_view() {
     scene::GBuffer view = scene::draw(scene::make_scene("columns"), {32, 16}, {});
     constexpr std::array no_depths{NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
     for (std::size_t i = 0; i < view.depth.size(); i += 7) view.depth[i] = no_depths.at(i % no_depths.size());
-    const scene::PassLibrary passes(glsl_directory(), cache_directory());
-    const check::Lab interpreter({.device = std::string(check::interpreter_name)});
-    effect::Settings settings = preset.settings;
+    return view;
+}
+
+// Every pass on the device, and on the interpreter with what the device has written before.
+check::Answer frame_answer(const check::Lab& lab, const check::Question& question,
+                           effect::Settings settings) {
     settings.output = effect::OutputFormat::r32f;
     settings.history = false;
+    const scene::GBuffer view = small_view();
+    const scene::PassLibrary passes(glsl_directory(), cache_directory());
+    const check::Lab interpreter({.device = std::string(check::interpreter_name)});
     effect::Plan plan = effect::plan_of(settings, {.view = view.extent}, passes);
     effect::PlanMemory memory(plan, view);
     check::Answer answer = check::empty_answer(question, check::Verdict::budget);
     for (const effect::PlannedPass& pass : std::vector(plan.passes)) {
         plan.passes = {pass};
         const effect::PlanMemory before = memory;
-        effect::PlanMemory wanted = memory;
-        effect::run(interpreter, plan, passes, wanted);
+        effect::PlanMemory expected = memory;
+        effect::run(interpreter, plan, passes, expected);
         effect::run(lab, plan, passes, memory);
-        for (const auto& [name, levels] : wanted.images)
+        for (const auto& [name, levels] : expected.images)
             for (std::size_t level = 0; level < levels.size(); ++level) {
-                const auto holds = [&, &name = name](const effect::PlanMemory& all) -> const Image& {
-                    return all.images.at(name)[level];
-                };
-                if (levels[level].words == holds(before).words && holds(memory).words == holds(before).words)
-                    continue;  // the pass does not write it
-                const Image got = by_meaning(holds(memory));
-                const Image want = by_meaning(levels[level]);
-                check::Question of_image = question;
-                of_image.budget = budget_of(name, levels[level]);
-                of_image.signature.result = got.element;
-                const auto wanted = [&](glm::ivec2 pixel, std::vector<double>& numbers) {
-                    if (want.element.rows == 1) return numbers.push_back(want.at<double>(pixel));
-                    check::append_numbers(want.at<glm::dvec4>(pixel), numbers);
-                };
-                const check::Answer part = catalogue::judged(
-                    lab, of_image, got, fmt::format("{}: {}/{}", pass.name, name, level), wanted);
-                answer.merge(part);
-                if (part.failed()) answer.story += describe(of_image.signature, part);
+                const std::vector<check::Word>& was = before.images.at(name)[level].words;
+                const Image& written = memory.images.at(name)[level];
+                if (levels[level].words != was || written.words != was)  // the pass writes it
+                    judge(lab, question, name, fmt::format("{}: {}/{}", pass.name, name, level), written,
+                          levels[level], answer);
             }
     }
     answer.variant = lab.options().variant.name;
@@ -91,8 +98,8 @@ std::vector<check::Question> passes() {
                                  .function = "main",
                                  .signature = check::SignatureOf<glm::vec4(glm::ivec2)>::describe(),
                                  .budget = {.absolute = 1e-5}};
-        question.answers = [question, preset](const check::Lab& lab) {
-            return frame_answer(lab, question, preset);
+        question.answers = [question, settings = preset.settings](const check::Lab& lab) {
+            return frame_answer(lab, question, settings);
         };
         all.push_back(std::move(question));
     }
@@ -102,21 +109,23 @@ std::vector<check::Question> passes() {
 }  // namespace
 
 std::vector<check::Question> subjects_named(const std::vector<std::string>& names) {
-    std::vector<check::Question> all;
+    std::vector<check::Question> found = passes();
+    const auto fits = [](const check::Question& pass, const std::string& name) {
+        return catalogue::matches_glob(pass.name, name);
+    };
     std::vector<std::string> others;
-    const std::vector<check::Question> known = passes();
     for (const std::string& name : names) {
-        const std::size_t before = all.size();
-        std::ranges::copy_if(known, std::back_inserter(all), [&](const check::Question& pass) {
-            return catalogue::matches_glob(pass.name, name);
-        });
-        if (all.size() == before) others.push_back(name);
+        const bool known = std::ranges::any_of(found, [&](const auto& pass) { return fits(pass, name); });
+        if (!known || !catalogue::matches_glob(name, "PASS-*")) others.push_back(name);
     }
-    if (!names.empty() && others.empty()) return all;
-    std::vector<check::Question> equations = equations_named(others);
-    equations.insert(equations.end(), all.begin(), all.end());
-    if (names.empty()) equations.insert(equations.end(), known.begin(), known.end());
-    return equations;
+    std::erase_if(found, [&](const check::Question& pass) {
+        return !names.empty() &&
+               std::ranges::none_of(names, [&](const std::string& name) { return fits(pass, name); });
+    });
+    if (!names.empty() && others.empty()) return found;
+    std::vector<check::Question> all = equations_named(others);
+    std::ranges::move(found, std::back_inserter(all));
+    return all;
 }
 
 }  // namespace gloam::cli
