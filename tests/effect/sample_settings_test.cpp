@@ -85,20 +85,6 @@ TEST_F(SampleSettings, WithoutAHistoryEachFrameStandsByItself) {
     }
 }
 
-// Halves have 11 bits: at 50 units neighbouring depths are 1/32 apart, 60 times the bias for a radius of 0.5.
-// A plane that is tilted and rounded so is still a plane, once the bias follows the depth.
-TEST_F(SampleSettings, ABiasByDepthHidesTheRoundingOfHalves) {
-    scene::GBuffer view = plane({64, 48}, true, {0.6, -0.3, 1});
-    for (float& depth : view.depth) depth = std::round((depth + 45.0F) * 32.0F) / 32.0F;
-    for (const char* method : {"hemisphere", "gtao", "alchemy", "dual_resolution"}) {
-        Settings settings = with_radius(with_method({}, method), 0.5F);
-        const auto darkest = [&] { return std::ranges::max(run(view, settings).occlusion); };
-        EXPECT_GT(darkest(), 0.01F) << method;
-        settings.bias_depth = 0.002F;
-        EXPECT_EQ(darkest(), 0.0F) << method;
-    }
-}
-
 // The slices of neighbouring pixels are spread evenly over all directions and jitters.
 TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     const scene::GBuffer view = groove({96, 64});

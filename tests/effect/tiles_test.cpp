@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The frame with tiles: each pixel is swept only where half size varies, and one does not see where.
 #include "effect/internal/frame.hpp"
+#include "effect/planned_run.hpp"
 #include "on_device.hpp"
+#include "support/lab.hpp"
 #include "support/poison.hpp"
 #include "surface_views.hpp"
 
@@ -92,22 +94,17 @@ TEST_F(Tiles, AreAllThatIsRead) {
     const scene::GBuffer& view = drawn("columns", odd);
     Settings settings = tiles(0.08F, 0.6F);
     settings.history = false;
-    std::vector<std::vector<float>> shown;
+    const Plan plan = frame_plan(settings, view);
+    std::vector<std::vector<check::Word>> shown;
     for (const float poison : {0.0F, NAN, 1e30F, -1.0F}) {
-        Resources resources(device_);
-        Executor executor(device_, passes_);
-        const Plan plan = frame_plan(settings, view);
-        resources.provide(plan);
-        upload(view, true, resources);
-        const std::size_t pixels = view.depth.size();
-        resources.image("full_texels").upload(std::vector<float>(pixels, poison));
-        resources.image("full_bends").upload(std::vector<float>(4 * pixels, poison));
-        for (const PlannedPass& pass : plan.passes) executor.run(pass, resources, {});
-        shown.push_back(resources.image("shown").download());
-        const std::vector<float> bent = resources.image("bent").download();
-        shown.back().insert(shown.back().end(), bent.begin(), bent.end());
+        PlanMemory memory(plan, view);
+        for (const char* image : {"full_texels", "full_bends"})
+            std::ranges::fill(memory.images.at(image).front().words, std::bit_cast<check::Word>(poison));
+        effect::run(test::make_lab(), plan, passes_, memory);
+        shown.push_back(memory.image("shown").words);
+        std::ranges::copy(memory.image("bent").words, std::back_inserter(shown.back()));
     }
-    for (const std::vector<float>& poisoned : shown) EXPECT_TRUE(same_bits(poisoned, shown[0], odd.width));
+    for (const std::vector<check::Word>& poisoned : shown) EXPECT_EQ(poisoned, shown[0]);
 }
 
 // Of neighbours on one surface: squares of how much more one of them differs from the truth than the other.
