@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The frame with tiles: each pixel is swept only where half size varies, and one does not see where.
+#include <glm/gtc/packing.hpp>
+
 #include "effect/internal/frame.hpp"
 #include "effect/planned_run.hpp"
 #include "on_device.hpp"
@@ -89,17 +91,21 @@ TEST_F(Tiles, AreListedInLargeViews) {
     }
 }
 
-// Full-size texels are valid in marked tiles and around them. Nothing else is read of them.
+// Full-size texels are valid in marked tiles and around them. Nothing else is read of them: neither what is
+// no texel, nor one of the right depth with another occlusion.
 TEST_F(Tiles, AreAllThatIsRead) {
     const scene::GBuffer& view = drawn("columns", odd);
     Settings settings = tiles(0.08F, 0.6F);
     settings.history = false;
     const Plan plan = frame_plan(settings, view);
     std::vector<std::vector<check::Word>> shown;
-    for (const float poison : {0.0F, NAN, 1e30F, -1.0F}) {
+    for (const check::Word poison : {0U, 0x7FC00000U, 0xFEFF0000U}) {
         PlanMemory memory(plan, view);
-        for (const char* image : {"full_texels", "full_bends"})
-            std::ranges::fill(memory.images.at(image).front().words, std::bit_cast<check::Word>(poison));
+        std::vector<check::Word>& texels = memory.images.at("full_texels").front().words;
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            texels[i] =
+                poison | (poison == 0xFEFF0000U ? glm::packHalf1x16(view.depth[i] / settings.radius) : 0U);
+        std::ranges::fill(memory.images.at("full_bends").front().words, poison);
         effect::run(test::make_lab(), plan, passes_, memory);
         shown.push_back(memory.image("shown").words);
         std::ranges::copy(memory.image("bent").words, std::back_inserter(shown.back()));
