@@ -301,8 +301,8 @@ int run_check(const CheckOptions& options) {
 // What is checked, in which variants.
 void add_selection_options(CLI::App& command, CheckOptions& options) {
     command.add_option("equation", options.equations,
-                       "IDs, functions or globs (all when none is given); or a GLSL file of your own, and "
-                       "its functions");
+                       "IDs, functions or globs (all when none is given), PASS-* for whole passes; or a GLSL "
+                       "file of your own, and its functions");
     command.add_option("--range", options.ranges,
                        "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
     add_include_option(command, options.includes);

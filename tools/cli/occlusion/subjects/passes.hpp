@@ -8,7 +8,7 @@
 #include "judge/question.hpp"
 #include "subject/images.hpp"
 
-namespace gloam::catalogue {
+namespace gloam::cli {
 
 // Judges an image that a pass wrote, pixel by pixel: the question's inputs are pixels. wanted: appends what
 // one shall hold. promised: whether it is judged by the budget; none: each is.
@@ -22,4 +22,4 @@ namespace gloam::catalogue {
 // decision of theirs lies within rounding, nothing is promised.
 [[nodiscard]] std::vector<check::Question> study_passes();
 
-}  // namespace gloam::catalogue
+}  // namespace gloam::cli

@@ -7,9 +7,10 @@
 #include <cmath>
 
 #include "catalogue/catalogue.hpp"
-#include "catalogue/passes.hpp"
 #include "cli/environment.hpp"
 #include "cli/occlusion/names.hpp"
+#include "cli/occlusion/subjects/passes.hpp"
+#include "effect/methods.hpp"
 #include "effect/planned_run.hpp"
 #include "judge/run.hpp"
 #include "scene/draw.hpp"
@@ -43,7 +44,7 @@ void judge(const check::Lab& lab, check::Question question, const std::string& n
     question.budget = budget_of(name, expected);
     question.signature.result = got.element;
     const check::Answer part =
-        catalogue::judged(lab, question, got, scenario, [&](glm::ivec2 pixel, std::vector<double>& numbers) {
+        judged(lab, question, got, scenario, [&](glm::ivec2 pixel, std::vector<double>& numbers) {
             if (want.element.rows == 1) return numbers.push_back(want.at<double>(pixel));
             check::append_numbers(want.at<glm::dvec4>(pixel), numbers);
         });
@@ -90,7 +91,7 @@ check::Answer frame_answer(const check::Lab& lab, const check::Question& questio
 }
 
 std::vector<check::Question> passes() {
-    std::vector<check::Question> all = catalogue::study_passes();
+    std::vector<check::Question> all = study_passes();
     for (const effect::Preset& preset : effect::presets()) {
         if (preset.published) continue;
         check::Question question{.name = "PASS-frame-" + preset.name,

@@ -2,14 +2,14 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "catalogue/passes.hpp"
-#include "catalogue/study_definitions.hpp"
+#include "cli/occlusion/subjects/passes.hpp"
+#include "cli/occlusion/subjects/study_definitions.hpp"
 #include "judge/run.hpp"
 #include "module/include.hpp"
 #include "numeric/numbers.hpp"
 #include "pass/pass.hpp"
 
-namespace gloam::catalogue {
+namespace gloam::cli {
 namespace {
 
 using namespace study;
@@ -235,4 +235,4 @@ std::vector<check::Question> study_passes() {
     return questions;
 }
 
-}  // namespace gloam::catalogue
+}  // namespace gloam::cli

@@ -12,7 +12,7 @@
 #include "subject/images.hpp"
 
 // The study's passes in double, as the paper's equations have them, on a view that is drawn for them.
-namespace gloam::catalogue::study {
+namespace gloam::cli::study {
 
 using check::Image;
 using check::make_image;
@@ -331,4 +331,4 @@ inline double filtered(const Case& one, const View& view, const Image& history, 
     return sum.y >= 1e-8 ? sum.x / sum.y : occlusion(pixel);
 }
 
-}  // namespace gloam::catalogue::study
+}  // namespace gloam::cli::study
