@@ -49,116 +49,6 @@ constexpr std::array<Changed, 4> of_floats{
     [](Word) { return to_word(std::numeric_limits<float>::quiet_NaN()); }};
 constexpr std::array<Changed, 2> of_sides{to_zero, [](Word) { return 1U; }};
 
-}  // namespace
-
-Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& parameters, bool only_vectors)
-    : parameters_(std::make_shared<const std::vector<Values>>(parameters)) {
-    std::size_t first = 0;
-    std::size_t next = 0;
-    for (const shader::Parameter& parameter : signature.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
-        const Values& values = (*parameters_)[next++];
-        if (values.only_drawn) {
-            add_vectors(parameter.type, first, nullptr);
-        } else {
-            const bool composed = parameter.type.scalar == Scalar::structure || !parameter.type.sizes.empty();
-            const std::vector<Scalar> scalars = scalars_of(parameter.type);
-            for (std::size_t i = 0; composed && !only_vectors && i < scalars.size(); ++i)
-                for (const auto change : of_floats)
-                    if (scalars[i] == Scalar::float_) changes_.push_back({first + i, change});
-            add_vectors(parameter.type, first, &values);
-            for (std::size_t i = 0; !only_vectors && i < 2 * values.image_sizes.size(); ++i)
-                for (const auto change : of_sides)
-                    changes_.push_back({first + values.image_sizes[i / 2] + i % 2, change});
-        }
-        first += scalars_of(parameter.type).size();
-    }
-}
-
-// Vectors in a struct or an array are only copied from. They are not changed, because their valid values are
-// unknown.
-void Degenerate::add_vectors(const shader::Type& type, std::size_t first, const Values* values) {
-    if (!type.sizes.empty()) {
-        const shader::Type element = shader::element_of(type);
-        for (std::uint32_t i = 0; i < type.sizes.front(); ++i, first += scalars_of(element).size())
-            add_vectors(element, first, nullptr);
-    } else if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members) {
-            add_vectors(member.type, first, nullptr);
-            first += scalars_of(member.type).size();
-        }
-    } else if (type.scalar == Scalar::float_ && type.columns == 1 && type.rows > 1) {
-        vectors_.push_back({first, static_cast<std::size_t>(type.rows), values});
-    }
-}
-
-void Degenerate::add_numbers(const Signature& signature, const std::vector<Values>& parameters,
-                             std::span<const float> numbers) {
-    if (!parameters_) parameters_ = std::make_shared<const std::vector<Values>>(parameters);
-    std::vector<Word> bits;
-    for (const float number : numbers) {
-        if (number == 0.0F) continue;  // which Values have; beside it are subnormal numbers
-        for (const float sign : {1.0F, -1.0F})
-            for (const int steps : {-1, 0, 1}) bits.push_back(to_word(numeric::step(sign * number, steps)));
-    }
-    Number change;
-    std::size_t next = 0;
-    for (const shader::Parameter& parameter : signature.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
-        const std::vector<Scalar> scalars = scalars_of(parameter.type);
-        change.parameter = next++;
-        change.size = scalars.size();
-        const Values& values = parameters[change.parameter];
-        for (std::size_t k = 0; k < scalars.size() && values.contains && !values.only_drawn; ++k) {
-            change.word = change.first + k;
-            change.anywhere = std::ranges::any_of(values.fixed, [k](const Values::Fixed& fixed) {
-                return std::isinf(from_word<float>(fixed.words[k]));
-            });
-            for (const Word number : bits) {
-                change.bits = number;
-                if (scalars[k] == Scalar::float_) numbers_.push_back(change);
-            }
-        }
-        change.first += scalars.size();
-    }
-}
-
-void Degenerate::change(std::size_t i, std::span<Word> row) const {
-    if (i >= changes_.size()) {
-        const Number& number = numbers_[i - changes_.size()];
-        const Word before = std::exchange(row[number.word], number.bits);
-        if (!number.anywhere &&
-            !parameters_->at(number.parameter).admits(row.subspan(number.first, number.size)))
-            row[number.word] = before;
-        return;
-    }
-    Word& word = row[changes_[i].word];
-    word = changes_[i].changed(word);
-}
-
-bool Degenerate::relate(numeric::Random& random, std::span<Word> row) const {
-    if (vectors_.empty()) return false;
-    const Vector& target = vectors_[random.below(vectors_.size())];
-    const Vector& source = vectors_[random.below(vectors_.size())];
-    if (target.values == nullptr) return false;
-    const std::span<Word> old = row.subspan(target.first, target.size);
-    const double length = length_of(old);
-    const bool related = source.size == target.size && source.first != target.first;
-    std::vector<Word> words = related ? scaled(row.subspan(source.first, source.size), factor_of(random))
-                                      : along_axis(random, target.size, length);
-    const auto& contains = target.values->contains;
-    if (!contains || !target.values->admits(words)) {
-        const double factor = length / length_of(words);
-        if (!std::isfinite(factor)) return false;
-        words = scaled(words, factor);
-        if (contains && !target.values->admits(words)) return false;
-    }
-    std::ranges::copy(words, old.begin());
-    return true;
-}
-
-namespace {
-
 // Probabilities, in sixteenths: of an input with fixed values only, and of an input with a single fixed
 // value.
 constexpr std::uint64_t all_fixed_chance = 2;
@@ -169,16 +59,62 @@ constexpr std::size_t number_part = 8;  // at most one in so many inputs has a n
 constexpr std::size_t nothing = SIZE_MAX;
 constexpr std::uint64_t chances = 16;
 
+// Calls visit(type, position, first word) for each in and inout parameter.
+template <class Visit>
+void for_each_input(const Signature& signature, Visit visit) {
+    std::size_t position = 0;
+    std::size_t first = 0;
+    for (const shader::Parameter& parameter : signature.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        visit(parameter.type, position++, first);
+        first += scalars_of(parameter.type).size();
+    }
+}
+
 }  // namespace
 
-// A fixed value of a parameter, or a degenerate change, that an input must have.
-struct Domain::Forced {
-    std::size_t parameter = nothing;
-    std::size_t value = 0;
-    std::size_t change = nothing;
+// What may be changed in an input after it was drawn, so that it becomes a degenerate one.
+struct Domain::Degenerate {
+    struct Change {
+        std::size_t word;
+        Changed changed;
+    };
+    // A float becomes a number if its parameter still has one of its Values then.
+    struct Number {
+        std::size_t word;
+        Word bits;
+        std::size_t parameter;
+        bool anywhere;  // the float may be infinite, and therefore any number
+    };
+    struct Vector {
+        std::size_t first;
+        std::size_t size;
+        std::size_t parameter;  // whose Values decide; nothing: it may not be changed
+    };
+    std::vector<Change> changes;
+    std::vector<Number> numbers;
+    std::vector<Vector> vectors;
+
+    // Vectors in a struct or an array are only copied from. They are not changed, because their valid values
+    // are unknown.
+    void add_vectors(const shader::Type& type, std::size_t first, std::size_t parameter) {
+        if (!type.sizes.empty()) {
+            const shader::Type element = shader::element_of(type);
+            for (std::uint32_t i = 0; i < type.sizes.front(); ++i, first += scalars_of(element).size())
+                add_vectors(element, first, nothing);
+        } else if (type.scalar == Scalar::structure) {
+            for (const shader::Member& member : type.members) {
+                add_vectors(member.type, first, nothing);
+                first += scalars_of(member.type).size();
+            }
+        } else if (type.scalar == Scalar::float_ && type.columns == 1 && type.rows > 1) {
+            vectors.push_back({first, static_cast<std::size_t>(type.rows), parameter});
+        }
+    }
 };
 
-Domain::Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {
+Domain::Domain(std::vector<Values> parameters)
+    : parameters_(std::move(parameters)), degenerate_(std::make_shared<const Degenerate>()) {
     for (const Values& values : parameters_)
         if (std::ranges::any_of(values.fixed, [words = values.words()](const Values::Fixed& fixed) {
                 return fixed.words.size() != words;
@@ -200,22 +136,19 @@ Domain Domain::adjusted(std::function<void(std::span<Word>)> adjust) const {
     return more;
 }
 
-bool Domain::apply_tie(DrawContext& context, std::span<Word> row,
-                       const std::vector<std::size_t>& offsets) const {
-    if (ties_.empty() || context.random.below(chances) >= tie_chance) return false;
-    const Tie& tie = ties_[context.random.below(ties_.size())];
-    const auto source = static_cast<double>(from_word<float>(row[offsets[tie.source]]));
-    const int steps = static_cast<int>(context.random.below(3)) - 1;
-    row[offsets[tie.target]] = to_word(numeric::step(static_cast<float>(source * tie.factor), steps));
-    return true;
+Domain Domain::and_words(const std::vector<Word>& words) const {
+    Domain more = *this;
+    more.given_.push_back(words);
+    return more;
 }
 
 void Domain::require_fits(const Signature& signature) const {
     std::vector<std::size_t> has;
     std::ranges::transform(parameters_, std::back_inserter(has), &Values::words);
     std::vector<std::size_t> wants;
-    for (const shader::Parameter& parameter : signature.parameters)
-        if (parameter.direction != shader::Direction::out) wants.push_back(scalars_of(parameter.type).size());
+    for_each_input(signature, [&](const shader::Type& type, std::size_t, std::size_t) {
+        wants.push_back(scalars_of(type).size());
+    });
     if (has != wants)
         throw std::invalid_argument(
             fmt::format("the domain has parameters of {} words, the function takes {}", fmt::join(has, ", "),
@@ -224,101 +157,215 @@ void Domain::require_fits(const Signature& signature) const {
 
 Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) const {
     require_fits(signature);
+    Degenerate all;
+    for_each_input(signature, [&](const shader::Type& type, std::size_t parameter, std::size_t first) {
+        const Values& values = parameters_[parameter];
+        all.add_vectors(type, first, values.only_drawn ? nothing : parameter);
+        if (values.only_drawn || only_vectors) return;
+        const bool composed = type.scalar == Scalar::structure || !type.sizes.empty();
+        const std::vector<Scalar> scalars = scalars_of(type);
+        for (std::size_t i = 0; composed && i < scalars.size(); ++i)
+            for (const auto change : of_floats)
+                if (scalars[i] == Scalar::float_) all.changes.push_back({first + i, change});
+        for (const std::size_t size : values.image_sizes)
+            for (const std::size_t side : {size, size + 1})
+                for (const auto change : of_sides) all.changes.push_back({first + side, change});
+    });
     Domain more = *this;
-    more.degenerate_ = Degenerate(signature, parameters_, only_vectors);
+    more.degenerate_ = std::make_shared<const Degenerate>(std::move(all));
     return more;
 }
 
 Domain Domain::and_numbers(const Signature& signature, std::span<const float> numbers) const {
     require_fits(signature);
-    Domain more = *this;
-    more.degenerate_.add_numbers(signature, parameters_, numbers);
-    return more;
-}
-
-bool Domain::make_degenerate(DrawContext& context, std::span<Word> row, const Forced& forced) const {
-    if (forced.change != nothing) {
-        degenerate_.change(forced.change, row);
-        return true;
+    std::vector<Word> bits;
+    for (const float number : numbers) {
+        if (number == 0.0F) continue;  // which Values have; beside it are subnormal numbers
+        for (const float sign : {1.0F, -1.0F})
+            for (const int steps : {-1, 0, 1}) bits.push_back(to_word(numeric::step(sign * number, steps)));
     }
-    if (forced.parameter != nothing || context.random.below(chances) >= degenerate_chance) return false;
-    if (degenerate_.count() > 0 && context.random.below(4) == 0) {
-        degenerate_.change(context.random.below(degenerate_.count()), row);
-        return true;
-    }
-    const bool once = degenerate_.relate(context.random, row);
-    return degenerate_.relate(context.random, row) || once;
-}
-
-void Domain::append_row(DrawContext& context, Inputs& inputs, const Forced& forced) const {
-    const bool any_forced = forced.parameter != nothing || forced.change != nothing;
-    const std::uint64_t lot = context.random.below(chances);
-    const bool all_fixed = !any_forced && lot < all_fixed_chance;
-    const bool one_fixed = !any_forced && !all_fixed && lot < all_fixed_chance + one_fixed_chance;
-    const std::size_t chosen =
-        one_fixed && !parameters_.empty() ? context.random.below(parameters_.size()) : 0;
-    std::vector<Word>& words = inputs.words;
-    const std::size_t first = words.size();
-    std::vector<std::size_t> offsets;
-    bool branch = false;
-    for (std::size_t p = 0; p < parameters_.size(); ++p) {
-        const Values& values = parameters_[p];
-        offsets.push_back(words.size() - first);
-        const bool fixed = p == forced.parameter || all_fixed || (one_fixed && p == chosen);
-        if (fixed && !values.fixed.empty()) {
-            const std::size_t pick =
-                p == forced.parameter ? forced.value : context.random.below(values.fixed.size());
-            const Values::Fixed& value = values.fixed[pick];
-            words.insert(words.end(), value.words.begin(), value.words.end());
-            branch = branch || value.branch;
-        } else {
-            values.draw(context, words);
+    Degenerate all = *degenerate_;
+    for_each_input(signature, [&](const shader::Type& type, std::size_t parameter, std::size_t first) {
+        const std::vector<Scalar> scalars = scalars_of(type);
+        const Values& values = parameters_[parameter];
+        for (std::size_t k = 0; k < scalars.size() && values.contains && !values.only_drawn; ++k) {
+            if (scalars[k] != Scalar::float_) continue;
+            const bool anywhere = std::ranges::any_of(values.fixed, [k](const Values::Fixed& fixed) {
+                return std::isinf(from_word<float>(fixed.words[k]));
+            });
+            for (const Word number : bits) all.numbers.push_back({first + k, number, parameter, anywhere});
         }
-    }
-    const std::span<Word> drawn = std::span(words).subspan(first);
-    branch = apply_tie(context, drawn, offsets) || branch;
-    branch = make_degenerate(context, drawn, forced) || branch;
-    inputs.branch.push_back(branch);
-    inputs.width = drawn.size();
+    });
+    Domain more = *this;
+    more.degenerate_ = std::make_shared<const Degenerate>(std::move(all));
+    return more;
 }
 
-Domain Domain::and_words(const std::vector<Word>& words) const {
-    Domain more = *this;
-    more.given_.push_back(words);
-    return more;
+// Draws the inputs of one run.
+class Domain::Drawing {
+  public:
+    Drawing(const Domain& domain, std::uint64_t seed, glm::ivec2 image_size)
+        : parameters_(domain.parameters_),
+          ties_(domain.ties_),
+          degenerate_(*domain.degenerate_),
+          random_(seed),
+          context_{.random = random_, .image_size = image_size} {
+        for (const Values& values : parameters_) offsets_.push_back(offsets_.back() + values.words());
+    }
+
+    // Until there are so many.
+    void append(Inputs& inputs, std::size_t count) {
+        std::vector<Forced> forced;
+        for (std::size_t p = 0; p < parameters_.size(); ++p)
+            for (std::size_t value = 0; value < parameters_[p].fixed.size(); ++value)
+                forced.push_back({.parameter = p, .value = value});
+        for (std::size_t change = 0; change < degenerate_.changes.size(); ++change)
+            forced.push_back({.change = change});
+        const std::size_t all_numbers = degenerate_.numbers.size();
+        const std::size_t numbers = std::min(all_numbers, (count - inputs.count()) / number_part);
+        const std::size_t room = count - inputs.count() - numbers;
+        const std::size_t taken = forced.size() <= room / 2 ? forced.size() : (room + 1) / 2;
+        const std::size_t start = taken == forced.size() ? 0 : random_.below(forced.size());
+        for (std::size_t i = 0; i < taken; ++i)
+            append_row(inputs, forced[(start + i * forced.size() / taken) % forced.size()]);
+        while (inputs.count() < count - numbers) append_row(inputs, {});
+        for (std::size_t i = 0; i < numbers; ++i)
+            append_row(inputs, {.change = degenerate_.changes.size() + i * all_numbers / numbers});
+    }
+
+  private:
+    // A fixed value of a parameter, or a change, that an input must have. Numbers follow the other changes.
+    struct Forced {
+        std::size_t parameter = nothing;
+        std::size_t value = 0;
+        std::size_t change = nothing;
+    };
+
+    void append_row(Inputs& inputs, const Forced& forced) {
+        const bool any_forced = forced.parameter != nothing || forced.change != nothing;
+        const std::uint64_t lot = random_.below(chances);
+        const bool all_fixed = !any_forced && lot < all_fixed_chance;
+        const bool one_fixed = !any_forced && !all_fixed && lot < all_fixed_chance + one_fixed_chance;
+        const std::size_t chosen =
+            one_fixed && !parameters_.empty() ? random_.below(parameters_.size()) : nothing;
+        std::vector<Word> row;
+        bool branch = false;
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            const Values& values = parameters_[p];
+            if ((p == forced.parameter || all_fixed || p == chosen) && !values.fixed.empty()) {
+                const Values::Fixed& value =
+                    values.fixed[p == forced.parameter ? forced.value : random_.below(values.fixed.size())];
+                row.insert(row.end(), value.words.begin(), value.words.end());
+                branch = branch || value.branch;
+            } else {
+                values.draw(context_, row);
+            }
+        }
+        branch = apply_tie(row) || branch;
+        branch = make_degenerate(row, forced) || branch;
+        inputs.add(row, branch);
+    }
+
+    bool apply_tie(std::span<Word> row) {
+        if (ties_.empty() || random_.below(chances) >= tie_chance) return false;
+        const Tie& tie = ties_[random_.below(ties_.size())];
+        const auto source = static_cast<double>(from_word<float>(row[offsets_[tie.source]]));
+        const int steps = static_cast<int>(random_.below(3)) - 1;
+        row[offsets_[tie.target]] = to_word(numeric::step(static_cast<float>(source * tie.factor), steps));
+        return true;
+    }
+
+    bool make_degenerate(std::span<Word> row, const Forced& forced) {
+        if (forced.change != nothing) {
+            change(forced.change, row);
+            return true;
+        }
+        if (forced.parameter != nothing || random_.below(chances) >= degenerate_chance) return false;
+        const std::size_t changes = degenerate_.changes.size();
+        if (changes > 0 && random_.below(4) == 0) {
+            change(random_.below(changes), row);
+            return true;
+        }
+        const bool once = relate(row);
+        return relate(row) || once;
+    }
+
+    void change(std::size_t i, std::span<Word> row) const {
+        const std::size_t changes = degenerate_.changes.size();
+        if (i < changes) {
+            Word& word = row[degenerate_.changes[i].word];
+            word = degenerate_.changes[i].changed(word);
+            return;
+        }
+        const Degenerate::Number& number = degenerate_.numbers[i - changes];
+        const Word before = std::exchange(row[number.word], number.bits);
+        const std::size_t first = offsets_[number.parameter];
+        const auto value = row.subspan(first, offsets_[number.parameter + 1] - first);
+        if (!number.anywhere && !parameters_[number.parameter].admits(value)) row[number.word] = before;
+    }
+
+    // Replaces one vector, chosen at random, by an axis or by another vector of the input, if its Values
+    // admit the result. Values without a test admit every vector of the same length. Returns whether a vector
+    // was changed.
+    bool relate(std::span<Word> row) {
+        const auto& vectors = degenerate_.vectors;
+        if (vectors.empty()) return false;
+        const Degenerate::Vector& target = vectors[random_.below(vectors.size())];
+        const Degenerate::Vector& source = vectors[random_.below(vectors.size())];
+        if (target.parameter == nothing) return false;
+        const std::span<Word> old = row.subspan(target.first, target.size);
+        const double length = length_of(old);
+        const bool related = source.size == target.size && source.first != target.first;
+        std::vector<Word> words = related ? scaled(row.subspan(source.first, source.size), factor_of(random_))
+                                          : along_axis(random_, target.size, length);
+        const Values& values = parameters_[target.parameter];
+        if (!values.contains || !values.admits(words)) {
+            const double factor = length / length_of(words);
+            if (!std::isfinite(factor)) return false;
+            words = scaled(words, factor);
+            if (values.contains && !values.admits(words)) return false;
+        }
+        std::ranges::copy(words, old.begin());
+        return true;
+    }
+
+    const std::vector<Values>& parameters_;
+    const std::vector<Tie>& ties_;
+    const Degenerate& degenerate_;
+    numeric::Random random_;
+    DrawContext context_;
+    std::vector<std::size_t> offsets_{0};  // of the parameters' words, and of the end
+};
+
+Domain::Inputs Domain::draw_unadjusted(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
+    Inputs inputs;
+    Drawing(*this, seed, image_size).append(inputs, count);
+    return inputs;
+}
+
+Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
+    Inputs inputs;
+    for (std::vector<Word> words : given_) {
+        if (inputs.count() == count) break;
+        std::size_t first = 0;
+        for (const Values& values : parameters_) {
+            for (const std::size_t at : values.image_sizes) {
+                words[first + at] = static_cast<Word>(image_size.x);
+                words[first + at + 1] = static_cast<Word>(image_size.y);
+            }
+            first += values.words();
+        }
+        inputs.add(words);
+    }
+    const std::size_t given = inputs.count();
+    Drawing(*this, seed, image_size).append(inputs, count);
+    for (std::size_t i = given; i < inputs.count(); ++i)
+        adjust(std::span(inputs.words).subspan(i * inputs.width, inputs.width));
+    return inputs;
 }
 
 void Domain::adjust(std::span<Word> row) const {
     for (const auto& adjustment : adjustments_) adjustment(row);
-}
-
-void Domain::append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed,
-                          glm::ivec2 image_size) const {
-    numeric::Random random(seed);
-    DrawContext context{.random = random, .image_size = image_size};
-    const std::vector<Forced> forced = all_forced();
-    const std::size_t numbers =
-        std::min(degenerate_.count_of_numbers(), (count - inputs.count()) / number_part);
-    const std::size_t room = count - inputs.count() - numbers;
-    const std::size_t taken = forced.size() <= room / 2 ? forced.size() : (room + 1) / 2;
-    const std::size_t start = taken == forced.size() ? 0 : random.below(forced.size());
-    for (std::size_t i = 0; i < taken; ++i)
-        append_row(context, inputs, forced[(start + i * forced.size() / taken) % forced.size()]);
-    while (inputs.count() < count - numbers) append_row(context, inputs, {});
-    for (std::size_t i = 0; i < numbers; ++i)
-        append_row(context, inputs,
-                   {.change = degenerate_.count() + i * degenerate_.count_of_numbers() / numbers});
-}
-
-std::vector<Domain::Forced> Domain::all_forced() const {
-    std::vector<Forced> all;
-    for (std::size_t p = 0; p < parameters_.size(); ++p) {
-        for (std::size_t value = 0; value < parameters_[p].fixed.size(); ++value) {
-            all.push_back({.parameter = p, .value = value});
-        }
-    }
-    for (std::size_t change = 0; change < degenerate_.count(); ++change) all.push_back({.change = change});
-    return all;
 }
 
 bool Domain::holds(std::span<const Word> input, std::span<const Word> known) const {
@@ -345,38 +392,6 @@ Domain::Inputs Domain::Inputs::where(const std::function<bool(std::size_t)>& wan
     for (std::size_t i = 0; i < count(); ++i)
         if (wanted(i)) some.add(row(i), branch[i]);
     return some;
-}
-
-Domain::Inputs Domain::draw_unadjusted(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
-    Inputs inputs;
-    append_drawn(inputs, count, seed, image_size);
-    return inputs;
-}
-
-void Domain::set_image_sizes(std::span<Word> row, glm::ivec2 size) const {
-    std::size_t first = 0;
-    for (const Values& values : parameters_) {
-        for (const std::size_t at : values.image_sizes) {
-            row[first + at] = static_cast<Word>(size.x);
-            row[first + at + 1] = static_cast<Word>(size.y);
-        }
-        first += values.words();
-    }
-}
-
-Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
-    Inputs inputs;
-    for (const std::vector<Word>& words : given_) {
-        if (inputs.count() == count) break;
-        inputs.add(words);
-        set_image_sizes(std::span(inputs.words).last(inputs.width), image_size);
-    }
-    const std::size_t given = inputs.count();
-    append_drawn(inputs, count, seed, image_size);
-    for (std::size_t i = given; i < inputs.count(); ++i) {
-        adjust(std::span(inputs.words).subspan(i * inputs.width, inputs.width));
-    }
-    return inputs;
 }
 
 }  // namespace gloam::check

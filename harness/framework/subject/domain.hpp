@@ -52,7 +52,7 @@ struct Values {
     // Adds branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
     [[nodiscard]] Values and_near_integers(std::initializer_list<long> points) const;
 
-    // The same values without degenerate inputs (check/domain.hpp). For a parameter whose documented
+    // The same values without degenerate inputs (Domain::and_degenerate). For a parameter whose documented
     // values are only the drawn ones, for example the result of another function, or the size of the image
     // that contains a pixel.
     [[nodiscard]] Values only_as_drawn() const;
@@ -120,62 +120,11 @@ template <class T>
     return made_by<T>([value](numeric::Random&) { return value; });
 }
 
-// Inputs that independent draws hardly ever produce: vectors that are equal, opposite or parallel to each
-// other or lie along an axis; numbers of a struct or array that are zero, negative, infinite or NaN; images
-// whose sides are 0 or 1; floats at which a function branches. Parameters with Values::only_as_drawn are not
-// changed.
-class Degenerate {
-  public:
-    Degenerate() = default;
-    // One Values for each in and inout parameter of the signature. `only_vectors`: no change of one number.
-    Degenerate(const Signature& signature, const std::vector<Values>& parameters, bool only_vectors = false);
-
-    // Adds changes of one float to a number or to one of the floats beside it.
-    void add_numbers(const Signature& signature, const std::vector<Values>& parameters,
-                     std::span<const float> numbers);
-
-    // Changes of one number: how many there are, and applying one of them to an input. Those to numbers that
-    // were added follow the others, and leave an input as it is whose parameter would not be in its Values.
-    [[nodiscard]] std::size_t count() const { return changes_.size(); }
-    [[nodiscard]] std::size_t count_of_numbers() const { return numbers_.size(); }
-    void change(std::size_t i, std::span<Word> row) const;
-
-    // Replaces one vector, chosen at random, by an axis or by another vector of the input, if its Values
-    // admit the result. Values without a test admit every vector of the same length. Returns whether a vector
-    // was changed.
-    bool relate(numeric::Random& random, std::span<Word> row) const;
-
-  private:
-    struct Change {
-        std::size_t word;
-        Word (*changed)(Word before);
-    };
-    struct Number {
-        std::size_t word = 0;
-        Word bits = 0;
-        std::size_t parameter = 0;  // whose Values decide
-        std::size_t first = 0;      // its first word
-        std::size_t size = 0;       // its words
-        bool anywhere = false;      // the float may be infinite, and therefore any number
-    };
-    struct Vector {
-        std::size_t first;
-        std::size_t size;
-        const Values* values;  // null: it may not be changed
-    };
-    void add_vectors(const shader::Type& type, std::size_t first, const Values* values);
-
-    std::shared_ptr<const std::vector<Values>> parameters_;
-    std::vector<Change> changes_;
-    std::vector<Number> numbers_;
-    std::vector<Vector> vectors_;
-};
-
 // The inputs of a check: one Values for each in and inout parameter, in order, and the relations between
 // them.
 class Domain {
   public:
-    Domain() = default;
+    Domain() : Domain(std::vector<Values>{}) {}
     // Throws std::invalid_argument for a fixed value of another type than those that are drawn.
     Domain(std::initializer_list<Values> parameters) : Domain(std::vector<Values>(parameters)) {}
     explicit Domain(std::vector<Values> parameters);
@@ -200,9 +149,11 @@ class Domain {
     }
     [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
 
-    // Adds degenerate inputs (check/domain.hpp) of a function with this signature. `only_vectors`: those that
-    // relate vectors, equal, opposite or parallel ones, and axes. Throws std::invalid_argument, as the next
-    // one does, if this is no domain of such a function.
+    // Adds inputs that independent draws hardly ever produce: vectors that are equal, opposite or parallel to
+    // each other or lie along an axis; numbers of a struct or array that are zero, negative, infinite or NaN;
+    // images whose sides are 0 or 1. Parameters with Values::only_as_drawn are not changed. `only_vectors`:
+    // no change of one number. Throws std::invalid_argument, as the next one does, if this is no domain of a
+    // function with this signature.
     [[nodiscard]] Domain and_degenerate(const Signature& signature, bool only_vectors = false) const;
 
     // Adds inputs in which one float is one of the numbers, of either sign, or a float beside it: those at
@@ -249,20 +200,15 @@ class Domain {
         std::size_t source;
         double factor;
     };
-    struct Forced;
+    struct Degenerate;
+    class Drawing;
     void require_fits(const Signature& signature) const;
-    void set_image_sizes(std::span<Word> row, glm::ivec2 size) const;
-    [[nodiscard]] std::vector<Forced> all_forced() const;
-    void append_row(DrawContext& context, Inputs& inputs, const Forced& forced) const;
-    bool make_degenerate(DrawContext& context, std::span<Word> row, const Forced& forced) const;
-    void append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const;
-    bool apply_tie(DrawContext& context, std::span<Word> row, const std::vector<std::size_t>& offsets) const;
 
     std::vector<Values> parameters_;
     std::vector<Tie> ties_;
     std::vector<std::function<void(std::span<Word>)>> adjustments_;
     std::vector<std::vector<Word>> given_;
-    Degenerate degenerate_;
+    std::shared_ptr<const Degenerate> degenerate_;
 };
 
 // The range of values for a float or integer parameter, ends included.
