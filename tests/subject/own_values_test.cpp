@@ -137,6 +137,7 @@ TEST(OwnTypes, WhatIsOutsideIsTheInputsFault) {
         const Lab lab(options_of(file, shader::variant(variant)), test::SharedDevice::get());
         const Answer answer = answer_of(lab, file, function, ranges);
         EXPECT_EQ(answer.undefined > 0, undefined) << function;
+        EXPECT_EQ(answer.undefined, answer.recorded()) << function;
         EXPECT_LT(answer.undefined, answer.inputs()) << function;
         EXPECT_EQ(answer.outside(), 0U) << answer;
     }
@@ -190,8 +191,7 @@ TEST(OwnSamplers, ScenariosDifferInFilterEdgesAndLevels) {
 TEST(OwnTypes, AnExplanationHasTheirValues) {
     const auto explained = [](const char* file, const char* function, const std::vector<Word>& words,
                               const ImageSet& images = {}) {
-        const OwnFunction own = function_of(file, function);
-        return explain({}, {file, own.function, own.images, false, own.excerpt, own.team}, words, images);
+        return explain({}, function_of(file, function), words, images);
     };
     const Explanation half = explained("numbers.glsl", "half_sum", {to_word(2048.0F), to_word(1.0F)});
     ASSERT_EQ(half.steps.size(), 1U);
@@ -205,15 +205,6 @@ TEST(OwnTypes, AnExplanationHasTheirValues) {
     const Explanation twice = explained("samplers.glsl", "twice", quad, scenario.make(scenario.size, random));
     EXPECT_GT(std::ranges::count(twice.steps, "OpImageSample", &ExplainedStep::operation), 0);
     EXPECT_THROW((void)explained("samplers.glsl", "twice", quad), std::invalid_argument);
-}
-
-// As docs/verdicts.md has it.
-TEST(OwnRules, AFunctionOfYourOwn) {
-    const Lab lab({.include_roots = {FIXTURES}});
-    const Answer answer =
-        Function<float(float)>(lab, "rules.glsl", "reciprocal").check_rules({uniform(1, 2)});
-    EXPECT_TRUE(answer.passed()) << answer;
-    EXPECT_LE(answer.guarantee.ulp, 4.0);
 }
 
 }  // namespace gloam::check::own_values_test

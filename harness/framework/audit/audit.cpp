@@ -333,8 +333,7 @@ Audit audit(const Lab& lab, const OwnFunction& own, const Ranges& ranges, const 
 void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options) {
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
     const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
-    const ImageSet images =
-        question.scenarios.empty() ? ImageSet{} : images_of(question.scenarios.front(), options.seed);
+    const ImageSet images = images_of(question.first_scenario(), options.seed);
     for (AuditFinding& finding : audit.findings) {
         const bool may_fault = finding.concern == Concern::parting && std::isnan(finding.exact);
         if (finding.concern == Concern::fault || may_fault) continue;

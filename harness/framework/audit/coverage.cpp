@@ -53,7 +53,7 @@ class Measurement {
         : lab_(lab),
           question_(question),
           options_(options),
-          module_(lined_module(lab, question)),
+          module_(lined_module(lab, lab.source(question.file, question.function, question.signature))),
           domain_(domain_of(lab, question, *module_.source)),
           program_(module_.spirv),
           seen_(program_) {}

@@ -132,7 +132,7 @@ MutantFile::MutantFile(std::filesystem::path path, std::string text, std::vector
     lab_.emplace(options);
     for (OwnFunction& function : own_functions(options).found) {
         try {
-            shader::Spirv module = shader::without_names(module_of(function, function.excerpt));
+            shader::Spirv module = shader::without_names(module_of(function, function.text));
             own_.push_back({std::move(function), std::move(module)});
         } catch (const shader::CompileError&) {
             continue;  // a kernel of it is no valid module: what a fault does to it is not known
@@ -169,7 +169,7 @@ std::vector<std::pair<const MutantFile::Own*, std::string>> MutantFile::changed_
     const OwnFile file(path_, text, roots_);
     for (const Own& own : own_) {
         const shader::Excerpt* found = file.find(own.function.function.name);
-        if (found != nullptr && found->text != own.function.excerpt) changed.emplace_back(&own, found->text);
+        if (found != nullptr && found->text != own.function.text) changed.emplace_back(&own, found->text);
     }
     return changed;
 }
@@ -221,7 +221,7 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
     try {
         Question question = question_of(*lab_, own.function, {});
         question.domain = wide_domain(own.function, question.domain);
-        for (const std::string& text : {own.function.excerpt, changed})
+        for (const std::string& text : {own.function.text, changed})
             question.domain = question.domain.and_numbers(
                 question.signature, shader::float_constants(module_of(own.function, text)));
         KernelSource source = lab_->source(file, question.function, question.signature);

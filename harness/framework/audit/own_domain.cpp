@@ -30,10 +30,6 @@ using internal::usual_low;
 
 constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
 
-std::string number_text(double x) {
-    return fmt::format("{:.7g}", x);
-}
-
 struct Described {
     std::string text;
     Values values;
@@ -52,7 +48,9 @@ Values without_tiny(Values values, Scalar scalar) {
     return values;
 }
 
-Values in_every_component(int components, const Values& values) {
+// The same values in each component.
+Values in_each(const Type& type, const Values& values) {
+    const int components = type.columns * type.rows;
     return components == 1 ? values : vector(components, values);
 }
 
@@ -61,32 +59,36 @@ double usual_high_of(Scalar scalar) {
     return std::min(usual_high, format_of(scalar).largest());
 }
 
-Described floats_with(const Meaning& meaning, Scalar scalar, int components) {
+Described without_meaning(const Type& type) {
+    const Scalar scalar = type.scalar;
+    if (scalar == Scalar::bool_) return {"false, true", in_each(type, booleans())};
+    if (!shader::is_float(scalar))
+        return {fmt::format("0 to {}", usual_index), in_each(type, integers(0, usual_index))};
     const double high = usual_high_of(scalar);
-    switch (meaning.kind) {
-        case Kind::unit:
-            return {components == 4 ? "unit quaternions" : "unit vectors", unit_vector(components)};
-        case Kind::positive:
-            return {fmt::format("{} to {}", number_text(usual_low), number_text(high)),
-                    in_every_component(components,
-                                       either(log_uniform(usual_low, high, scalar), uniform(1, 1, scalar)))};
-        default:
-            return {fmt::format("{} to {}", number_text(meaning.low), number_text(meaning.high)),
-                    in_every_component(components,
-                                       without_tiny(uniform(meaning.low, meaning.high, scalar), scalar))};
-    }
+    return {fmt::format("-{0:.7g} to {0:.7g}, half of them 0 to 1", high),
+            in_each(type, either(without_tiny(uniform(0, 1, scalar), scalar),
+                                 signed_log_uniform(usual_low, high, scalar)))};
 }
 
-Described without_meaning(const Type& type, int components) {
+Described with(const Meaning& meaning, const Type& type) {
     const Scalar scalar = type.scalar;
-    if (scalar == Scalar::bool_) return {"false, true", in_every_component(components, booleans())};
-    if (!shader::is_float(scalar))
-        return {fmt::format("0 to {}", usual_index),
-                in_every_component(components, integers(0, usual_index))};
-    const double high = usual_high_of(scalar);
-    return {fmt::format("-{0} to {0}, half of them 0 to 1", number_text(high)),
-            in_every_component(components, either(without_tiny(uniform(0, 1, scalar), scalar),
-                                                  signed_log_uniform(usual_low, high, scalar)))};
+    if (scalar == Scalar::bool_) return without_meaning(type);
+    if (!shader::is_float(scalar)) {
+        const bool any_size = meaning.kind != Kind::range;
+        const long low = any_size ? 1 : std::lround(std::clamp(meaning.low, -0x1p31, 0x1p32 - 1.0));
+        const long high = any_size ? static_cast<long>(usual_high)
+                                   : std::lround(std::clamp(meaning.high, -0x1p31, 0x1p32 - 1.0));
+        return {fmt::format("{} to {}", low, high), in_each(type, integers(low, high))};
+    }
+    if (meaning.kind == Kind::unit)
+        return {type.rows == 4 ? "unit quaternions" : "unit vectors", unit_vector(type.rows)};
+    if (meaning.kind == Kind::positive) {
+        const double high = usual_high_of(scalar);
+        return {fmt::format("{:.7g} to {:.7g}", usual_low, high),
+                in_each(type, either(log_uniform(usual_low, high, scalar), uniform(1, 1, scalar)))};
+    }
+    return {fmt::format("{:.7g} to {:.7g}", meaning.low, meaning.high),
+            in_each(type, without_tiny(uniform(meaning.low, meaning.high, scalar), scalar))};
 }
 
 // The length of the shortest array that a text indexes with this name alone: "weights[i]" where there is
@@ -167,11 +169,21 @@ bool takes_apart(shader::Tokens tokens, const std::string& function, const std::
     return found;
 }
 
+// What is said of the parts of a value.
+std::string text_of(const std::vector<OrdinaryValues>& parts) {
+    std::vector<std::string> texts;
+    for (const OrdinaryValues& part : parts) texts.push_back(part.text);
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+std::string reason_of(const std::vector<OrdinaryValues>& parts) {
+    return parts.empty() ? "type" : parts.front().reason;
+}
+
 // The values of a parameter, or of a member of one.
 class Ordinary {
   public:
     Ordinary(const OwnFunction& own, const Ranges& ranges)
-        : tokens_(shader::tokens_of(own.excerpt)),
+        : tokens_(shader::tokens_of(own.text)),
           function_(own.function.name),
           comment_(own.comment),
           ranges_(ranges) {
@@ -203,62 +215,39 @@ class Ordinary {
         element.sizes.clear();
         std::vector<OrdinaryValues> parts;
         add(element, name, parameter, parts);
-        std::size_t count = 1;
-        for (const std::uint32_t size : type.sizes) count *= size;
+        int count = 1;
+        for (const std::uint32_t size : type.sizes) count *= static_cast<int>(size);
         std::vector<Values> elements;
-        std::vector<std::string> texts;
-        for (std::size_t i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i)
             for (const OrdinaryValues& part : parts) elements.push_back(part.values);
-        for (const OrdinaryValues& part : parts) texts.push_back(part.text);
-        Values values = vector(elements);
-        for (std::size_t k = 0; parts.size() == 1 && k < parts[0].values.fixed.size(); ++k) {
-            Values::Fixed& equal = values.fixed.emplace_back();  // all elements alike, for example all zero
-            for (std::size_t i = 0; i < count; ++i)
-                std::ranges::copy(parts[0].values.fixed[k].words, std::back_inserter(equal.words));
-        }
-        all.push_back({name, fmt::format("{} of {}", count, fmt::join(texts, "; ")),
-                       parts.empty() ? "type" : parts.front().reason, std::move(values)});
+        all.push_back({name, fmt::format("{} of {}", count, text_of(parts)), reason_of(parts),
+                       parts.size() == 1 ? vector(count, parts[0].values) : vector(elements)});
     }
 
     [[nodiscard]] std::pair<Described, std::string> values_of(const Type& type, const std::string& name,
                                                               const std::string& parameter) const {
         const int components = type.columns * type.rows;
         const bool is_float = shader::is_float(type.scalar);
+        const bool is_whole = !is_float && type.scalar != Scalar::bool_;
         if (const auto range = ranges_.find(parameter); range != ranges_.end())
-            return {in_range(type.scalar, range->second, components), "--range"};
+            return {with({Kind::range, range->second.low, range->second.high}, type), "--range"};
         const bool is_vector = type.scalar == Scalar::float_ && type.columns == 1 && components > 1;
         const std::string last = name.substr(name.rfind('.') + 1);
-        if (type.scalar != Scalar::bool_)
+        if (is_float || is_whole)
             if (const auto meaning = internal::meaning_of_comment(comment_, last, names_, is_vector))
-                return {with(*meaning, type.scalar, components), "comment"};
-        if (!is_float && type.scalar != Scalar::bool_)
+                return {with(*meaning, type), "comment"};
+        if (is_whole)
             if (const auto length = indexed_length(tokens_, last))
-                return {in_range(type.scalar, {0.0, static_cast<double>(*length - 1)}, components), "array"};
+                return {with({Kind::range, 0.0, static_cast<double>(*length - 1)}, type), "array"};
         std::set<std::pair<std::string, std::string>> asked;
         if (type.scalar == Scalar::uint_ && takes_apart(tokens_, function_, name, asked))
-            return {in_range(type.scalar, {0.0, 0x1p32 - 1.0}, components), "bits"};
-        if (is_float && type.columns > 1)
-            return {floats_with({Kind::range, -2.0, 2.0}, type.scalar, components), "type"};
+            return {with({Kind::range, 0.0, 0x1p32 - 1.0}, type), "bits"};
+        if (is_float && type.columns > 1) return {with({Kind::range, -2.0, 2.0}, type), "type"};
         if (is_float)
             if (const auto meaning = internal::meaning_of_name(last, components);
                 meaning && (meaning->kind != Kind::unit || is_vector))
-                return {floats_with(*meaning, type.scalar, components), "name"};
-        return {without_meaning(type, components), "type"};
-    }
-
-    static Described in_range(Scalar scalar, const Range& range, int components) {
-        return with({Kind::range, range.low, range.high}, scalar, components);
-    }
-
-    static Described with(const Meaning& meaning, Scalar scalar, int components) {
-        if (shader::is_float(scalar)) return floats_with(meaning, scalar, components);
-        if (scalar == Scalar::bool_)
-            return without_meaning({.scalar = scalar, .members = {}, .name = {}}, components);
-        const bool any_size = meaning.kind != Kind::range;
-        const long low = any_size ? 1 : std::lround(std::clamp(meaning.low, -0x1p31, 0x1p32 - 1.0));
-        const long high = any_size ? static_cast<long>(usual_high)
-                                   : std::lround(std::clamp(meaning.high, -0x1p31, 0x1p32 - 1.0));
-        return {fmt::format("{} to {}", low, high), in_every_component(components, integers(low, high))};
+                return {with(*meaning, type), "name"};
+        return {without_meaning(type), "type"};
     }
 
     std::vector<shader::Token> tokens_;
@@ -272,15 +261,10 @@ class Ordinary {
 OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
                        const std::vector<OrdinaryValues>& parts) {
     std::vector<Values> values;
-    std::vector<std::string> texts;
-    for (const OrdinaryValues& part : parts) {
-        values.push_back(part.values);
-        texts.push_back(part.text);
-    }
+    for (const OrdinaryValues& part : parts) values.push_back(part.values);
     const bool pixels = parameter.name == fragment_coordinate;
-    return {parameter.name,
-            pixels ? "the pixels of a quad" : fmt::format("neighbours, each {}", fmt::join(texts, "; ")),
-            parts.empty() || pixels ? "type" : parts.front().reason,
+    return {parameter.name, pixels ? "the pixels of a quad" : "neighbours, each " + text_of(parts),
+            pixels ? "type" : reason_of(parts),
             neighbours(type, values.size() == 1 ? values.front() : vector(values), pixels)};
 }
 

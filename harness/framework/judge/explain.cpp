@@ -246,10 +246,6 @@ KernelModule lined_module(const Lab& lab, const KernelSource& source) {
     return module;
 }
 
-KernelModule lined_module(const Lab& lab, const Question& question) {
-    return lined_module(lab, lab.source(question.file, question.function, question.signature));
-}
-
 Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> input,
                     numeric::Paths::Gaps gaps) {
     kernel.machine().set_limit(most_instructions);
@@ -281,8 +277,7 @@ Explanation explain(const shader::CompileOptions& options, const KernelSource& s
     const std::vector<std::vector<Word>> words = image_words(module, images);
     InterpretedKernel<Explained> kernel(program, module, words);
     Explanation all = explain(kernel, input);
-    all.scalars = Signature{.result = source.function.result, .parameters = source.function.parameters}
-                      .output_scalars();
+    all.scalars = source.signature().output_scalars();
     return all;
 }
 

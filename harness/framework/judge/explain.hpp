@@ -59,7 +59,6 @@ struct Explanation {
 // A kernel with the lines of its source, for explain() and coverage, with a lab's options and cache, as the
 // front end makes it: an optimizer removes some branches and copies others. No driver is given it.
 [[nodiscard]] KernelModule lined_module(const Lab& lab, const KernelSource& source);
-[[nodiscard]] KernelModule lined_module(const Lab& lab, const Question& question);
 
 // The same for a kernel that is ready. Throws interpreter::Error.
 [[nodiscard]] Explanation explain(InterpretedKernel<interpreter::Explained>& kernel,

@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "judge/question.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace gloam::check {
+
+ImageScenario Question::first_scenario() const {
+    return scenarios.empty() ? ImageScenario{} : scenarios.front();
+}
+
+ImageScenario Question::scenario_of(const std::string& images) const {
+    if (scenarios.empty() && images.empty()) return {};
+    const auto found = std::ranges::find(scenarios, images, &ImageScenario::name);
+    if (found == scenarios.end())
+        throw std::invalid_argument(fmt::format("{}: it has no images \"{}\"", function, images));
+    return *found;
+}
 
 Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& ranges) {
     Question question{

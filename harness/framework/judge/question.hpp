@@ -54,6 +54,11 @@ struct Question {
     bool only_rules = false;               // it documents no accuracy: judged by the rules in every variant
     // Of a whole pass: runs and judges it. Its inputs are pixels, and there is no kernel of the function.
     std::function<Answer(const Lab&)> answers;
+
+    // An empty one if it reads no image.
+    [[nodiscard]] ImageScenario first_scenario() const;
+    // The one of this name; empty: without images. Throws std::invalid_argument if it has no such images.
+    [[nodiscard]] ImageScenario scenario_of(const std::string& images) const;
 };
 
 namespace detail {
@@ -114,17 +119,9 @@ template <class Function, class Predicate>
     };
 }
 
-// The check of any function by the rules alone. Its domain follows from its types where no range is given;
-// the images behind its prototypes have random content.
-//   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,
-//   NaN, the largest and the smallest;
-//   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
-//   double and float16_t: as float, in their format; other integers: half of them 0 to 7, the others of any
-//   size and sign;
-//   bool: both; a vector, matrix or structure: of these.
-// Of a quad, most neighbours differ a little (neighbours()).
-// If every parameter has a range, their inputs are promised to have defined results.
-// Throws std::invalid_argument for a range without a parameter of this name.
+// The check of any function by the rules alone, of its domain_of() these ranges; the images behind its
+// prototypes have random content. If every parameter has a range, their inputs are promised to have defined
+// results.
 [[nodiscard]] Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& ranges);
 
 }  // namespace gloam::check

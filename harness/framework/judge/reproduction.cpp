@@ -24,21 +24,12 @@ using shader::Scalar;
 using Constants = shader::Variant::Constants;
 using Words = std::vector<Word>;
 
-ImageScenario scenario_of(const Question& question, const std::string& name) {
-    if (question.scenarios.empty() && name.empty()) return {};
-    const auto found = std::ranges::find(question.scenarios, name, &ImageScenario::name);
-    if (found == question.scenarios.end()) {
-        throw std::invalid_argument(fmt::format("{}: it has no images \"{}\"", question.function, name));
-    }
-    return *found;
-}
-
 Session session_of(const Lab& lab, const Question& question, const RunOptions& options,
                    const std::string& scenario) {
     return {lab,
             question,
             lab.kernel(question.file, question.function, question.signature),
-            scenario_of(question, scenario),
+            question.scenario_of(scenario),
             options.seed,
             verdict_of(lab.options().variant, question)};
 }
@@ -174,7 +165,7 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
 }  // namespace
 
 Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options) {
-    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+    const ImageScenario scenario = question.first_scenario();
     const std::vector<std::string>& steps = lab.options().variant.steps;
     const auto fails = [&](const Steps& fewer) {
         return after(fewer, lab, true, [&](const Lab& other) {

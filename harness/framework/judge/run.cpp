@@ -65,9 +65,10 @@ Answer judged(const Lab& lab, const Question& question, const RunOptions& option
 // kernel need not have.
 void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t seed) {
     constexpr std::size_t most_inputs = 4096;
-    const KernelModule module = lined_module(lab, question);
+    const KernelModule module =
+        lined_module(lab, lab.source(question.file, question.function, question.signature));
     const interpreter::Program program(module.spirv);
-    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+    const ImageScenario scenario = question.first_scenario();
     const ImageSet images = images_of(scenario, seed);
     const std::vector<std::vector<Word>> words = image_words(module, images);
     InterpretedKernel<double> kernel(program, module, words);

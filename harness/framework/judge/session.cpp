@@ -226,17 +226,12 @@ namespace {
 
 constexpr std::size_t most_lines = 16;
 
-ImageSet images_behind(const Question& question, const Sample& sample, std::uint64_t seed) {
-    const auto found = std::ranges::find(question.scenarios, sample.scenario, &ImageScenario::name);
-    return found == question.scenarios.end() ? ImageSet{} : images_of(*found, seed);
-}
-
 std::string explanation_of(const Lab& lab, const Question& question, const KernelSource& source,
                            const Sample& sample, std::uint64_t seed) {
     try {
         return "  the worst input, operation by operation, rounded correctly:\n" +
                to_text(explain(lab.judged_options(), source, sample.inputs,
-                               images_behind(question, sample, seed)),
+                               images_of(question.scenario_of(sample.scenario), seed)),
                        most_lines);
     } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story
         return fmt::format("  the worst input cannot be explained: {}\n", error.what());
@@ -268,7 +263,7 @@ bool is_right(const Lab& lab, const Question& question, KernelModule given, cons
         given = lab.constant_kernel(source, sample.inputs, 1).module();
     }
     given.before.clear();
-    const ImageSet images = images_behind(question, sample, seed);
+    const ImageSet images = images_of(question.scenario_of(sample.scenario), seed);
     const KernelModules modules{std::make_shared<const KernelModule>(std::move(given))};
     const Decoded decoded(modules, images);
     const internal::Scalars scalars(question.signature);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string_view>
 
@@ -21,7 +20,7 @@ shader::Stage stage_of(const backend::Team& team) {
 }
 
 KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv) {
-    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
+    const Signature signature = source.signature();
     return {{.spirv = std::move(spirv),
              .input_words = signature.input_words(),
              .output_words = signature.output_words(),
@@ -32,83 +31,12 @@ KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv) {
             std::make_shared<const KernelSource>(source)};
 }
 
-shader::Source quad_vertices() {
-    return {
-        .name = "vertices of a quad",
-        .text =
-            "#version 450\nvoid main() {\n    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
-            "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n"};
-}
-
 }  // namespace gloam::check
 
 namespace gloam::check::internal {
 namespace {
 
-using shader::Direction;
 using shader::Scalar;
-using shader::Type;
-
-void add_paths(const Type& type, const std::string& variable, ScalarPaths& paths) {
-    if (type.scalar == Scalar::void_) return;
-    if (!type.sizes.empty()) {
-        const Type element = shader::element_of(type);
-        for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
-            add_paths(element, fmt::format("{}[{}]", variable, i), paths);
-        return;
-    }
-    if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members)
-            add_paths(member.type, variable + "." + member.name, paths);
-        return;
-    }
-    for (int column = 0; column < type.columns; ++column) {
-        const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
-        for (int row = 0; row < type.rows; ++row)
-            paths.emplace_back(type.scalar, type.rows > 1 ? fmt::format("{}[{}]", base, row) : base);
-    }
-}
-
-// How a scalar becomes its word, and a word its scalar; those of uint are equal.
-struct Conversion {
-    Scalar scalar;
-    const char* to_word;
-    const char* to_scalar;
-};
-constexpr std::array conversions{
-    Conversion{Scalar::float16_, "floatBitsToUint(float({}))", "float16_t(uintBitsToFloat({}))"},
-    Conversion{Scalar::float_, "floatBitsToUint({})", "uintBitsToFloat({})"},
-    Conversion{Scalar::int_, "uint({})", "int({})"},
-    Conversion{Scalar::bool_, "({} ? 1u : 0u)", "({} != 0u)"}};
-
-std::string converted(Scalar scalar, const char* Conversion::* how, const std::string& text) {
-    const auto found = std::ranges::find(conversions, scalar, &Conversion::scalar);
-    return found == conversions.end() ? text : fmt::format(fmt::runtime((*found).*how), text);
-}
-
-}  // namespace
-
-std::string word_of_scalar(Scalar scalar, const std::string& value) {
-    return converted(scalar, &Conversion::to_word, value);
-}
-
-std::string scalar_of_word(Scalar scalar, const std::string& word) {
-    return converted(scalar, &Conversion::to_scalar, word);
-}
-
-ScalarPaths scalar_paths(const Type& type, const std::string& variable) {
-    ScalarPaths paths;
-    add_paths(type, variable, paths);
-    return paths;
-}
-
-void append_read(std::string& code, const Type& type, const std::string& variable, const InputText& input,
-                 std::size_t offset) {
-    for (const auto& [scalar, path] : scalar_paths(type, variable))
-        code += fmt::format("    {} = {};\n", path, input(scalar, offset++));
-}
-
-namespace {
 
 constexpr std::string_view header = R"(#version 450
 #extension GL_GOOGLE_include_directive : require
@@ -119,21 +47,18 @@ constexpr std::string_view preserve = R"(#extension GL_EXT_spirv_intrinsics : re
 spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4466], 4461, 32);
 )";
 
-constexpr std::string_view vulkan_run = R"(
-layout(push_constant) uniform GloamGeneratedRun {
+// Buffers without a set are in set 0 of Vulkan; OpenGL has no sets. {0}: the layout of a run's numbers, {1}:
+// how the outputs are used, {2}: the position of the invocation's input.
+constexpr std::string_view storage = R"({0} uniform GloamGeneratedRun {{
     uint gloam_kernel_count;
     uint gloam_kernel_row_length;
     uint gloam_kernel_canary;
-};
-)";
+}};
 
-// Buffers without a set are in set 0 of Vulkan; OpenGL has no sets. {0}: how the outputs are used, {1}: the
-// position of the invocation's input.
-constexpr std::string_view storage = R"(
 layout(std430, binding = 0) readonly buffer GloamGeneratedInputs {{ uint gloam_kernel_inputs[]; }};
-layout(std430, binding = 1) {0}buffer GloamGeneratedOutputs {{ uint gloam_kernel_outputs[]; }};
+layout(std430, binding = 1) {1}buffer GloamGeneratedOutputs {{ uint gloam_kernel_outputs[]; }};
 layout(std430, binding = 2) buffer GloamGeneratedFaults {{ uint gloam_kernel_faults[]; }};
-uint gloam_kernel_input() {{ return {1}.y * gloam_kernel_row_length + {1}.x; }}
+uint gloam_kernel_input() {{ return {2}.y * gloam_kernel_row_length + {2}.x; }}
 void gloam_kernel_fault(uint image, ivec2 pixel) {{
     if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {{
         gloam_kernel_faults[1] = image;
@@ -228,13 +153,14 @@ std::string kernel_text(const KernelSource& source, const std::string& rest) {
     std::string code(header);
     code += number_extensions(source);
     if (source.preserve_nan) code += preserve;
-    code += group_layout(source);
-    return code.append(vulkan_run) + storage_interface(source) + file_and_rest(source, word_of_buffer, rest);
+    return code + storage_interface(source, "\nlayout(push_constant)") +
+           file_and_rest(source, word_of_buffer, rest);
 }
 
-std::string storage_interface(const KernelSource& source) {
+std::string storage_interface(const KernelSource& source, std::string_view run) {
     const bool alone = source.team.kind == backend::Team::Kind::alone;
-    std::string code = fmt::format(storage, alone ? "writeonly " : "", input_position(source.team));
+    std::string code = group_layout(source);
+    code += fmt::format(storage, run, alone ? "writeonly " : "", input_position(source.team));
     for (std::size_t i = 0; i < source.images.size(); ++i) code += image_interface(source.images[i], i);
     return code;
 }
@@ -251,10 +177,6 @@ std::string file_and_rest(const KernelSource& source, const ImageWordText& read,
 
 std::string word_of_buffer(std::size_t image, const std::string& at) {
     return fmt::format("gloam_kernel_image{}[{}]", image, at);
-}
-
-std::string input_of_buffer(Scalar scalar, std::size_t word) {
-    return scalar_of_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
 }
 
 }  // namespace gloam::check::internal

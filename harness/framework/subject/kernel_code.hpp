@@ -39,14 +39,15 @@ struct KernelSource {
         false;  // declare SignedZeroInfNanPreserve: NaN, infinity and -0 then mean what they say
     std::string
         text;  // in the place of the #include: an excerpt of the file (shader::Excerpt::text); may be empty
+    // Functions with derivatives or discard run in quads, those with shared memory, barriers or subgroups in
+    // work groups of the file's size, of 64 invocations where it states none.
     backend::Team team = {};
+
+    [[nodiscard]] Signature signature() const { return {function.result, function.parameters, team}; }
 };
 
 // The stage of its kernel.
 [[nodiscard]] shader::Stage stage_of(const backend::Team& team);
-
-// The vertex shader before the kernel of a quad.
-[[nodiscard]] shader::Source quad_vertices();
 
 using backend::kernel_group_size;
 using backend::KernelBinding;
@@ -77,10 +78,6 @@ struct KernelModule : backend::KernelProgram {
 // The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;
 // otherwise each evaluated its fixed_inputs.
 using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
-
-// The GLSL literal of the scalar that begins with these words, exactly: finite floats as decimals, others by
-// their bits.
-[[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
 
 // The text of a compute shader like that of kernel_code(), but with `count` inputs as constants; invocation i
 // evaluates input i. `inputs`: each of the same number of words, one after another. They stand in the text as

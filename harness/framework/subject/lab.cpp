@@ -77,6 +77,23 @@ std::vector<shader::Function> functions_for(const Signature& signature, std::vec
     return all;
 }
 
+// Whether a compiled function has this signature: the same types (structures by layout) and directions.
+bool matches(const Signature& signature, const shader::Function& function) {
+    return signature.result == function.result &&
+           std::ranges::equal(signature.parameters, function.parameters, [](const auto& a, const auto& b) {
+               return a.type == b.type && a.direction == b.direction && a.global == b.global;
+           });
+}
+
+// The vertex shader before the kernel of a quad.
+shader::Source quad_vertices() {
+    return {
+        .name = "vertices of a quad",
+        .text =
+            "#version 450\nvoid main() {\n    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
+            "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n"};
+}
+
 // A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
 void show_to_the_loader(const std::string& device) {
     if (!base::lower(device).starts_with("swiftshader") || gpu::drivers_are_chosen()) return;
@@ -244,8 +261,7 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
         if (shader::has_float16(module.spirv))
             throw backend::Unsupported(function + ": needs float16_t, which OpenGL has no standard type for");
         module.text = gl_kernel_code(*text_language, made_of, options_.include_roots);
-        module.judged_by_rules = internal::has_precision_rules(*text_language) &&
-                                 !internal::calls_undefined_precision(module.spirv);
+        module.judged_by_rules = internal::has_precision_rules(*text_language, module.spirv);
     }
     take_steps(module, text);
     if (const auto text_language = language(); text_language && !options_.variant.steps.empty())

@@ -161,8 +161,10 @@ class Sorting {
                 why = fmt::format("it calls {}, which has no body; expected T name(ivec2)",
                                   definition_of(*unserved));
             if (why.empty()) {
-                all_.found.push_back({file_.name, own.size() > 1 ? definition : function.name, called,
-                                      excerpt.text, images_of(excerpt, function), team, comment});
+                all_.found.push_back(
+                    {{file_.name, called, images_of(excerpt, function), false, excerpt.text, team},
+                     own.size() > 1 ? definition : function.name,
+                     comment});
             } else {
                 all_.left_out.push_back({definition, why});
             }
@@ -308,7 +310,7 @@ OwnFunctions own_functions(const LabOptions& options, const std::vector<std::str
     }
     OwnFunctions all = sorting.take();
     std::erase_if(all.found, [&](const OwnFunction& own) {
-        const std::string why = why_not_run(own.kernel_source(), cache);
+        const std::string why = why_not_run(own, cache);
         if (!why.empty()) all.left_out.push_back({own.name, "gloam cannot run it: " + why});
         return !why.empty();
     });

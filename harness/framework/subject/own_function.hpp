@@ -9,25 +9,11 @@
 
 namespace gloam::check {
 
-// A function of a file from elsewhere that can be checked.
-struct OwnFunction {
-    std::string file;           // OwnFile::name
-    std::string name;           // "f", or "f(vec2, float)" if the file defines others of this name
-    shader::Function function;  // of a team: together()
-    std::string excerpt;        // shader::Excerpt::text
-    std::vector<ImagePrototype> images = {};
-    // Functions with derivatives or discard run in quads, those with shared memory, barriers or subgroups in
-    // work groups of the file's size, of 64 invocations where it states none.
-    backend::Team team = {};
-    std::string comment = {};  // of shader::Excerpt::comments
+// A function of a file from elsewhere that can be checked; `file` is OwnFile::name.
+struct OwnFunction : KernelSource {
+    std::string name;     // "f", or "f(vec2, float)" if the file defines others of this name
+    std::string comment;  // of shader::Excerpt::comments
 
-    [[nodiscard]] Signature signature() const {
-        return {.result = function.result, .parameters = function.parameters, .team = team};
-    }
-    // What its kernel is generated from.
-    [[nodiscard]] KernelSource kernel_source() const {
-        return {.file = file, .function = function, .images = images, .text = excerpt, .team = team};
-    }
     // Whether it is a property (Question::must_hold): it gives bools alone, and its name begins with test_ or
     // a line of its comment is "must hold".
     [[nodiscard]] bool is_property() const;
@@ -59,9 +45,8 @@ struct OwnFunctions {
 // given:
 //   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,
 //   NaN, the largest and the smallest;
+//   float16_t: as float, in its format;
 //   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
-//   double and float16_t: as float, in their format; other integers: half of them 0 to 7, the others of any
-//   size and sign;
 //   bool: both; a vector, matrix or structure: of these.
 // Of a quad, most neighbours differ a little (neighbours()).
 [[nodiscard]] Domain domain_of(const OwnFunction& own, const Ranges& ranges);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "subject/signature.hpp"
 
-#include <algorithm>
-
 namespace gloam::check {
 
 using shader::Direction;
@@ -118,13 +116,6 @@ std::string to_glsl_with_layouts(shader::Function function) {
     spell_out(function.result);
     for (shader::Parameter& p : function.parameters) spell_out(p.type);
     return shader::to_glsl(function);
-}
-
-bool matches(const Signature& signature, const shader::Function& function) {
-    return signature.result == function.result &&
-           std::ranges::equal(signature.parameters, function.parameters, [](const auto& a, const auto& b) {
-               return a.type == b.type && a.direction == b.direction && a.global == b.global;
-           });
 }
 
 }  // namespace gloam::check

@@ -123,9 +123,6 @@ inline constexpr std::array<std::uint32_t, 2> image_sides{5, 4};
 // The same for a compiled function; its structures are written in full, member by member.
 [[nodiscard]] std::string to_glsl_with_layouts(shader::Function function);
 
-// Whether a compiled function has this signature: the same types (structures by layout) and directions.
-[[nodiscard]] bool matches(const Signature& signature, const shader::Function& function);
-
 namespace detail {
 
 template <class T>

@@ -155,7 +155,7 @@ void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
         const check::ImageSet images =
             scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
         const check::Explanation all =
-            check::explain({.variant = shader::variant(options.variant)}, own.kernel_source(), input, images);
+            check::explain({.variant = shader::variant(options.variant)}, own, input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
     } catch (const interpreter::Error& error) {
         throw std::runtime_error(fmt::format("{}: {}: {}", target.file, target.function, error.what()));

@@ -20,14 +20,10 @@ namespace {
 
 using shader::Scalar;
 
-ImageScenario first_scenario(const Question& question) {
-    return question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
-}
-
 }  // namespace
 
 AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSource& source, std::uint64_t seed)
-    : AuditRuns(lined_module(lab, source), question, images_of(first_scenario(question), seed)) {}
+    : AuditRuns(lined_module(lab, source), question, images_of(question.first_scenario(), seed)) {}
 
 AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
                      const AuditRuns& original)
@@ -40,7 +36,7 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       scalars_(question.signature.output_scalars()),
       sizes_(question.signature.output_values()),
       least_(sizes_.size(), std::numeric_limits<float>::min()),
-      image_size_(first_scenario(question).size),
+      image_size_(question.first_scenario().size),
       images_(std::move(images)),
       modules_{std::make_shared<const KernelModule>(std::move(module))},
       decoded_(modules_, images_),

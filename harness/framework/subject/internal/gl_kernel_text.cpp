@@ -16,15 +16,6 @@ namespace {
 
 using shader::Scalar;
 
-std::string compute_head() {
-    return fmt::format(
-        "layout(local_size_x = {}) in;\n"
-        "layout(std140, binding = {}) uniform GloamGeneratedRun {{\n"
-        "    uint gloam_kernel_count;\n    uint gloam_kernel_row_length;\n    uint "
-        "gloam_kernel_canary;\n}};\n",
-        kernel_group_size, gl::kernel_run_binding);
-}
-
 std::string word_of_texture(const std::string& texture, const std::string& at) {
     return fmt::format("gloam_kernel_word({}, uint({}))", texture, at);
 }
@@ -96,7 +87,7 @@ void require_bindable(shader::Language language, const KernelSource& source) {
 }
 
 std::string gl_compute_text(const KernelSource& source) {
-    return compute_head() + storage_interface(source) +
+    return storage_interface(source, fmt::format("layout(std140, binding = {})", gl::kernel_run_binding)) +
            file_and_rest(source, word_of_buffer, main_of(source));
 }
 
@@ -134,13 +125,9 @@ constexpr std::uint32_t inverse = 34;
 
 }  // namespace
 
-bool has_precision_rules(shader::Language language) {
-    return language == shader::Language::vulkan450 || language == shader::Language::es320;
-}
-
-bool calls_undefined_precision(const shader::Spirv& module) {
-    const auto all = shader::instructions(module);
-    return std::ranges::any_of(all, [](const shader::Instruction& instruction) {
+bool has_precision_rules(shader::Language language, const shader::Spirv& module) {
+    if (language != shader::Language::vulkan450 && language != shader::Language::es320) return false;
+    return std::ranges::none_of(shader::instructions(module), [](const shader::Instruction& instruction) {
         if (instruction.opcode != extended) return false;
         const std::uint32_t function = instruction.word(4);
         return (function >= sine && function <= arc_tangent_of_two) || function == determinant ||

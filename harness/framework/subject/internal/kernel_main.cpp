@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "subject/internal/kernel_text.hpp"
@@ -13,6 +14,66 @@ namespace gloam::check::internal {
 using shader::Direction;
 using shader::Scalar;
 using shader::Type;
+
+namespace {
+
+using ScalarPaths = std::vector<std::pair<Scalar, std::string>>;
+
+void add_paths(const Type& type, const std::string& variable, ScalarPaths& paths) {
+    if (type.scalar == Scalar::void_) return;
+    if (!type.sizes.empty()) {
+        const Type element = shader::element_of(type);
+        for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
+            add_paths(element, fmt::format("{}[{}]", variable, i), paths);
+        return;
+    }
+    if (type.scalar == Scalar::structure) {
+        for (const shader::Member& member : type.members)
+            add_paths(member.type, variable + "." + member.name, paths);
+        return;
+    }
+    for (int column = 0; column < type.columns; ++column) {
+        const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
+        for (int row = 0; row < type.rows; ++row)
+            paths.emplace_back(type.scalar, type.rows > 1 ? fmt::format("{}[{}]", base, row) : base);
+    }
+}
+
+// How a scalar becomes its word, and a word its scalar; those of uint are equal.
+struct Conversion {
+    Scalar scalar;
+    const char* to_word;
+    const char* to_scalar;
+};
+constexpr std::array conversions{
+    Conversion{Scalar::float16_, "floatBitsToUint(float({}))", "float16_t(uintBitsToFloat({}))"},
+    Conversion{Scalar::float_, "floatBitsToUint({})", "uintBitsToFloat({})"},
+    Conversion{Scalar::int_, "uint({})", "int({})"},
+    Conversion{Scalar::bool_, "({} ? 1u : 0u)", "({} != 0u)"}};
+
+std::string converted(Scalar scalar, const char* Conversion::* how, const std::string& text) {
+    const auto found = std::ranges::find(conversions, scalar, &Conversion::scalar);
+    return found == conversions.end() ? text : fmt::format(fmt::runtime((*found).*how), text);
+}
+
+// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
+ScalarPaths scalar_paths(const Type& type, const std::string& variable) {
+    ScalarPaths paths;
+    add_paths(type, variable, paths);
+    return paths;
+}
+
+}  // namespace
+
+std::string scalar_of_word(Scalar scalar, const std::string& word) {
+    return converted(scalar, &Conversion::to_scalar, word);
+}
+
+void append_read(std::string& code, const Type& type, const std::string& variable, const InputText& input,
+                 std::size_t offset) {
+    for (const auto& [scalar, path] : scalar_paths(type, variable))
+        code += fmt::format("    {} = {};\n", path, input(scalar, offset++));
+}
 
 std::string argument_name(std::size_t parameter) {
     return fmt::format("gloam_kernel_argument{}", parameter);
@@ -24,7 +85,7 @@ namespace {
 void append_write(std::string& code, const Type& type, const std::string& variable, std::size_t offset) {
     for (const auto& [scalar, path] : scalar_paths(type, variable))
         code += fmt::format("    gloam_kernel_outputs[gloam_kernel_output_at + {}u] = {};\n", offset++,
-                            word_of_scalar(scalar, path));
+                            converted(scalar, &Conversion::to_word, path));
 }
 
 // A statement that writes the canary, of which every invocation of a team adds its part.
@@ -47,8 +108,7 @@ bool may_discard(const shader::Function& function) {
 // Nothing can be written behind a discard: until the function returns, the invocation counts as discarded.
 // `discarded` is the last output.
 std::string write_discarded(const KernelSource& source) {
-    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
-    const std::size_t output_words = signature.output_words();
+    const std::size_t output_words = source.signature().output_words();
     return fmt::format("    gloam_kernel_outputs[gloam_kernel_output_row + {}u + gloam_kernel_lane] = 1u;\n",
                        output_words - source.team.count()) +
            write_canary(source.team, output_words);
@@ -201,7 +261,10 @@ Evaluation evaluation(const KernelSource& source, const InputText& input) {
 }
 
 std::string main_of(const KernelSource& source) {
-    const Evaluation calls = evaluation(source, input_of_buffer);
+    const auto input = [](Scalar scalar, std::size_t word) {
+        return scalar_of_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
+    };
+    const Evaluation calls = evaluation(source, input);
     const bool alone = source.team.kind == backend::Team::Kind::alone;
     return main_begin(source.team, calls.output_words) +
            fmt::format("    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n", calls.input_words) +
@@ -222,6 +285,10 @@ namespace gloam::check {
 using shader::Scalar;
 using Constants = shader::Variant::Constants;
 
+namespace {
+
+// The GLSL literal of a scalar, exactly: finite floats as decimals, others by
+// their bits.
 std::string literal(Scalar scalar, Word word) {
     if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
     if (!shader::is_float(scalar) || !std::isfinite(number_at(scalar, word)))
@@ -230,6 +297,8 @@ std::string literal(Scalar scalar, Word word) {
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return scalar == Scalar::float16_ ? fmt::format("float16_t({})", text) : text;
 }
+
+}  // namespace
 
 std::string constant_kernel_code(const KernelSource& source, Constants constants,
                                  std::span<const Word> inputs, std::size_t count) {

@@ -11,18 +11,18 @@
 // The parts of generated compute shaders.
 namespace gloam::check::internal {
 
-// GLSL expression of a scalar, from the uint expression of its word, and back.
+// GLSL expression of a scalar, from the uint expression of its word.
 [[nodiscard]] std::string scalar_of_word(shader::Scalar scalar, const std::string& word);
-[[nodiscard]] std::string word_of_scalar(shader::Scalar scalar, const std::string& value);
 
 // The whole shader: the interface, the function's file, the definitions of its prototypes, then `rest`, which
 // has main(). Every name that is not from the file begins with gloam_kernel_ or GloamGenerated. Macros of the
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
 
-// The declarations that a kernel has on Vulkan and on OpenGL: the storage buffers of inputs, outputs, faults
-// and images, uint gloam_kernel_input() and void gloam_kernel_fault(uint image, ivec2 pixel).
-[[nodiscard]] std::string storage_interface(const KernelSource& source);
+// The declarations that a kernel has on Vulkan and on OpenGL: the size of its groups, the numbers of a run,
+// whose layout is `run`, the storage buffers of inputs, outputs, faults and images, uint gloam_kernel_input()
+// and void gloam_kernel_fault(uint image, ivec2 pixel).
+[[nodiscard]] std::string storage_interface(const KernelSource& source, std::string_view run);
 
 // The GLSL expression of a word of an image, given the image's position and the GLSL expression of the
 // word's.
@@ -39,16 +39,9 @@ using ImageWordText = std::function<std::string(std::size_t image, const std::st
 // The GLSL expression of an input scalar, given its position among the words of one input.
 using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
 
-// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
-using ScalarPaths = std::vector<std::pair<shader::Scalar, std::string>>;
-[[nodiscard]] ScalarPaths scalar_paths(const shader::Type& type, const std::string& variable);
-
 // Appends statements that set a variable from the input words from `offset` on.
 void append_read(std::string& code, const shader::Type& type, const std::string& variable,
                  const InputText& input, std::size_t offset);
-
-// That expression for inputs in a storage buffer, from index gloam_kernel_input_at on.
-[[nodiscard]] std::string input_of_buffer(shader::Scalar scalar, std::size_t word);
 
 // The variable of a kernel for a parameter of the function.
 [[nodiscard]] std::string argument_name(std::size_t parameter);
@@ -68,15 +61,10 @@ struct Evaluation {
 // Throws backend::Unsupported for a team: `what` runs single invocations only.
 void require_alone(const KernelSource& source, const char* what);
 
-// How far the precision rules of OpenGL agree with those of Vulkan, by which the interpreter judges
-// (docs/verdicts.md).
-
-// Whether the rules of this version of GLSL can be asked: GLSL 4.50 and GLSL ES 3.20, whose section 4.7.1 has
-// the same table as Vulkan, and which know `precise`.
-[[nodiscard]] bool has_precision_rules(shader::Language language);
-
-// Whether the module calls a built-in whose precision section 4.7.1 leaves undefined: a trigonometric or
-// hyperbolic function, determinant, inverse.
-[[nodiscard]] bool calls_undefined_precision(const shader::Spirv& module);
+// Whether OpenGL's precision rules for the module are those of Vulkan, by which the interpreter judges
+// (docs/verdicts.md): in GLSL 4.50 and GLSL ES 3.20, whose section 4.7.1 has the same table, and which know
+// `precise`; but for built-ins whose precision that section leaves undefined: trigonometric and hyperbolic
+// functions, determinant, inverse.
+[[nodiscard]] bool has_precision_rules(shader::Language language, const shader::Spirv& module);
 
 }  // namespace gloam::check::internal
