@@ -202,15 +202,6 @@ Answer answer_of(const ClassCount& ordinary, const ClassCount& nan = {}) {
     return answer;
 }
 
-TEST(OutcomeTest, AResultBetweenTwoPermittedOnesIsSaidToBe) {
-    Answer answer{{.function = "atan_of_zeros"}};
-    answer.worst = Sample{.got = {0}, .want = {-3.0}, .permitted = {{-3.0, 3.0, false}}, .forbidden = true};
-    const Signature signature = SignatureOf<float(float)>::describe();
-    EXPECT_THAT(describe(signature, answer), HasSubstr("permitted [-3 (-0x1.8p+1), 3 (0x1.8p+1)]\n"));
-    answer.worst->outcomes = {{numeric::Bounds::point(-3.0)}, {numeric::Bounds::point(3.0)}};
-    EXPECT_THAT(describe(signature, answer), HasSubstr("permitted -3 (-0x1.8p+1); or 3 (0x1.8p+1)\n"));
-}
-
 TEST(OutcomeTest, CountsDecide) {
     struct Row {
         ClassCount ordinary;

@@ -53,17 +53,15 @@ TEST(OwnTypes, AWrongElementPixelOrInvocationIsNoticed) {
                            std::size_t outside = 128) {
         return Planted{"own_images.glsl", {function}, std::move(change), {}, outside, outside, pixels, 128};
     };
+    const auto halves = [](std::vector<const char*> functions, std::function<void(Outputs)> change,
+                           std::size_t least, std::size_t most = SIZE_MAX) {
+        return Planted{"numbers.glsl", std::move(functions), std::move(change), {}, least, most, {}, 1024};
+    };
     expect_noticed(
-        {{"numbers.glsl", {"half_sum"}, moved(0), {}, 0, 0, {}, 1024},  // a rounding is to either neighbour
-         {"numbers.glsl", {"half_sum"}, moved(2), {}, 501, SIZE_MAX, {}, 1024},
-         {"numbers.glsl",
-          {"halves_changed", "half_vectors"},
-          [](Outputs row) { row.back() ^= 0x00100000U; },
-          {},
-          101,
-          SIZE_MAX,
-          {},
-          1024},
+        {halves({"half_sum"}, moved(0), 0, 0),  // a rounding is to either neighbour
+         halves({"half_sum"}, moved(2), 501),
+         halves(
+             {"halves_changed", "half_vectors"}, [](Outputs row) { row.back() ^= 0x00100000U; }, 101),
          {"arrays.glsl", {"array_transposed", "array_swapped", "array_split"}, rotated, {}},
          {"uniforms.glsl", {"graded", "shade"}, rotated, {}},
          image("blurred", [](Outputs row) { row[4 * 5 * 4 - 1] ^= 0x100U; }),

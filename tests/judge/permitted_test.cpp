@@ -19,27 +19,27 @@ class Rules {
   public:
     Rules(const std::string& file, const std::string& function)
         : kernel_(test::make_lab(FIXTURES, shader::variant("strict"))
-                      .kernel(file, function, check::SignatureOf<Signature>::describe())),
-          modules_{std::make_shared<const check::KernelModule>(kernel_.module())},
+                      .kernel(file, function, SignatureOf<Signature>::describe())),
+          modules_{std::make_shared<const KernelModule>(kernel_.module())},
           decoded_(modules_, images_),
-          outputs_(check::SignatureOf<Signature>::describe().output_scalars()),
+          outputs_(SignatureOf<Signature>::describe().output_scalars()),
           interpretation_(decoded_, outputs_, outputs_.size(), false) {}
 
     // Bounds of every output word.
     template <class... Values>
     std::vector<Bounds> operator()(const Values&... values) {
-        std::vector<check::Word> words;
-        (check::append_words(values, words), ...);
-        return check::hull_of(interpretation_.all_permitted({.index = 0, .words = words}));
+        std::vector<Word> words;
+        (append_words(values, words), ...);
+        return hull_of(interpretation_.all_permitted({.index = 0, .words = words}));
     }
 
   private:
-    check::KernelCore kernel_;
-    check::KernelModules modules_;
-    check::ImageSet images_;
-    check::Decoded decoded_;
+    KernelCore kernel_;
+    KernelModules modules_;
+    ImageSet images_;
+    Decoded decoded_;
     std::vector<shader::Scalar> outputs_;
-    check::Interpretation interpretation_;
+    Interpretation interpretation_;
 };
 
 void expect_within(const Bounds& bounds, double low, double high) {
@@ -76,8 +76,7 @@ TEST(FlushedSubnormals, TheSupportOfAFilterWithATinyThresholdIsNone) {
 }
 
 TEST(FlushedSubnormals, CoordinatesOfAPointAtTheEyeAreNotMadeUp) {
-    Rules<bool(glm::vec4, check::Out<glm::vec2>)> uv("gloam/geometry/reprojection.glsl",
-                                                     "gloam_uv_from_clip");
+    Rules<bool(glm::vec4, Out<glm::vec2>)> uv("gloam/geometry/reprojection.glsl", "gloam_uv_from_clip");
     for (const float w : {least, 1e-31F}) expect_within(uv(glm::vec4(w))[0], 0.0, 0.0);
     expect_within(uv(glm::vec4(1.1e-30F))[1], 0.999999, 1.0);
 }
@@ -148,18 +147,10 @@ TEST(ErrorBound, InverseFunctionsAndRoots) {
 }
 
 // One input, operation by operation.
-
-Explanation explained(const char* file, const char* function, const std::vector<float>& values) {
-    const Lab lab = test::make_lab(FIXTURES, shader::variant("strict"));
-    KernelSource source = lab.source(file, function, SignatureOf<float(float, float)>::describe());
-    source.images.clear();  // which the function does not read
-    std::vector<Word> words;
-    for (const float value : values) words.push_back(to_word(value));
-    return explain(lab.compile_options(), source, words);
-}
-
 TEST(Explain, KeepsTheThreeValuesApart) {
-    const ExplainedStep step = explained("rules.glsl", "quotient", {1.0F, 3.0F}).steps.back();
+    const Lab lab = test::make_lab(FIXTURES);
+    const ExplainedStep step =
+        Function<float(float, float)>(lab, "rules.glsl", "quotient").explain(1.0F, 3.0F).steps.back();
     EXPECT_EQ(step.value, 1.0F / 3.0F);
     EXPECT_EQ(step.exact, 1.0 / 3.0);
     EXPECT_EQ(step.local, static_cast<double>(1.0F / 3.0F) - 1.0 / 3.0);

@@ -47,10 +47,7 @@ TEST(Reproduction, AFailureComesWithItsSimplestInputAndAShaderOfItsOwn) {
 
 TEST(Reproduction, InputsThatAreConstantsStayConstants) {
     for (const char* variant : {"literals", "specialization"}) {
-        const Lab lab({.validation = true,
-                       .include_roots = {FIXTURES},
-                       .cache_directory = test::cache_directory(),
-                       .variant = shader::variant(variant)});
+        const Lab lab = test::make_lab(FIXTURES, shader::variant(variant));
         const Answer result = run(lab, wrong_weight(), {});
         ASSERT_FALSE(result.passed()) << variant;
         const Reproduction all = reproduce(lab, wrong_weight(), {}, *result.worst);

@@ -18,12 +18,6 @@ class RulesTest : public testing::Test {
     Answer judged(const std::string& function, const Domain& domain) {
         return Function<Signature>(lab, "rules.glsl", function).check_rules(domain, {.inputs = 8192});
     }
-    static Lab in_variant(const Lab& lab, const char* variant) {
-        return Lab({.device = lab.options().device,
-                    .validation = true,
-                    .include_roots = lab.options().include_roots,
-                    .variant = shader::variant(variant)});
-    }
 
     Lab lab = test::make_lab(FIXTURES);
     const Domain pairs{signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e3)};
@@ -77,16 +71,22 @@ TEST_F(RulesTest, AnInputThatTakesLongDoesNotFailItsNeighbours) {
 // wrong: outputs are moved behind its back.
 class TamperedTest : public RulesTest {
   protected:
-    // What is said of a function's outputs, each float moved by that many floats.
-    Answer moved(const char* variant, const std::string& function, const Domain& domain, int floats) {
-        const Lab other = in_variant(lab, variant);
+    // What is said of a function's outputs, each float changed.
+    template <class Change>
+    static Answer changed(const char* variant, const std::string& function, const Domain::Inputs& inputs,
+                          Change change) {
+        const Lab other = test::make_lab(FIXTURES, shader::variant(variant));
         const Signature signature = SignatureOf<float(float, float)>::describe();
         const KernelCore kernel = other.kernel("rules.glsl", function, signature);
-        const Domain::Inputs inputs = domain.draw(4096, 1, {1, 1});
         KernelCore::Result result = kernel.run(inputs.words, inputs.count());
-        for (Word& word : result.outputs) word = to_word(numeric::step(from_word<float>(word), floats));
+        for (Word& word : result.outputs) word = to_word(change(from_word<float>(word)));
         return judge({.function = function, .signature = signature},
                      {.verdict = Verdict::rules, .modules = result.modules}, inputs, result.outputs);
+    }
+    // Moved by that many floats.
+    static Answer moved(const char* variant, const std::string& function, const Domain& domain, int floats) {
+        return changed(variant, function, domain.draw(4096, 1),
+                       [floats](float got) { return numeric::step(got, floats); });
     }
 };
 
@@ -194,9 +194,7 @@ TEST_F(TamperedTest, WhatIsForbiddenFailsHoweverWideTheBudgetIs) {
 
 // Where a NaN or an infinity meets an operation, and where SignedZeroInfNanPreserve binds none of them or
 // all.
-TEST_F(RulesTest, SpecialsAreJudgedByInstruction) {
-    const Lab strict = in_variant(lab, "strict");
-    const Signature signature = SignatureOf<float(float, float)>::describe();
+TEST_F(TamperedTest, SpecialsAreJudgedByInstruction) {
     struct Row {
         const char* function;
         float x;
@@ -230,13 +228,9 @@ TEST_F(RulesTest, SpecialsAreJudgedByInstruction) {
           {"quotient", 1.0F, infinity, false},
           {"quotient", 1.0F, -infinity, false},
           {"quotient", 0.0F, 5.0F, false}}) {
-        const KernelCore kernel = strict.kernel("rules.glsl", function, signature);
         Domain::Inputs inputs;
         inputs.add(std::vector{to_word(x), to_word(0.0F)});
-        const KernelCore::Result result = kernel.run(inputs.words, 1);
-        const Answer answer =
-            judge({.function = function, .signature = signature},
-                  {.verdict = Verdict::rules, .modules = result.modules}, inputs, std::vector{to_word(got)});
+        const Answer answer = changed("strict", function, inputs, [got](float) { return got; });
         EXPECT_EQ(answer.forbidden, forbidden ? 1U : 0U) << function << " " << x << " " << got;
     }
 }
@@ -255,7 +249,7 @@ TEST_F(RulesTest, EveryVariantIsAskedTheRulesAndSomeTheRulesAlone) {
         .reference = make_reference<float(float, float)>([](double x, double y) { return x / y; }),
         .budget = {.ulp = 2.5}};
     for (const shader::Variant& variant : shader::variants()) {
-        const Lab other = in_variant(lab, variant.name.c_str());
+        const Lab other = test::make_lab(FIXTURES, variant);
         const Answer result = run(other, question, {.inputs = 512});
         EXPECT_TRUE(result.passed()) << variant.name << result;
         EXPECT_EQ(result.differs, 0U) << variant.name;

@@ -9,31 +9,37 @@ namespace gloam::check::domain_test {
 
 using glm::vec3;
 
-std::vector<float> floats_of(const Domain::Inputs& inputs) {
-    std::vector<float> values;
-    for (const Word word : inputs.words) values.push_back(from_word<float>(word));
-    return values;
+std::set<Word> words_of(const Values& values, std::size_t count) {
+    const Domain::Inputs inputs = Domain{values}.draw(count, 1);
+    return {inputs.words.begin(), inputs.words.end()};
+}
+
+std::set<float> floats_of(const Values& values, std::size_t count) {
+    std::set<float> floats;
+    for (const Word word : words_of(values, count)) floats.insert(from_word<float>(word));
+    return floats;
 }
 
 TEST(Domain, RangesAreKeptAndTheirEndsIncluded) {
-    const std::vector<float> values = floats_of(Domain{uniform(-2, 3)}.draw(10'000, 1));
-    EXPECT_EQ(*std::min_element(values.begin(), values.end()), -2.0F);
-    EXPECT_EQ(*std::max_element(values.begin(), values.end()), 3.0F);
+    const std::set<float> values = floats_of(uniform(-2, 3), 10'000);
+    EXPECT_EQ(*values.begin(), -2.0F);
+    EXPECT_EQ(*values.rbegin(), 3.0F);
+    std::set<int> whole;
+    for (const Word word : words_of(integers(-3, 3), 1'000)) whole.insert(from_word<int>(word));
+    EXPECT_THAT(whole, ElementsAre(-3, -2, -1, 0, 1, 2, 3));
 }
 
 TEST(Domain, LogUniformReachesEveryDecade) {
+    const std::set<float> values = floats_of(log_uniform(1e-6, 1e6), 10'000);
+    EXPECT_EQ(*values.begin(), 1e-6F);
+    EXPECT_EQ(*values.rbegin(), 1e6F);
     std::set<int> decades;
-    for (const float value : floats_of(Domain{log_uniform(1e-6, 1e6)}.draw(10'000, 1))) {
-        ASSERT_GE(value, 1e-6F);
-        ASSERT_LE(value, 1e6F);
-        decades.insert(static_cast<int>(std::floor(std::log10(value))));
-    }
+    for (const float value : values) decades.insert(static_cast<int>(std::floor(std::log10(value))));
     EXPECT_GE(decades.size(), 12U);
 }
 
 TEST(Domain, EverySpecialValueIsThere) {
-    std::set<Word> words;
-    for (const Word word : Domain{uniform(0, 1).and_special()}.draw(200, 1).words) words.insert(word);
+    const std::set<Word> words = words_of(uniform(0, 1).and_special(), 200);
     for (const double special : numeric::special_values(numeric::float32))
         EXPECT_TRUE(words.contains(to_word(static_cast<float>(special)))) << special;
 }
@@ -95,12 +101,6 @@ TEST(Domain, UnitVectorsHaveLengthOneAndCoverTheSphere) {
         EXPECT_LT(glm::length(sum) / count, 0.03);
         for (int k = 0; k < size; ++k) EXPECT_NEAR(squares[k] / count, 1.0 / size, 0.02);
     }
-}
-
-TEST(Domain, IntegersIncludeTheirEndsAndNegativeOnes) {
-    std::set<int> values;
-    for (const Word word : Domain{integers(-3, 3)}.draw(1'000, 1).words) values.insert(from_word<int>(word));
-    EXPECT_EQ(values, (std::set<int>{-3, -2, -1, 0, 1, 2, 3}));
 }
 
 TEST(Domain, SeedsDecideEverything) {
@@ -228,22 +228,18 @@ TEST(Degenerate, SidesOfImagesAreZeroAndOneAndStayWhereTheyMust) {
 }
 
 TEST(Degenerate, FewInputsHoldSomeOfEveryKind) {
-    const Domain domain = Domain{uniform(-1, 1).and_special()};
-    const Domain::Inputs inputs = domain.draw(16, 3);
-    int drawn = 0;
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        const auto value = std::abs(from_word<float>(inputs.row(i)[0]));
-        if (value > 0x1p-20F && value < 0.9999F) ++drawn;
-    }
-    EXPECT_GE(drawn, 4);
+    const Domain::Inputs inputs = Domain{uniform(-1, 1).and_special()}.draw(16, 3);
+    EXPECT_GE(std::ranges::count_if(inputs.words,
+                                    [](Word word) {
+                                        const float value = std::abs(from_word<float>(word));
+                                        return value > 0x1p-20F && value < 0.9999F;
+                                    }),
+              4);
     EXPECT_EQ(inputs.count(), 16U);
 }
 
 TEST(Domain, BothSidesOfZeroAreThereWhereARangeHoldsIt) {
-    const auto words = [](double low, double high) {
-        const Domain::Inputs inputs = Domain{uniform(low, high)}.draw(100, 1);
-        return std::set<Word>(inputs.words.begin(), inputs.words.end());
-    };
+    const auto words = [](double low, double high) { return words_of(uniform(low, high), 100); };
     constexpr float least = std::numeric_limits<float>::denorm_min();
     for (const float side : {0.0F, -0.0F, least, -least, 0x1p-126F, -0x1p-126F}) {
         EXPECT_TRUE(words(-1, 1).contains(to_word(side))) << side;
@@ -277,16 +273,6 @@ TEST(ImageEnds, ImagesHoldExactlyZeroAndOne) {
     EXPECT_TRUE(with_exact_ends({}).empty());
 }
 
-constexpr std::size_t enough = 2000;
-
-Word bits(float value) {
-    return std::bit_cast<Word>(value);
-}
-
-float as_float(Word word) {
-    return std::bit_cast<float>(word);
-}
-
 // A function that should return its first word; where `fails` is true it returns another one.
 template <class Type>
 struct Planted {
@@ -307,7 +293,7 @@ struct Planted {
 
     // Shrinks every failing input of a draw; each must still fail, and lie in the domain.
     void expect_shrinks_to(const std::vector<Word>& smallest) const {
-        const Domain::Inputs inputs = domain.draw(enough, 1);
+        const Domain::Inputs inputs = domain.draw(2000, 1);
         std::size_t seen = 0;
         for (std::size_t i = 0; i < inputs.count() && seen < 20; ++i) {
             const auto row = inputs.row(i);
@@ -328,16 +314,16 @@ TEST(Shrink, ANumberGoesToTheRoundestOneThatFails) {
     using Fails = std::function<bool(std::span<const Word>)>;
     const Fails always = [](auto) { return true; };
     const auto beyond = [](float limit) {
-        return Fails([=](auto in) { return (as_float(in[0]) > limit) == (limit > 0.0F); });
+        return Fails([=](auto in) { return (from_word<float>(in[0]) > limit) == (limit > 0.0F); });
     };
     const auto shrinks = [](const Values& values, const Fails& fails, Word smallest) {
         Planted<unsigned(float)>{.domain = {values}, .fails = fails}.expect_shrinks_to({smallest});
     };
     shrinks(any_float(), always, 0U);
-    shrinks(uniform(-1000, 1000), beyond(3.25F), bits(4.0F));
-    shrinks(uniform(-1000, 1000), beyond(-0.1F), bits(-1.0F));
-    shrinks(log_uniform(5, 100), always, bits(8.0F));
-    shrinks(constant(2.75F), always, bits(2.75F));
+    shrinks(uniform(-1000, 1000), beyond(3.25F), to_word(4.0F));
+    shrinks(uniform(-1000, 1000), beyond(-0.1F), to_word(-1.0F));
+    shrinks(log_uniform(5, 100), always, to_word(8.0F));
+    shrinks(constant(2.75F), always, to_word(2.75F));
     Planted<unsigned(unsigned)>{.domain = {integers(0, 1'000'000)},
                                 .fails = [](auto in) { return in[0] >= 1000U; }}
         .expect_shrinks_to({1024U});
@@ -349,33 +335,27 @@ TEST(Shrink, ANumberGoesToTheRoundestOneThatFails) {
 TEST(Shrink, WhatDoesNotMatterGoesToZero) {
     Planted<unsigned(glm::vec3, bool, int)>{
         .domain = {vector(3, uniform(-8, 8)), booleans(), integers(-9, 9)},
-        .fails = [](auto in) { return as_float(in[1]) >= 1.0F; }}
-        .expect_shrinks_to({0U, bits(1.0F), 0U, 0U, 0U});
+        .fails = [](auto in) { return from_word<float>(in[1]) >= 1.0F; }}
+        .expect_shrinks_to({0U, to_word(1.0F), 0U, 0U, 0U});
 }
 
 TEST(Shrink, ValuesThatMustBeEqualShrinkTogether) {
     const Domain equal = Domain({uniform(0, 100), uniform(0, 100)}).adjusted([](std::span<Word> words) {
         words[1] = words[0];
     });
-    Planted<unsigned(float, float)>{.domain = equal,
-                                    .fails = [](auto in) { return in[0] == in[1] && as_float(in[0]) > 1.5F; }}
-        .expect_shrinks_to({bits(2.0F), bits(2.0F)});
+    Planted<unsigned(float, float)>{
+        .domain = equal, .fails = [](auto in) { return in[0] == in[1] && from_word<float>(in[0]) > 1.5F; }}
+        .expect_shrinks_to({to_word(2.0F), to_word(2.0F)});
 }
 
 TEST(Shrink, ManyCandidatesCostOneEvaluation) {
     const Planted<unsigned(glm::vec4)> planted{
         .domain = {vector(4, uniform(-1e6, 1e6))},
-        .fails = [](auto in) { return as_float(in[0]) > 100.0F && as_float(in[3]) < -5.0F; }};
-    const Sample found =
-        planted.shrunk(0, std::vector<Word>{bits(123456.7F), bits(-3.3F), bits(1e-9F), bits(-98765.4F)});
-    EXPECT_EQ(found.inputs, (std::vector<Word>{bits(128.0F), 0U, 0U, bits(-8.0F)}));
+        .fails = [](auto in) { return from_word<float>(in[0]) > 100.0F && from_word<float>(in[3]) < -5.0F; }};
+    const Sample found = planted.shrunk(
+        0, std::vector<Word>{to_word(123456.7F), to_word(-3.3F), to_word(1e-9F), to_word(-98765.4F)});
+    EXPECT_EQ(found.inputs, (std::vector<Word>{to_word(128.0F), 0U, 0U, to_word(-8.0F)}));
     EXPECT_LT(planted.evaluations, 40U);
-}
-
-TEST(Shrink, AnInputThatDoesNotFailIsRefused) {
-    const Planted<unsigned(float)> planted{.domain = {uniform(0, 1)}, .fails = [](auto) { return false; }};
-    expect_error<std::invalid_argument>([&] { (void)planted.shrunk(0, std::vector<Word>{bits(0.5F)}); },
-                                        {"does not fail"});
 }
 
 }  // namespace gloam::check::domain_test

@@ -53,21 +53,6 @@ TEST_F(OwnFunctionTest, OfAWholeShaderAreCalledFromCpp) {
     EXPECT_THROW((void)(Function<float(float)>(whole, "foreign.frag", "nowhere")), std::exception);
 }
 
-// An index outside an array is the input's fault, unless its range was given.
-TEST_F(OwnFunctionTest, UndefinedResultsAreNotJudged) {
-    const Answer answer = answer_of("undefined.glsl", "undefined_table");
-    EXPECT_EQ(answer.outside(), 0U) << answer;
-    EXPECT_GT(answer.undefined, 0U);
-    EXPECT_EQ(answer.undefined, answer.recorded());
-    EXPECT_TRUE(answer.passed()) << answer << "many of the default integers are indices";
-    EXPECT_THAT(answer.first_undefined, AllOf(HasSubstr("of 24"), HasSubstr("undefined.glsl:5")));
-    EXPECT_THAT([&] { (void)answer_of("undefined.glsl", "undefined_table", {{"i", {0, 24}}}); },
-                testing::ThrowsMessage<std::runtime_error>(HasSubstr("element 24 of 24")));
-    const Answer inside = answer_of("undefined.glsl", "undefined_table", {{"i", {0, 23}}});
-    EXPECT_EQ(inside.undefined, 0U);
-    EXPECT_TRUE(inside.passed()) << inside;
-}
-
 struct Judged {
     const char* file;
     std::vector<const char*> names;
@@ -242,15 +227,6 @@ TEST_F(OwnFunctionTest, DrawFromTheirRanges) {
     EXPECT_TRUE(result.passed()) << result;
     EXPECT_EQ(result.unbounded, 0U);
     EXPECT_GT(result.guarantee.ulp, 10.0) << "it cancels";
-}
-
-TEST_F(OwnFunctionTest, RangesAreNamesAndNumbers) {
-    const auto [name, range] = range_from("x=-0.5:1e3");
-    EXPECT_EQ(name, "x");
-    EXPECT_EQ(range.low, -0.5);
-    EXPECT_EQ(range.high, 1000.0);
-    for (const char* wrong : {"", "x", "x=1", "x=2:1", "=0:1", "x=a:1", "x=0:1:2", "x=nan:1"})
-        EXPECT_THROW((void)range_from(wrong), std::invalid_argument) << wrong;
 }
 
 // Functions of a user's files, with any other content: they run unchanged, or a message states why not.
