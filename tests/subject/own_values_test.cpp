@@ -207,4 +207,13 @@ TEST(OwnTypes, AnExplanationHasTheirValues) {
     EXPECT_THROW((void)explained("samplers.glsl", "twice", quad), std::invalid_argument);
 }
 
+// As docs/verdicts.md has it.
+TEST(OwnRules, AFunctionOfYourOwn) {
+    const Lab lab({.include_roots = {FIXTURES}});
+    const Answer answer =
+        Function<float(float)>(lab, "rules.glsl", "reciprocal").check_rules({uniform(1, 2)});
+    EXPECT_TRUE(answer.passed()) << answer;
+    EXPECT_LE(answer.guarantee.ulp, 4.0);
+}
+
 }  // namespace gloam::check::own_values_test
