@@ -7,18 +7,15 @@
 // read these in less time (docs/cpu-drivers.md).
 //   layout(binding = B GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT image;
 //   GLOAM_FETCH(image, pixel)    the texel, a vec4. pixel: an ivec2 inside the image
-//   GLOAM_INPUT_SIZE(image)      an ivec2, pixels
 
 #ifdef GLOAM_STORAGE_INPUTS
 #define GLOAM_FORMAT(format) , format
 #define GLOAM_INPUT readonly highp image2D
 #define GLOAM_FETCH(image, pixel) imageLoad(image, pixel)
-#define GLOAM_INPUT_SIZE(image) imageSize(image)
 #else
 #define GLOAM_FORMAT(format)
 #define GLOAM_INPUT highp sampler2D
 #define GLOAM_FETCH(image, pixel) texelFetch(image, pixel, 0)
-#define GLOAM_INPUT_SIZE(image) textureSize(image, 0)
 #endif
 
 #endif

@@ -10,11 +10,6 @@
 
 #include "gloam/methods/volumetric_area.glsl"
 
-// What earlier passes have written, as the method reads it.
-vec4 gloam_fetch_prepared(ivec2 texel) {
-    return GLOAM_FETCH(earlier_image, texel);
-}
-
 // A texel of the level before; without a surface outside it.
 GloamSurfaceMoments finer(ivec2 texel) {
     int level = parameters.level - 1;

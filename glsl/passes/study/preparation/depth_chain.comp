@@ -9,11 +9,6 @@
 
 #include "gloam/methods/sao_chain.glsl"
 
-// What earlier passes have written, as the method reads it.
-vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return GLOAM_FETCH(earlier_image, pixel);
-}
-
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     for (int level = 1; level <= GLOAM_LAST_TAP_LEVEL; ++level) {

@@ -9,11 +9,6 @@
 
 #include "gloam/methods/disc_proxy_two.glsl"
 
-// What earlier passes have written, as the method reads it.
-vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return GLOAM_FETCH(earlier_image, pixel);
-}
-
 vec3 gloam_fetch_normal(ivec2 pixel) {
     return GLOAM_FETCH(normal_image, pixel).xyz;
 }

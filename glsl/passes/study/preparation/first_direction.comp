@@ -9,11 +9,6 @@
 
 #include "gloam/methods/separable.glsl"
 
-// What earlier passes have written, as the method reads it.
-vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return GLOAM_FETCH(earlier_image, pixel);
-}
-
 float prepared(ivec2 pixel) {
     float depth = gloam_fetch_depth(pixel);
     if (gloam_is_background(depth) || below_limit(depth)) return 0.0;

@@ -9,11 +9,6 @@
 
 #include "gloam/methods/dual_resolution.glsl"
 
-// What earlier passes have written, as the method reads it.
-vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return GLOAM_FETCH(earlier_image, pixel);
-}
-
 // Distance in pixels up to which a pixel of the frame reads its neighbourhood of 3 x 3 half-resolution pixels.
 const int REACH = 4;
 

@@ -9,10 +9,6 @@
 
 #include "gloam/methods/mssao.glsl"
 
-vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return GLOAM_FETCH(earlier_image, pixel);
-}
-
 // The pixel at the middle of a texel. Its history determines which samples come next.
 ivec2 middle(ivec2 texel) {
     return min((texel << parameters.level) + (1 << (parameters.level - 1)), parameters.size - 1);

@@ -17,10 +17,6 @@ struct Surface {
     vec3 normal;
 };
 
-vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return GLOAM_FETCH(earlier_image, pixel);
-}
-
 // A texel of the level before; zeros outside it.
 Surface finer(ivec2 texel) {
     int level = parameters.level - 1;
@@ -28,8 +24,8 @@ Surface finer(ivec2 texel) {
     if (texel.x >= size.x || texel.y >= size.y) return Surface(vec3(0.0), vec3(0.0));
     vec3 position = gloam_pyramid_position(texel, level, this_camera());
     vec3 normal = level == 0 ? GLOAM_FETCH(normal_image, texel).xyz
-                             : GLOAM_FETCH(earlier_image, gloam_pyramid_texel(texel, level, parameters.size,
-                                                                             GLOAM_PYRAMID_NORMALS)).xyz;
+                             : gloam_fetch_prepared(gloam_pyramid_texel(texel, level, parameters.size,
+                                                                        GLOAM_PYRAMID_NORMALS)).xyz;
     return Surface(position, normal);
 }
 

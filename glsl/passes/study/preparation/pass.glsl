@@ -46,6 +46,11 @@ float gloam_fetch_depth(ivec2 pixel) {
     return GLOAM_FETCH(depth_image, pixel).x;
 }
 
+// What earlier passes have written, as the method reads it.
+vec4 gloam_fetch_prepared(ivec2 texel) {
+    return GLOAM_FETCH(earlier_image, texel);
+}
+
 // The samples that ambient_occlusion.comp takes at a pixel in this frame.
 GloamKernel kernel_at(ivec2 pixel) {
     float depth = gloam_fetch_depth(pixel);
