@@ -279,10 +279,10 @@ double mean_cost(Judge& judge, const Domain::Inputs& inputs) {
 
 Answer empty_answer(const Question& question, Verdict verdict) {
     return {{.equation = question.name.empty() ? question.function : question.name,
-            .function = question.function,
-            .file = question.file,
-            .verdict = verdict,
-            .budget = question.budget}};
+             .function = question.function,
+             .file = question.file,
+             .verdict = verdict,
+             .budget = question.budget}};
 }
 
 Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,
