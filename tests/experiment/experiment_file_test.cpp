@@ -135,12 +135,13 @@ TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {
     expect(with("SELECT 1", "SELECT candidate = 'lop'"), "\"lop\"");
     expect(with("SELECT 1", "SELECT one"), "mine.json: tables[0]: no such column: one");
     expect(with("SELECT [case]", "DELETE"), "tables[0]: ");
-    expect(with("SELECT 1", "SELECT rmse_fit FROM result"), "reads rmse_fit, expected \"fit\"");
-    expect(with("SELECT 1", "SELECT * FROM class_errors"), "reads class_errors, expected \"by_class\"");
+    expect(with("SELECT 1", "SELECT (SELECT rmse_fit FROM result)"),
+           "a table: no such column: rmse_fit, expected in its");
+    expect(with("SELECT 1", "SELECT (SELECT 1 FROM class_errors)"), "no such table: class_errors");
     expect(with("[\"run\"]", "[\"ran\"]"), "\"ran\"");
     // What is not read may be called so.
     EXPECT_NO_THROW(require_consistent(
-        read_experiment("mine.json", with("SELECT 1", "SELECT rmse AS 'rmse_fit' FROM result"))));
+        read_experiment("mine.json", with("SELECT 1", "SELECT (SELECT 1 AS 'rmse_fit' FROM result)"))));
     expect(with("\"name\": \"loop\"", "\"name\": \"run\""), "twice");
 }
 

@@ -111,11 +111,11 @@ std::vector<std::string> candidates_in(const Table& table) {
 
 namespace {
 
-// Columns, and tables, of a quantity.
+// Columns, and tables, with the quantities that they need.
 const std::multimap<std::string, Quantity> quantity_of{{"rmse_depth", Quantity::depth},
                                                        {"rmse_depth_raw", Quantity::depth},
-                                                       {"converged_depth", Quantity::depth},
                                                        {"converged_depth", Quantity::converged},
+                                                       {"converged_depth", Quantity::depth},
                                                        {"converged_rmse", Quantity::converged},
                                                        {"converged_bias", Quantity::converged},
                                                        {"converged_remapped", Quantity::converged},
@@ -127,13 +127,17 @@ const std::multimap<std::string, Quantity> quantity_of{{"rmse_depth", Quantity::
                                                        {"class_errors", Quantity::by_class},
                                                        {"class_frames", Quantity::by_class}};
 
-void require_measured(const Table& table, const Database& database) {
-    for (const std::string& name : database.names_in(fmt::format("{}", fmt::join(table.select, "\n"))))
-        for (auto [row, end] = quantity_of.equal_range(name); row != end; ++row)
-            if (std::ranges::find(table.measures, row->second) == table.measures.end())
-                throw std::runtime_error(fmt::format("a table reads {}, expected \"{}\" in its \"measures\"",
-                                                     name,
-                                                     quantities().at(static_cast<std::size_t>(row->second))));
+// A SELECT of a table finds the columns alone that it measures.
+void require_measured(const Table& table) {
+    std::set<std::string> without;
+    for (const auto& [name, quantity] : quantity_of)
+        if (std::ranges::find(table.measures, quantity) == table.measures.end()) without.insert(name);
+    try {
+        (void)Database(Record({}), nullptr, without).select(fmt::format("{}", fmt::join(table.select, "\n")));
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("a table: {}, expected in its \"measures\" what it reads: {}",
+                                             error.what(), fmt::join(quantities(), ", ")));
+    }
 }
 
 }  // namespace
@@ -158,9 +162,8 @@ void require_consistent(const Experiment& experiment) {
     for (const Table& table : experiment.tables)
         for (const std::string& name : candidates_in(table)) require(name, "a table's candidate");
     try {
-        const Database empty(Record({}));
-        (void)to_text(experiment, empty);
-        for (const Table& table : experiment.tables) require_measured(table, empty);
+        (void)to_text(experiment, Database(Record({})));
+        for (const Table& table : experiment.tables) require_measured(table);
     } catch (const std::runtime_error& error) {
         throw std::invalid_argument(error.what());
     }

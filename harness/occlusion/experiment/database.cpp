@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -64,11 +65,9 @@ void set_text(const Statement& statement, int place, const std::string& text) {
                           SQLITE_TRANSIENT);
 }
 
-// A SELECT reads, and calls functions. names: a set that receives what it reads, or nullptr.
-int permit(void* names, int action, const char* table, const char* column, const char* /*unused*/,
-           const char* /*unused*/) {
-    if (names != nullptr && action == SQLITE_READ)
-        static_cast<std::set<std::string>*>(names)->insert({table, column});
+// A SELECT reads, and calls functions.
+int permit(void* /*unused*/, int action, const char* /*unused*/, const char* /*unused*/,
+           const char* /*unused*/, const char* /*unused*/) {
     const bool reads = action == SQLITE_SELECT || action == SQLITE_READ || action == SQLITE_FUNCTION ||
                        action == SQLITE_RECURSIVE;
     return reads ? SQLITE_OK : SQLITE_DENY;
@@ -120,13 +119,17 @@ std::vector<std::optional<double>> fits_of(const std::vector<Visit>& visits) {
 
 }  // namespace
 
-Database::Database(const Record& record, const Record* before) : handle_(nullptr, sqlite3_close) {
+Database::Database(const Record& record, const Record* before, const std::set<std::string>& without)
+    : handle_(nullptr, sqlite3_close) {
     sqlite3* handle = nullptr;
     const int opened = sqlite3_open(":memory:", &handle);
     handle_.reset(handle);
     if (opened != SQLITE_OK) fail(handle);
     internal::add_functions(handle);
     load(record);
+    for (const std::string& name : without)
+        run(((name.starts_with("class_") ? "DROP TABLE " : "ALTER TABLE result DROP COLUMN ") + name)
+                .c_str());
     if (before != nullptr) copy(Database(*before));
     sqlite3_set_authorizer(handle, permit, nullptr);
 }
@@ -177,15 +180,6 @@ Rows Database::select(const std::string& text, const std::string& size) const {
         for (int i = 0; i < columns; ++i) row.push_back(value_in(statement, i));
     }
     return rows;
-}
-
-std::set<std::string> Database::names_in(const std::string& text) const {
-    std::set<std::string> names;
-    sqlite3_set_authorizer(handle_.get(), permit, &names);
-    const auto restore = [](sqlite3* handle) { sqlite3_set_authorizer(handle, permit, nullptr); };
-    const std::unique_ptr<sqlite3, decltype(restore)> restored(handle_.get(), restore);
-    (void)prepared(handle_.get(), text);
-    return names;
 }
 
 std::string Database::text(const std::string& select, const std::string& size) const {

@@ -25,15 +25,14 @@ struct Rows {
 // The visits of a record as tables of SQLite (docs/measurements.md), in memory.
 class Database {
   public:
-    // before: a record whose tables are in the schema `before`, or nullptr.
-    explicit Database(const Record& record, const Record* before = nullptr);
+    // before: a record whose tables are in the schema `before`, or nullptr. without: columns of `result`, and
+    // tables, that are left out.
+    explicit Database(const Record& record, const Record* before = nullptr,
+                      const std::set<std::string>& without = {});
 
     // The rows of a SELECT, in which `:size` is this size. A description of somebody else's may hold it: it
     // only reads, and takes a bounded number of steps. Throws std::runtime_error with SQLite's message.
     [[nodiscard]] Rows select(const std::string& text, const std::string& size = "") const;
-
-    // The names of the tables and columns that a SELECT reads. Throws likewise.
-    [[nodiscard]] std::set<std::string> names_in(const std::string& text) const;
 
     // The only value of a SELECT that has one row.
     [[nodiscard]] std::string text(const std::string& select, const std::string& size = "") const;
