@@ -21,8 +21,8 @@ if "--wheel" not in sys.argv:
     import gloam
     import numpy as np
 
-FIXTURES = ROOT / "tests" / "check" / "fixtures"
-GUIDE = BUILD / "tests" / "check" / "guide"  # the files of docs/testing.md
+FIXTURES = ROOT / "tests" / "subject" / "fixtures"
+GUIDE = BUILD / "tests" / "judge" / "guide"  # the files of docs/testing.md
 
 
 class Wheel(unittest.TestCase):
