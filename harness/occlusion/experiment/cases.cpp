@@ -107,10 +107,6 @@ std::vector<std::string> candidates_in(const Table& table) {
     return names;
 }
 
-}  // namespace
-
-namespace {
-
 // Columns, and tables, with the quantities that they need.
 const std::multimap<std::string, Quantity> quantity_of{{"rmse_depth", Quantity::depth},
                                                        {"rmse_depth_raw", Quantity::depth},
