@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Bent normals and light by direction, as their passes make them.
-#include "directions.hpp"
+// Bent normals and light by direction, as their passes make them, and the lit image.
+#include "effect/directional.hpp"
+#include "effect/composite.hpp"
 #include "numeric/random.hpp"
+#include "on_device.hpp"
 #include "reference/geometry_camera.hpp"
 #include "reference/occlusion.hpp"
 #include "reference/sampling.hpp"
 #include "reference/shading.hpp"
-#include "scene/mesh.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect::directional_test {
 
-constexpr double pi = std::numbers::pi;
-
 double degrees_between(const glm::vec3& a, const glm::vec3& b) {
-    return std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)) * 180.0 / pi;
+    return std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)) * 180.0 /
+           std::numbers::pi;
 }
 
-// An engine's depth buffer and encoded normals are converted before.
-TEST_F(Directions, WhatAnEngineStoresIsReadAsDepth) {
-    scene::GBuffer view = step(1.5F, 3.0F, close);
-    const BentNormals wanted = directional_.bent_normals(view, many());
-    view.stored = scene::stored_inputs(view, {.depth_buffer = true, .octahedral = true});
-    const BentNormals found = directional_.bent_normals(view, many());
-    EXPECT_EQ(found.direction, wanted.direction);
-    EXPECT_EQ(found.half_angle, wanted.half_angle);
+class Directions : public OnDevice<testing::Test> {
+  protected:
+    Directional directional_{device_, passes_};
+};
+
+Settings many(float radius = 1.0F) {
+    Settings settings = with_radius({}, radius);
+    settings.samples = 1024;
+    return settings;
 }
+
+constexpr float high = 1.5F;  // a step that is higher than the radius
 
 // Every window with as many pixels as share a pattern contains the whole pattern. On a plane, all pixels with
 // few samples therefore agree with each other, and with a single pixel that takes all samples. Without
@@ -61,45 +65,6 @@ TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
         EXPECT_LT(degrees_between(bent.direction[beside], {diagonal, 0, diagonal}), 10.0) << interleave;
         EXPECT_LT(degrees_between(bent.direction[beside - 1], {0, 0, 1}), 0.5) << "on top";
         EXPECT_NEAR(bent.half_angle[beside], std::acos(std::sqrt(2.0) - 1.0), 0.1) << interleave;
-    }
-    for (const int sides : {0, 9, -1})
-        EXPECT_THROW((void)directional_.bent_normals(step(3.0F, 3.0F), many(), {.interleave = sides}),
-                     std::invalid_argument);
-}
-
-// Inside a ball that is small beside the radius nothing is open.
-TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
-    scene::Scene ball{.name = "ball", .mesh = scene::make_sphere({0, 0, 0}, 1.0, 24, 48)};
-    ball.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .near = 0.01};
-    const scene::GBuffer view = drawn(ball, {24, 16});
-    Settings settings = with_radius({}, 1e4F);
-    settings.samples = 32;
-    settings.filter = Filter::none;
-    const BentNormals bent = directional_.bent_normals(view, settings);
-    const DirectionalLight light = directional_.light(view, settings, Sky{});
-    std::size_t closed = 0;  // a sample that falls beside the image may be open
-    for (std::size_t i = 0; i < bent.direction.size(); ++i) {
-        if (light.direct[i] != glm::vec3(0)) continue;
-        ++closed;
-        ASSERT_EQ(bent.half_angle[i], 0.0F) << i;
-        ASSERT_LT(degrees_between(bent.direction[i], view.normal[i]), 0.1) << i;
-    }
-    EXPECT_GT(closed, bent.direction.size() / 2);
-}
-
-// Albedo times light times visibility, whichever directions it is estimated by.
-TEST_F(Directions, ConstantLightIsVisibility) {
-    const scene::GBuffer view = drawn("corner", {64, 36}, {.color = true});
-    const glm::vec3 radiance(0.5F, 2.0F, 1.0F);
-    const DirectionalLight light = directional_.light(view, many(), Sky{radiance, radiance, radiance});
-    AmbientOcclusion effect(device_, passes_, view.extent);
-    effect.begin(view, many());
-    const Frame frame = effect.next();
-    for (std::size_t i = 0; i < view.depth.size(); ++i) {
-        if (!std::isfinite(view.depth[i])) continue;
-        const glm::vec3 expected = view.color[i] * radiance * (1.0F - frame.occlusion[i]);
-        ASSERT_LT(glm::length(light.direct[i] - expected), 0.03F * glm::length(view.color[i] * radiance))
-            << i;
     }
 }
 
@@ -198,48 +163,103 @@ TEST_P(Bounces, AWallTintsTheFloorBesideIt) {
 INSTANTIATE_TEST_SUITE_P(Radii, Bounces, testing::Values(1.0F, 6.0F), testing::PrintToStringParamName());
 
 // Of eight samples: another number of them, or another sample, is seen.
+struct Known {
+    const char* what;
+    std::size_t pixel;
+    float direct, bounced, bent, half_angle;
+    void (*change)(scene::GBuffer& view) = [](scene::GBuffer&) {};
+    int interleave = 1;
+    double guard = 0.0;
+};
+const Known known[] = {
+    {"", 1369, 0.3428F, 0.0434F, 0.5567F, 1.2464F},
+    {"", 1554, 0.1710F, 0.0891F, 0.3612F, 1.4791F},
+    {"interleaved", 1369, 0.3428F, 0.0434F, 0.6787F, 1.4758F, [](scene::GBuffer&) {}, 4},
+    {"stored", 1369, 0.3428F, 0.0434F, 0.5567F, 1.2464F,
+     [](scene::GBuffer& view) {
+         view.stored = scene::stored_inputs(view, {.depth_buffer = true, .octahedral = true});
+     }},
+    {"normals from depth", 1369, 0.2884F, 0.0155F, 0.6094F, 1.5708F,
+     [](scene::GBuffer& view) { view.normal.clear(); }},
+    {"background", 1369, 0.0F, 0.0F, 0.0F, 0.0F,
+     [](scene::GBuffer& view) { std::ranges::fill(view.depth, infinity); }},
+    {"nothing open", 1369, 0.0F, 0.0F, 0.7399F, 0.0F, [](scene::GBuffer& view) { view.depth[1369] += 1.5F; }},
+    {"guarded", 1369, 0.2641F, 0.0766F, 0.4772F, 0.9589F, [](scene::GBuffer&) {}, 1, 0.25}};
+
 TEST_F(Directions, KeepTheirPixels) {
-    const scene::GBuffer view = drawn("corner", {64, 36}, {.color = true});
     Settings few = many();
     few.samples = 8;
-    const DirectionalLight light = directional_.light(view, few, clear_sky);
-    const BentNormals bent = directional_.bent_normals(view, few);
-    struct Known {
-        std::size_t pixel;
-        float direct, bounced, half_angle;
-    };
-    for (const Known& known : {Known{1369, 0.3428F, 0.0434F, 1.2464F}, {1554, 0.1710F, 0.0891F, 1.4791F}}) {
-        EXPECT_NEAR(light.direct[known.pixel].x, known.direct, 1e-3) << known.pixel;
-        EXPECT_NEAR(light.bounced[known.pixel].x, known.bounced, 1e-3) << known.pixel;
-        EXPECT_NEAR(bent.half_angle[known.pixel], known.half_angle, 1e-3) << known.pixel;
+    for (const auto& [what, pixel, direct, bounced, bent, half_angle, change, interleave, guard] : known) {
+        scene::GBuffer view = drawn("corner", {64, 36}, {.color = true, .guard = guard});
+        change(view);
+        const DirectionalLight light = directional_.light(view, few, clear_sky);
+        const BentNormals directions = directional_.bent_normals(view, few, {.interleave = interleave});
+        EXPECT_NEAR(light.direct.at(pixel).x, direct, 1e-3) << what << pixel;
+        EXPECT_NEAR(light.bounced.at(pixel).x, bounced, 1e-3) << what << pixel;
+        EXPECT_NEAR(directions.direction.at(pixel).x, bent, 1e-3) << what << pixel;
+        EXPECT_NEAR(directions.half_angle.at(pixel), half_angle, 1e-3) << what << pixel;
     }
 }
 
-TEST_F(Directions, BackgroundHasNoBentNormalAndNoLight) {
+TEST_F(Directions, OfWrongImagesAndOptionsAreRefused) {
     scene::GBuffer view = step(3.0F, 3.0F);
-    view.depth[100] = infinity;
-    view.color.assign(view.depth.size(), glm::vec3(1));
-    const DirectionalLight light = directional_.light(view, many(), clear_sky);
-    EXPECT_EQ(light.direct[100], glm::vec3(0));
-    EXPECT_EQ(light.bounced[100], glm::vec3(0));
-    for (const int interleave : {1, 4}) {
-        const BentNormals bent = directional_.bent_normals(view, many(), {.interleave = interleave});
-        EXPECT_EQ(bent.direction[100], glm::vec3(0)) << interleave;
-        EXPECT_EQ(bent.half_angle[100], 0.0F) << interleave;
+    for (const int sides : {0, 9, -1})
+        EXPECT_THROW((void)directional_.bent_normals(view, many(), {.interleave = sides}),
+                     std::invalid_argument);
+    view.color.resize(7);
+    EXPECT_THROW((void)directional_.light(view, many(), clear_sky), std::invalid_argument);
+}
+
+class CompositePass : public OnDevice<testing::Test> {
+  protected:
+    Composite composite_{device_, passes_};
+};
+
+// ISSAO-2 and direct light; with an albedo GTAO-bounce in the place of the first. Occlusion outside of [0, 1]
+// is clamped, and NaN counts as 0.
+struct Lit {
+    float occlusion;
+    glm::vec3 ambient, direct, plain, bounced;
+};
+const glm::vec3 white(1, 2, 4);
+const glm::vec3 red(0.5F, 0, 0);
+const Lit rows[] = {{0.0F, white, red, {1.5F, 2, 4}, {1.5F, 2, 4}},
+                    {0.5F, white, red, {1, 1, 2}, {1, 2 * 0.68096F, 4 * 0.8979F}},
+                    {0.25F, {4, 0, 8}, {0, 1, 0}, {3, 1, 6}, {3, 1, 8 * 0.9684F}},
+                    {1.5F, white, red, red, red},
+                    {-1.0F, white, red, {1.5F, 2, 4}, {1.5F, 2, 4}},
+                    {nan, white, red, {1.5F, 2, 4}, {1.5F, 2, 4}}};
+
+// In an image whose sides are no multiples of a group's.
+TEST_F(CompositePass, LightsEachPixel) {
+    const gpu::Extent extent{37, 21};
+    std::vector<glm::vec3> ambient, direct;
+    std::vector<float> occlusion;
+    for (std::size_t i = 0; i < 37 * 21; ++i) {
+        const Lit& row = rows[i % std::size(rows)];
+        ambient.push_back(row.ambient);
+        direct.push_back(row.direct);
+        occlusion.push_back(row.occlusion);
+    }
+    const std::vector<glm::vec3> albedo(ambient.size(), {0, 0.5F, 1});
+    const std::vector<glm::vec3> plain = composite_.lit(extent, ambient, direct, occlusion);
+    const std::vector<glm::vec3> bounced = composite_.lit(extent, ambient, direct, occlusion, albedo);
+    const std::vector<glm::vec3> open = composite_.lit(extent, ambient, direct, {});
+    ASSERT_EQ(plain.size(), ambient.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        const Lit& row = rows[i % std::size(rows)];
+        EXPECT_EQ(plain[i], row.plain) << i;
+        EXPECT_LT(glm::distance(bounced[i], row.bounced), 1e-3F) << i;
+        EXPECT_EQ(open[i], row.ambient + row.direct) << i;
     }
 }
 
-TEST_F(Directions, WithoutNormalsAndWithABand) {
-    scene::GBuffer view = drawn("corner", {31, 17}, {.color = true, .guard = 0.25});
-    Settings settings = many();
-    settings.samples = 16;
-    view.normal.clear();
-    const BentNormals bent = directional_.bent_normals(view, settings);
-    EXPECT_EQ(bent.direction.size(), 31U * 17U);
-    for (const glm::vec3& direction : bent.direction) EXPECT_NEAR(glm::length(direction), 1.0F, 1e-5);
-    EXPECT_EQ(directional_.light(view, settings, clear_sky).bounced.size(), 31U * 17U);
-    view.color.pop_back();
-    EXPECT_THROW((void)directional_.light(view, settings, clear_sky), std::invalid_argument);
+TEST_F(CompositePass, RefusesImagesOfAnotherSize) {
+    const std::vector<glm::vec3> light(6);
+    for (const auto& [extent, occlusions, message] : {std::tuple{gpu::Extent{3, 2}, 4, "4 occlusions"},
+                                                      {gpu::Extent{3, 3}, 0, "6 pixels with ambient light"}})
+        EXPECT_THAT([&] { (void)composite_.lit(extent, light, light, std::vector<float>(occlusions)); },
+                    ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
 }
 
 }  // namespace gloam::effect::directional_test

@@ -21,6 +21,7 @@ constexpr double mean_tolerance = 2e-3;  // thousandths of occlusion, or samples
 
 struct Row {
     std::string asked;
+    std::string known;  // what follows
     std::string scene = "moving";
     gpu::Extent extent{83, 45};
     int frames = 4;
@@ -30,34 +31,25 @@ struct Row {
     std::vector<int> pixels;  // ten-thousandths of occlusion
 };
 
-void ask(Row& row, const std::string& key, const std::string& value) {
-    if (key == "scene") {
-        row.scene = value;
-    } else if (key == "size") {
-        char by = 0;
-        std::istringstream(value) >> row.extent.width >> by >> row.extent.height;
-    } else if (key == "frames") {
-        row.frames = std::stoi(value);
-    } else if (key == "preset") {
-        row.settings = preset_named(value).settings;
-    } else if (key == "method") {
-        row.settings = with_method(row.settings, value);
-    } else if (key == "radius") {
-        row.settings = with_radius(row.settings, std::stof(value));
-    } else {
-        set(row.settings, key, value);
-    }
-}
-
 Row row_of(const std::string& line) {
     const std::size_t colon = line.find(" : ");
     Row row{.asked = line.substr(0, colon), .settings = with_radius({}, 1.5F)};
     std::istringstream asked(row.asked);
     for (std::string word; asked >> word;) {
-        const std::size_t equals = word.find('=');
-        ask(row, word.substr(0, equals), word.substr(equals + 1));
+        const std::string value = word.substr(word.find('=') + 1);
+        char by = 0;
+        if (word.starts_with("scene=")) {
+            row.scene = value;
+        } else if (word.starts_with("size=")) {
+            std::istringstream(value) >> row.extent.width >> by >> row.extent.height;
+        } else if (word.starts_with("frames=")) {
+            row.frames = std::stoi(value);
+        } else {
+            row.settings = with(row.settings, word);
+        }
     }
     row.settings.output = OutputFormat::r32f;
+    row.known = line.substr(colon);
     std::istringstream known(line.substr(colon + 3));
     known >> row.mean >> row.kept;
     for (int pixel = 0; known >> pixel;) row.pixels.push_back(pixel);
@@ -114,5 +106,25 @@ TEST_P(KnownPixels, AreShown) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, KnownPixels, testing::ValuesIn(known_rows()),
                          [](const auto& row) { return test::test_name(row.param.asked); });
+
+// No two of them are equal, so that each setting that has one changes what is shown.
+TEST(KnownPixels, HaveARowForEverySetting) {
+    std::map<std::string, std::string> rows;
+    for (const Row& row : known_rows()) {
+        const auto [same, is_new] = rows.emplace(row.known, row.asked);
+        EXPECT_TRUE(is_new) << row.asked << " shows what " << same->second << " shows";
+    }
+    for (const Setting& setting : setting_table()) {
+        // Those of frame_test.cpp and engine_inputs_test.cpp.
+        if (std::set<std::string>{"passes", "skips", "bent_normals", "output"}.contains(setting.name))
+            continue;
+        EXPECT_TRUE(std::ranges::any_of(rows,
+                                        [&](const auto& row) {
+                                            return (' ' + row.second).find(' ' + setting.name + '=') !=
+                                                   std::string::npos;
+                                        }))
+            << setting.name << ": which value changes something?";
+    }
+}
 
 }  // namespace gloam::effect::known_pixels_test

@@ -25,29 +25,17 @@ inline testing::AssertionResult same_bits(const std::vector<float>& left, const 
     return testing::AssertionSuccess();
 }
 
-using FrameImage = std::vector<float> Frame::*;
-
-inline const std::vector<std::pair<FrameImage, std::string>> images_of_frame{
-    {&Frame::occlusion, "occlusion"},
-    {&Frame::filtered, "filtered"},
-    {&Frame::convergence, "convergence"},
-    {&Frame::kept, "kept"}};
-
-// Fails unless images of two frames have the same bits: all of them, or those that are named.
-inline void expect_same_images(const Frame& left, const Frame& right,
-                               std::initializer_list<FrameImage> images = {}, const std::string& what = "") {
-    for (const auto& [image, name] : images_of_frame) {
-        if (images.size() > 0 && std::ranges::find(images, image) == images.end()) continue;
-        EXPECT_TRUE(same_bits(left.*image, right.*image, left.extent.width)) << name << ' ' << what;
-    }
+// Fails unless the images of two frames have the same bits.
+inline void expect_same_images(const Frame& left, const Frame& right, const std::string& what = "") {
+    for (const auto image : {&Frame::occlusion, &Frame::filtered, &Frame::convergence, &Frame::kept})
+        EXPECT_TRUE(same_bits(left.*image, right.*image, left.extent.width)) << what;
 }
 
 // Fails unless the images of each frame of two sequences have the same bits.
-inline void expect_same_images(const std::vector<Frame>& left, const std::vector<Frame>& right,
-                               std::initializer_list<FrameImage> images = {}) {
+inline void expect_same_images(const std::vector<Frame>& left, const std::vector<Frame>& right) {
     ASSERT_EQ(left.size(), right.size());
     for (std::size_t i = 0; i < left.size(); ++i)
-        expect_same_images(left[i], right[i], images, "of frame " + std::to_string(i));
+        expect_same_images(left[i], right[i], "of frame " + std::to_string(i));
 }
 
 inline double mean_of(const std::vector<float>& values) {
@@ -64,6 +52,25 @@ inline double largest_difference(const std::vector<float>& left, const std::vect
 // What a pass binds there.
 inline const gpu::Image& image_of(const Step& pass, std::size_t binding) {
     return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(binding)).get();
+}
+
+// Changes settings by words NAME=VALUE, in their order; preset, method and radius as commands name them.
+inline Settings with(Settings settings, const std::string& changes) {
+    std::istringstream words(changes);
+    for (std::string word; words >> word;) {
+        const std::string name = word.substr(0, word.find('='));
+        const std::string value = word.substr(name.size() + 1);
+        if (name == "preset") {
+            settings = preset_named(value).settings;
+        } else if (name == "method") {
+            settings = with_method(settings, value);
+        } else if (name == "radius") {
+            settings = with_radius(settings, std::stof(value));
+        } else {
+            set(settings, name, value);
+        }
+    }
+    return settings;
 }
 
 // Gloam's own presets: the frame.

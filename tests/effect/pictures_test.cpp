@@ -43,49 +43,6 @@ class Pictures : public OnDevice<testing::Test> {
                                           const Settings& settings) const {
         return run(sequence, settings).back().filtered;
     }
-
-    static void TearDownTestSuite() {
-        moving_.reset();
-        shown_.clear();
-        OnDevice::TearDownTestSuite();
-    }
-
-    // Frames of the scene with the moving box, and the truth of the last one.
-    struct Moving {
-        scene::Scene scene = scene::make_scene("moving");
-        std::vector<scene::GBuffer> sequence;
-        std::vector<scene::GBuffer>
-            stopped;  // the same, but the objects are always where they are at the end
-        Truth traced;
-    };
-    // Made once, as what each preset displays of its last frame.
-    [[nodiscard]] const Moving& moving() const {
-        if (!moving_) moving_ = moved();
-        return *moving_;
-    }
-    [[nodiscard]] const std::vector<float>& shown(const Preset& preset) const {
-        const auto [at, is_new] = shown_.try_emplace(preset.name);
-        if (is_new) at->second = last(moving().sequence, settings_of(preset, moving().scene.ao_radius));
-        return at->second;
-    }
-
-  private:
-    [[nodiscard]] Moving moved() const {
-        Moving made;
-        constexpr int frames = 24;
-        scene::Scene stopped = made.scene;
-        for (scene::MovingObject& object : stopped.objects)
-            object.transform = [at_the_end = object.transform(frames - 1)](int) { return at_the_end; };
-        for (int i = 0; i < frames; ++i) {
-            made.sequence.push_back(view(made.scene, i));
-            made.stopped.push_back(view(stopped, i));
-        }
-        made.traced = truth(made.scene, frames - 1, made.sequence.back());
-        return made;
-    }
-
-    inline static std::optional<Moving> moving_;
-    inline static std::map<std::string, std::vector<float>> shown_;  // by the name of the preset
 };
 
 std::size_t at(int x, int y, gpu::Extent size) {
@@ -161,12 +118,6 @@ Found largest_ghost(const std::vector<float>& moved, const std::vector<float>& a
     return most;
 }
 
-std::vector<Preset> presets_with_history() {
-    std::vector<Preset> all = presets();
-    std::erase_if(all, [](const Preset& preset) { return !preset.settings.history; });
-    return all;
-}
-
 // The difference to the truth that a viewer sees beside an object.
 constexpr float visible_ghost = 0.1F;
 // The difference to all neighbours beyond the truth's up to which a pixel may be alone, in a still view and
@@ -186,23 +137,29 @@ void expect_none_alone(const std::string& what, const std::vector<float>& image,
     EXPECT_LT(most.value, limit) << what << ", pixel " << most.x << "," << most.y;
 }
 
-TEST_F(Pictures, MovingObjectsLeaveNoGhost) {
-    const scene::GBuffer& view = moving().sequence.back();
-    for (const Preset& preset : presets_with_history()) {
-        const Settings settings = settings_of(preset, moving().scene.ao_radius);
-        const Found ghost =
-            largest_ghost(shown(preset), last(moving().stopped, settings), moving().traced, view);
+// Frames of the scene with the moving box, and the same with the objects always where they are at the end.
+TEST_F(Pictures, MovingObjectsLeaveNoGhostAndNoPixelAlone) {
+    constexpr int frames = 24;
+    const scene::Scene scene = scene::make_scene("moving");
+    scene::Scene stopped = scene;
+    for (scene::MovingObject& object : stopped.objects)
+        object.transform = [at_the_end = object.transform(frames - 1)](int) { return at_the_end; };
+    std::vector<scene::GBuffer> moving;
+    std::vector<scene::GBuffer> standing;
+    for (int i = 0; i < frames; ++i) {
+        moving.push_back(view(scene, i));
+        standing.push_back(view(stopped, i));
+    }
+    const Truth traced = truth(scene, frames - 1, moving.back());
+    for (const Preset& preset : presets()) {
+        if (!preset.settings.history) continue;
+        const Settings settings = settings_of(preset, scene.ao_radius);
+        const std::vector<float> shown = last(moving, settings);
+        const Found ghost = largest_ghost(shown, last(standing, settings), traced, moving.back());
         RecordProperty("ghost_" + preset.name, fmt::format("{:.3f} at {},{}", ghost.value, ghost.x, ghost.y));
         EXPECT_LT(ghost.value, visible_ghost) << preset.name << ", pixel " << ghost.x << "," << ghost.y;
-    }
-}
-
-TEST_F(Pictures, NoPixelIsAloneBesideMovingObjects) {
-    for (const Preset& preset : presets_with_history()) {
-        const Settings settings = settings_of(preset, moving().scene.ao_radius);
-        if (!filters(settings)) continue;
-        expect_none_alone(preset.name + " moving", shown(preset), moving().traced, settings,
-                          most_alone_beside_motion);
+        if (filters(settings))
+            expect_none_alone(preset.name + " moving", shown, traced, settings, most_alone_beside_motion);
     }
 }
 

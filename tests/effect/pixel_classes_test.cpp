@@ -62,7 +62,11 @@ TEST(HistoryMap, OfAMovingCamera) {
 // The square moves two pixels to the right: it uncovers two columns of the wall.
 TEST(HistoryMap, OfAMovingObject) {
     const scene::GBuffer before = square_view(10, 0, 10, 0);
-    const HistoryMap history(square_view(12, 0, 10, 0), before);
+    scene::GBuffer view = square_view(12, 0, 10, 0);
+    const HistoryMap history(view, before);
+    view.previous_position.clear();  // the same by motion vectors: dx, dy, valid
+    for (const float depth : view.depth) view.motion.emplace_back(depth < 7 ? 2.0F : 0.0F, 0.0F, 1.0F);
+    const HistoryMap by_vectors(view, before);
     for (std::size_t i = 0; i < width * height; ++i) {
         const std::size_t x = i % width;
         const std::size_t y = i / width;
@@ -71,8 +75,12 @@ TEST(HistoryMap, OfAMovingObject) {
         EXPECT_EQ(history.moved(i), row && x >= 12 && x < 20) << i;
         if (history.moved(i)) {
             EXPECT_EQ(history.nearest(i), i - 2);
+            EXPECT_EQ(by_vectors.nearest(i), i - 2);
         }
+        EXPECT_EQ(by_vectors.moved(i), history.moved(i)) << i;
     }
+    view.motion[5].z = 0.0F;
+    EXPECT_FALSE(HistoryMap(view, before).seen(5));
     // What is carried along does not flicker; what stands still in the image does where the square passes.
     std::vector<float> now(width * height, 0.0F);
     std::vector<float> then(width * height, 0.0F);
@@ -86,21 +94,6 @@ TEST(HistoryMap, OfAMovingObject) {
     Mask uncovered(width * height, 0);
     for (std::size_t i = 0; i < uncovered.size(); ++i) uncovered[i] = history.seen(i) ? 0 : 1;
     EXPECT_FALSE(mean_change(history, now, then, {}, uncovered));
-}
-
-// Motion vectors alone: dx, dy, valid.
-TEST(HistoryMap, FromMotionVectors) {
-    const scene::GBuffer before = square_view(10, 0, 10, 0);
-    scene::GBuffer view = square_view(12, 0, 10, 0);
-    view.previous_position.clear();
-    for (std::size_t i = 0; i < width * height; ++i)
-        view.motion.emplace_back(view.depth[i] < 7 ? 2.0F : 0.0F, 0.0F, 1.0F);
-    view.motion[5].z = 0.0F;
-    const HistoryMap history(view, before);
-    EXPECT_FALSE(history.seen(5));
-    const std::size_t on_square = 12 * width + 15;
-    EXPECT_TRUE(history.moved(on_square));
-    EXPECT_EQ(history.nearest(on_square), on_square - 2);
 }
 
 TEST(HistoryMap, BackgroundHasNone) {

@@ -93,7 +93,7 @@ TEST(Presets, PublishedOnesRunWhatTheirSourceRan) {
         EXPECT_EQ(origin_of(preset_named(preset), setting), "ours") << preset << ": " << setting;
 }
 
-// The table of settings: complete, in range, and every line of it changes what is shown.
+// The table of settings; known_pixels_test.cpp shows that every line of it changes what is shown.
 
 TEST(SettingTable, DefaultsAreThePaperPreset) {
     const Settings paper = preset_named("tssao-paper").settings;
@@ -176,135 +176,6 @@ TEST(SettingTable, WhatCannotBeNamesTheSetting) {
             },
             ThrowsMessage<std::invalid_argument>(HasSubstr(message)))
             << preset << ' ' << name << ' ' << value;
-    }
-}
-
-// Settings by name, on top of those of the test.
-using Changes = std::vector<std::pair<const char*, const char*>>;
-
-struct Case {
-    const char* value;  // another than that of the test
-    Changes before{};   // without which it would not matter
-};
-
-const Changes of_frame{{"method", "sweep"}, {"steps", "6"}, {"samples", "12"}};
-const Changes short_frame{{"passes", "frame"}, {"method", "sweep"}, {"steps", "6"}, {"samples", "12"}};
-const Changes with_range{
-    {"passes", "frame"}, {"method", "sweep"}, {"steps", "6"}, {"samples", "12"}, {"history_range", "0.1"}};
-
-const Changes with_tiles{{"passes", "frame"}, {"method", "sweep"},     {"steps", "6"},
-                         {"samples", "12"},   {"resolution", "tiles"}, {"mark", "0.2"}};
-
-const std::map<std::string, Case> cases{
-    {"passes", {"frame", of_frame}},
-    {"history_range", {"0.5", short_frame}},
-    {"history_sharpness", {"1", with_range}},
-    {"deep", {"on", short_frame}},
-    {"skips", {"off", short_frame}},
-    {"mark", {"0.02", with_tiles}},
-    {"bent_normals", {"on", short_frame}},
-    {"bounce_albedo", {"0.5", short_frame}},
-    {"method", {"disc"}},
-    {"radius", {"0.25"}},
-    {"bias", {"0.05"}},
-    {"bias_depth", {"0.02"}},
-    {"range", {"0.05"}},
-    {"epsilon", {"0.05", {{"method", "disc"}}}},
-    {"intensity", {"0.5", {{"method", "alchemy"}}}},
-    {"thickness", {"0.05", {{"method", "bitmask"}}}},
-    {"angle_bias", {"0.5", {{"method", "hbao"}}}},
-    {"steps", {"2", {{"method", "gtao"}}}},
-    {"layers", {"2"}},
-    {"disagreement", {"0", {{"method", "dual_resolution"}}}},
-    {"feature_thickness", {"0", {{"method", "sweep"}}}},
-    {"mip_distance", {"1", {{"method", "sao"}}}},
-    {"samples", {"24"}},
-    {"samples_converged", {"8", {{"c_spatial", "0.1"}}}},
-    {"samples_distance", {"10"}},
-    {"samples_radius", {"40"}},
-    {"samples_least", {"20", {{"samples_radius", "40"}}}},
-    {"radius_cap", {"5"}},
-    {"reject_taps", {"on", {{"range", "0.05"}}}},
-    {"smoothing", {"0.3"}},
-    {"c_spatial", {"0.1"}},
-    {"table_size", {"64"}},
-    {"weight_max", {"64"}},
-    {"c_rot", {"0.1"}},
-    {"rotation", {"lattice"}},
-    {"c_adaptive", {"0.6"}},
-    {"filter_cap", {"1", {{"c_adaptive", "1"}}}},
-    {"depth_tolerance", {"1e-4"}},
-    {"taps", {"nearest"}},
-    {"invalidation", {"none"}},
-    {"change_tolerance", {"0.02"}},
-    {"weight_small", {"4", {{"invalidation", "clamp"}}}},
-    {"confidence_factor", {"200"}},
-    {"filter", {"off", {{"c_adaptive", "1"}}}},
-    {"filter_half_width", {"1", {{"c_adaptive", "1"}}}},
-    {"filter_sigma", {"1", {{"c_adaptive", "1"}}}},
-    {"filter_depth", {"0.01", {{"filter", "bilateral"}}}},
-    {"remap_a", {"0.1"}},
-    {"remap_b", {"0.9"}},
-    {"remap_c", {"2"}},
-    {"output", {"r8"}},
-    {"resolution", {"half", short_frame}},
-    {"least_radius", {"12"}},
-    {"guard", {"0.1"}},
-    {"guard_history", {"off", {{"guard", "0.1"}}}},
-    {"history", {"off"}},
-};
-
-class EverySetting : public OnDevice<testing::Test> {
-  protected:
-    // What the last of a few frames shows.
-    const std::vector<float>& shown(const Changes& changes) {
-        const bool frame = std::ranges::count(changes, "frame", [](const auto& one) {
-                               return std::string_view(one.second);
-                           }) > 0;
-        Settings settings = with_radius(Settings{}, frame ? 1.0F : 0.5F);
-        settings.radius = 0.5F;
-        std::string key;
-        for (const auto& [name, value] : changes) {
-            set(settings, name, value);
-            key += std::string(name) + "=" + value + " ";
-        }
-        const auto known = shown_.find(key);
-        if (known != shown_.end()) return known->second;
-        return shown_.emplace(key, render(settings)).first->second;
-    }
-
-  private:
-    [[nodiscard]] std::vector<float> render(const Settings& settings) const {
-        std::vector<scene::GBuffer> views;
-        for (int i = 0; i < 5; ++i)
-            views.push_back(drawn(scene_, {72, 48},
-                                  {.frame = i,
-                                   .motion = true,
-                                   .layers = settings.own.layers,
-                                   .guard = double{settings.guard}}));
-        Frame last = run(views, settings).back();
-        for (const glm::vec3& direction : last.bent) last.filtered.push_back(direction.x);
-        return last.filtered;
-    }
-
-    scene::Scene scene_ = panned(floor_and_wall(true), 0.04);
-    std::map<std::string, std::vector<float>> shown_;
-};
-
-TEST_F(EverySetting, ChangesWhatIsShown) {
-    std::map<std::string, std::vector<float>> seen;
-    for (const Setting& setting : setting_table()) {
-        const auto found = cases.find(setting.name);
-        ASSERT_NE(found, cases.end()) << setting.name << ": which value changes something?";
-        Changes changes = found->second.before;
-        const std::vector<float> before = shown(changes);
-        changes.emplace_back(setting.name.c_str(), found->second.value);
-        const std::vector<float> after = shown(changes);
-        EXPECT_EQ(after == before, setting.name == "skips") << setting.name;
-        if (after == before) continue;
-        for (const auto& [other, image] : seen)
-            EXPECT_NE(after, image) << setting.name << " does what " << other << " does";
-        seen.emplace(setting.name, after);
     }
 }
 

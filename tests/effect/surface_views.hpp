@@ -60,6 +60,15 @@ inline scene::GBuffer groove(gpu::Extent extent, double pixel_aspect = 1.0) {
     return view_of(extent, true, depth, pixel_aspect);
 }
 
+// A wall parallel to the image, orthographic, of 48 x 32 pixels. Its left part may stand nearer.
+inline scene::GBuffer step(float left, float right, double height = 8.0) {
+    return view_of({48, 32}, {.projection = scene::Projection::orthographic, .view_height = height},
+                   [=](glm::dvec2 at) { return double{at.x < 0.0 ? left : right}; });
+}
+// Such a step hides the left half of the hemisphere from the pixel beside it, whose centre is a 128th away.
+inline constexpr std::size_t beside = 16 * 48 + 24;
+inline constexpr double close = 0.5;  // height of that view
+
 // A floor before a wall. With `box`, a box that slides along the wall by `speed` world units a frame.
 inline scene::Scene floor_and_wall(bool box, double speed = 0.05) {
     scene::Scene scene{.name = "test"};

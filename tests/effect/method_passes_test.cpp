@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Methods on their real passes: what they converge to, what those that prepare something make of it, and the
+// same on every kind of device. known_pixels.txt has their pictures.
+#include <fmt/format.h>
+
+#include "backend/gl/device.hpp"
+#include "catalogue/entry.hpp"
+#include "effect/planned_run.hpp"
+#include "effect/study/closed_form.hpp"
+#include "numeric/numbers.hpp"
+#include "on_device.hpp"
+#include "scene/analytic_scene.hpp"
+#include "support/lab.hpp"
+#include "support/method_names.hpp"
+#include "support/test_name.hpp"
+#include "surface_views.hpp"
+
+namespace gloam::effect::method_passes_test {
+
+// Views in closed form: each method converges to its own value.
+
+class ClosedForm : public OnDevice<testing::TestWithParam<std::string>> {
+  protected:
+    const catalogue::KnownResults& known_ = catalogue::known_results(GetParam());
+};
+
+// Within five standard errors of both numbers, of which the known ones have four digits, and what single
+// precision takes from the sum of a thousand contributions.
+TEST_P(ClosedForm, ConvergesToItsOwnValue) {
+    if (!known_.none.empty()) GTEST_SKIP() << known_.none;
+    ClosedFormStudy study(device_, passes_, 129);
+    Settings settings = with_method(Settings{}, GetParam());
+    settings.own.mip_distance = 0.0F;  // whose taps lie elsewhere; the entry of sao has them
+    for (const auto& [projection, name] : {std::pair(scene::Projection::perspective, "perspective"),
+                                           {scene::Projection::orthographic, "orthographic"}}) {
+        for (const scene::ClosedFormView& view : scene::closed_form_views(projection)) {
+            const std::string& at = view.scene.name;
+            const double own = at.starts_with("plane") ? method_named(GetParam()).on_a_plane
+                                                       : known_.values.at(std::string(name) + ' ' + at);
+            const Estimate measured = study.measure(view, settings, 8);
+            EXPECT_NEAR(measured.value, own, 5.0 * std::hypot(5e-5, measured.error) + 2e-4)
+                << name << ' ' << at;
+            RecordProperty(at, fmt::format("{:.4f} of {:.4f}", measured.value, own));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ClosedForm, testing::ValuesIn(test::method_names()), test::parameter_name);
+
+Settings settings_for(const std::string& method, float radius) {
+    return with_radius(with_method(preset_named("tssao-paper").settings, method), radius);
+}
+
+class Prepared : public OnDevice<testing::TestWithParam<std::string>> {};
+
+TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
+    const Settings settings = settings_for(GetParam(), 0.5F);
+    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
+        for (const float depth : {infinity, 0.0F, -1.0F, nan}) {
+            scene::GBuffer view = view_of(extent, false, [](glm::dvec2) { return 3.0; });
+            view.depth.back() = depth;  // a surface before nothing
+            EXPECT_THAT(run(view, settings, 2).occlusion, Each(0.0F));
+            view.depth.assign(view.depth.size(), depth);
+            const Frame frame = run(view, settings, 2);
+            EXPECT_THAT(frame.filtered, Each(0.0F));
+            EXPECT_THAT(frame.convergence, Each(0.0F));
+        }
+    }
+}
+
+TEST_P(Prepared, RepeatsChangeNothing) {
+    const scene::GBuffer view = drawn("corner", {63, 37});
+    const Settings settings = settings_for(GetParam(), 1.0F);
+    const Frame once = run(view, settings, 3);
+    expect_same_images(once, run(view, settings, 3, 3));
+    EXPECT_GT(*std::ranges::max_element(once.occlusion), 0.05F);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Prepared, testing::ValuesIn(test::method_names([](const MethodInfo& method) {
+                             return method.prepare != nullptr || method.name == "hemisphere";
+                         })),
+                         test::parameter_name);
+
+using PreparedMethods = OnDevice<testing::Test>;
+
+// The texels of the chain are pixels of the full image, of which nothing is lost at its rims.
+TEST_F(PreparedMethods, ADepthChainIsTheFullImageToTheBit) {
+    for (const gpu::Extent extent : {gpu::Extent{96, 54}, gpu::Extent{97, 53}, gpu::Extent{61, 1}}) {
+        Settings settings = settings_for("sao", 1.5F);
+        settings.own.mip_distance = 2.0F;
+        const Frame full = run(drawn("corner", extent), settings, 3);
+        settings.method = "sao_chain";
+        EXPECT_EQ(run(drawn("corner", extent), settings, 3).occlusion, full.occlusion) << extent.width;
+    }
+}
+
+// Methods that have no value in closed form: what is known by hand of the middle pixel.
+struct ByHand {
+    const char* settings;
+    double (*depth)(glm::dvec2 at);  // orthographic, 2 world units high
+    int frames;
+    double least, most;
+};
+
+double groove_at(glm::dvec2 at) {
+    return 5.0 - std::max(at.x, 0.0);
+}
+double turned_groove_at(glm::dvec2 at) {
+    return groove_at({-at.y, at.x});
+}
+double block_at(glm::dvec2 at) {  // 20 pixels from the middle
+    return at.x > 0.31 ? 4.6 : 5.0;
+}
+// Every other column of 129.
+double slats_at(glm::dvec2 at) {
+    return std::lround(64.5 * at.x) % 2 == 0 ? 5.0 : double{infinity};
+}
+
+const ByHand rows[] = {
+    // In one frame all pixels see the same pair of directions, along x and along y: a groove along one of
+    // them is seen in full by the other, and the mean of both is half of sin(45 degrees)^2 / 2, whichever is
+    // prepared. All pairs are the cosine-weighted occlusion, (1 - cos 45 degrees) / 2.
+    {"method=separable radius=0.9 bias=1e-5 samples=64 c_rot=0", groove_at, 1, 0.113, 0.137},
+    {"method=separable radius=0.9 bias=1e-5 samples=64 c_rot=0", turned_groove_at, 1, 0.113, 0.137},
+    {"method=separable radius=0.5 bias=1e-5 samples=64 samples_converged=64 weight_max=8192 epsilon=1e-3",
+     groove_at, 16, 0.116, 0.177},
+    // CS-I: a ball at the foot of a slope of 45 degrees is solid to 5/8. Blocks as large as half of the disc
+    // hold the foot and the slope both, which no interval of heights is like. Where nothing is seen a block
+    // is
+    // empty: every other column of a floor fills a quarter of a ball.
+    {"method=volumetric_area radius=0.4 samples=2", groove_at, 64, 0.555, 0.695},
+    {"method=volumetric_area radius=0.4 samples=8", groove_at, 64, 0.595, 0.655},
+    {"method=volumetric_area radius=0.4 samples=2048", groove_at, 1, 0.619, 0.631},
+    {"method=volumetric_area radius=0.5 samples=2", slats_at, 16, 0.24, 0.26},
+    // A kernel of the finest resolution, and of the next one, ends before the block.
+    {"method=mssao radius=0.9 steps=1", block_at, 8, 0.0, 0.0},
+    {"method=mssao radius=0.9 steps=2", block_at, 8, 0.0, 0.0},
+    {"method=mssao radius=0.9 steps=3", block_at, 8, 0.004, 1.0},
+    {"method=mssao radius=0.9 steps=5", block_at, 8, 0.004, 1.0},
+};
+
+TEST_F(PreparedMethods, IsWhatIsKnownByHand) {
+    for (const ByHand& row : rows) {
+        Settings settings = with(Settings{}, row.settings);
+        settings.least_radius = 0.0F;
+        settings.filter = Filter::none;
+        settings.remap_a = 0.0F;
+        settings.weight_max = std::max(settings.weight_max, 8192.0F);
+        settings.samples_converged = settings.samples;
+        const double got =
+            run(view_of({129, 129}, true, row.depth), settings, row.frames).occlusion[129 * 64 + 64];
+        EXPECT_GE(got, row.least) << row.settings;
+        EXPECT_LE(got, row.most) << row.settings;
+    }
+}
+
+// Frames pass by pass on OpenGL 4.5, OpenGL ES 3.1 and the interpreter: the picture is that of Vulkan.
+
+// What a plan shows of a view on a device; nothing where this machine has no such device.
+std::vector<float> shown_by(const std::string& device, const Plan& plan, const scene::GBuffer& view,
+                            const scene::PassLibrary& passes) {
+    PlanMemory memory(plan, view);
+    try {
+        run(device.empty() ? test::make_lab() : check::Lab({.device = device}), plan, passes, memory);
+    } catch (const gl::Unavailable& error) {
+        std::cout << error.what() << '\n';
+        return {};
+    }
+    const check::Image& result = memory.image(plan.result);
+    std::vector<float> shown;
+    for (std::size_t i = 0; i < result.words.size(); i += static_cast<std::size_t>(result.element.rows))
+        shown.push_back(std::bit_cast<float>(result.words[i]));
+    return shown;
+}
+
+// Methods that prepare images, and some that do not: tests/catalogue has each as a function. Then passes of
+// other frames than the first, and those that few settings have.
+std::vector<std::string> frames() {
+    std::vector<std::string> all{"method=hemisphere", "method=gtao", "method=bitmask"};
+    for (const MethodInfo& method : methods())
+        if (method.prepare != nullptr) all.push_back("method=" + method.name);
+    all.insert(all.end(),
+               {"later without_normals method=gtao remap_b=0.9", "later method=alchemy filter=geometry",
+                "later positions method=hemisphere filter=none layers=2"});
+    return all;
+}
+
+class OpenGlPasses : public OnDevice<testing::TestWithParam<std::string>> {};
+
+TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
+    constexpr gpu::Extent extent{49, 35};
+    const auto has = [](const char* word) { return GetParam().find(word) != std::string::npos; };
+    scene::Scene room = scene::make_scene("room");
+    room.camera_path = nullptr;
+    room.camera.fovy_rad = 0.9;  // that of the plan
+    const scene::GBuffer view = drawn(room, extent);
+    const Settings settings = with(Settings{}, "radius=0.5 " + GetParam().substr(GetParam().find("method=")));
+    const Plan plan = plan_of(settings,
+                              {.view = extent,
+                               .moving_objects = has("positions") || has("without_normals"),
+                               .first = !has("later"),
+                               .normals = !has("without_normals")},
+                              passes_);
+    const std::vector<float> want =
+        has("later") ? shown_by("", plan, view, passes_) : run(view, settings).filtered;
+    EXPECT_GT(std::ranges::max(want) - std::ranges::min(want), 0.01F);
+    for (const char* device : {"gl:llvmpipe-4.5", "es:llvmpipe-3.1", "interpreter"}) {
+        const std::vector<float> got = shown_by(device, plan, view, passes_);
+        if (got.empty()) continue;
+        EXPECT_LT(largest_difference(got, want), 1e-5) << device;
+        RecordProperty(device, numeric::to_short_text(largest_difference(got, want)));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(frames()),
+                         [](const auto& info) { return test::test_name(info.param); });
+
+}  // namespace gloam::effect::method_passes_test

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The study's frames: what a history survives, what a guard band gains, and what is refused.
+#include "effect/errors.hpp"
+#include "effect/methods.hpp"
+#include "on_device.hpp"
+#include "scene/truth.hpp"
+#include "surface_views.hpp"
+
+namespace gloam::effect::study_frames_test {
+
+using Guard = OnDevice<testing::Test>;
+
+// Against the geometry, ray-traced.
+TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
+    constexpr gpu::Extent extent{96, 54};
+    const scene::Scene scene = scene::make_scene("room");
+    const auto error = [&](float guard) {
+        const scene::GBuffer wide = drawn(scene, extent, {.motion = true, .guard = double{guard}});
+        std::vector<float> edge =
+            trace_geometry(scene, 0, scene::cropped(wide), {.rays = {.radius = scene.ao_radius, .rays = 128}})
+                .occlusion;
+        for (std::uint32_t y = 4; y + 4 < extent.height; ++y)
+            std::fill_n(edge.begin() + y * extent.width + 4, extent.width - 8, nan);
+        Settings settings =
+            with_radius(preset_named("tssao-paper").settings, static_cast<float>(scene.ao_radius));
+        settings.guard = guard;
+        return errors_of(run(wide, settings, 8).occlusion, edge).rmse;
+    };
+    EXPECT_LT(error(0.1F), 0.75 * error(0.0F));
+}
+
+// Nothing but numbers from 0 to 1 is shown, the history of the pixels dies, and a few frames later nothing is
+// left of them.
+
+constexpr gpu::Extent small{64, 36};
+constexpr std::size_t pixels = std::size_t{small.width} * small.height;
+constexpr int poisoned_frame = 3;
+
+// A block of pixels amid the view.
+bool in_block(std::size_t pixel) {
+    const std::size_t x = pixel % small.width;
+    const std::size_t y = pixel / small.width;
+    return x >= 24 && x < 34 && y >= 12 && y < 22;
+}
+
+// What is put into a pixel of the block, or into the view. kept, later: most of the block's pixels that then
+// have a history, in that frame and in the next.
+struct Bad {
+    const char* what;
+    void (*put)(scene::GBuffer& view, std::size_t pixel, float value);
+    std::array<float, 3> values{nan, -infinity, 3e38F};
+    std::size_t kept = 100;
+    std::size_t later = 100;
+};
+constexpr Bad bad_inputs[] = {
+    // Of 100 that were another surface; the rim is the neighbours'.
+    {.what = "depth",
+     .put = [](scene::GBuffer& view, std::size_t pixel, float value) { view.depth[pixel] = value; },
+     .later = 39},
+    {.what = "position",
+     .put = [](scene::GBuffer& view, std::size_t pixel,
+               float value) { view.previous_position[pixel] = glm::vec3(value); },
+     .kept = 0},
+    {.what = "normal",
+     .put = [](scene::GBuffer& view, std::size_t pixel, float value) { view.normal[pixel].y = value; }},
+    {.what = "matrix",
+     .put =
+         [](scene::GBuffer& view, std::size_t, float value) {
+             view.previous_position.clear();
+             view.camera.previous_from_current = glm::mat4(value);
+         },
+     .values = {nan, infinity, 0.0F},
+     .kept = 0}};
+
+class Poison : public OnDevice<testing::Test> {
+  protected:
+    // Frames of the scene, of which `change` changes one.
+    [[nodiscard]] std::vector<Frame> poisoned(const std::function<void(scene::GBuffer&)>& change) const {
+        std::vector<scene::GBuffer> views;
+        for (int i = 0; i < 8; ++i)
+            views.push_back(drawn("moving", small, {.frame = 20 + i, .motion = true}));
+        change(views[poisoned_frame]);
+        return run(views, with_radius(Settings{}, static_cast<float>(scene_.ao_radius)));
+    }
+
+    static void expect_sane(const Frame& frame, const std::string& what) {
+        for (const auto* image : {&frame.occlusion, &frame.filtered, &frame.convergence})
+            EXPECT_THAT(*image, Each(AllOf(testing::Ge(0.0F), testing::Le(1.0F)))) << what;
+        EXPECT_THAT(frame.kept, Each(testing::Truly([](float v) { return v >= 0 && v < infinity; }))) << what;
+    }
+
+    scene::Scene scene_ = scene::make_scene("moving");
+};
+
+TEST_F(Poison, OfOneFrameDoesNotStay) {
+    const std::vector<Frame> clean = poisoned([](scene::GBuffer&) {});
+    for (const Bad& bad : bad_inputs)
+        for (const float value : bad.values) {
+            const std::vector<Frame> frames = poisoned([&](scene::GBuffer& view) {
+                for (std::size_t i = 0; i < pixels; ++i)
+                    if (in_block(i)) bad.put(view, i, value);
+            });
+            const std::string what = bad.what + (" " + std::to_string(value));
+            for (const Frame& frame : frames) expect_sane(frame, what);
+            // Later the clean frames have outvoted it.
+            EXPECT_LT(errors_of(frames.back().occlusion, clean.back().occlusion).mean, 0.01) << what;
+            const auto with_history = [&](int frame) {
+                std::size_t count = 0;
+                for (std::size_t i = 0; i < pixels; ++i)
+                    count += in_block(i) && frames[frame].kept[i] > 0.0F ? 1 : 0;
+                return count;
+            };
+            EXPECT_LE(with_history(poisoned_frame), bad.kept) << what;
+            EXPECT_LE(with_history(poisoned_frame + 1), bad.later) << what;
+        }
+}
+
+// From one kind of projection to the other the surfaces stay what they are.
+TEST_F(Poison, AnotherKindOfProjectionIsNone) {
+    scene_.camera_path = [start = scene_.camera](int frame) {
+        scene::Camera camera = start;
+        camera.projection = frame % 2 == 0 ? scene::Projection::perspective : scene::Projection::orthographic;
+        camera.view_height = 2.0 * std::tan(0.5 * start.fovy_rad) * 4.0;
+        return camera;
+    };
+    scene_.objects.clear();
+    std::vector<scene::GBuffer> views;
+    for (int i = 0; i < 4; ++i) views.push_back(drawn(scene_, small, {.frame = i}));
+    const std::vector<Frame> frames = run(views, with_radius(Settings{}, 0.4F));
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const auto kept = std::ranges::count_if(frames[i].kept, [](float v) { return v > 0.0F; });
+        EXPECT_EQ(kept > small.width * small.height / 3, i > 0) << "frame " << i << ": " << kept;
+        expect_sane(frames[i], "frame " + std::to_string(i));
+    }
+}
+
+constexpr gpu::Extent extent{96, 64};
+
+Settings paper() {
+    return with_radius(preset_named("tssao-paper").settings, 0.5F);
+}
+
+using Temporal = OnDevice<testing::Test>;
+
+TEST_F(Temporal, ACutAndAnotherSizeForget) {
+    const scene::Scene scene = panned(floor_and_wall(false), 0.01);
+    AmbientOcclusion effect(device_, passes_, extent);
+    effect.begin(drawn(scene, extent), paper());
+    (void)effect.next();
+    const gpu::Extent other{40, 30};
+    effect.advance(drawn(scene, other, {.frame = 1, .motion = true}));
+    const Frame resized = effect.next();
+    EXPECT_EQ(mean_of(resized.kept), 0.0);
+    effect.advance(drawn(scene, other, {.frame = 2, .motion = true}));
+    EXPECT_GT(mean_of(effect.next().kept), 1.0);
+    effect.advance(drawn(scene, other));  // which knows no frame before
+    EXPECT_EQ(mean_of(effect.next().kept), 0.0);
+}
+
+TEST_F(Temporal, AZoomKeepsTheHistoryWhereItWasInView) {
+    scene::Scene scene = floor_and_wall(false);
+    scene.camera_path = [start = scene.camera](int frame) {
+        scene::Camera camera = start;
+        camera.fovy_rad = 0.9 - 0.05 * frame;
+        return camera;
+    };
+    std::vector<scene::GBuffer> views;
+    for (int i = 0; i < 4; ++i) views.push_back(drawn(scene, extent, {.frame = i, .motion = true}));
+    EXPECT_GT(mean_of(run(views, paper()).back().convergence), 0.9 * 4 * 32 / 500.0)
+        << "the projection of each frame is its own";
+}
+
+TEST_F(Temporal, WhatCannotBeIsRefused) {
+    const scene::GBuffer view = wall({8, 8}, 3.0F);
+    AmbientOcclusion effect(device_, passes_, {8, 8});
+    EXPECT_THROW((void)effect.next(), std::logic_error);
+    EXPECT_THROW(effect.advance(view), std::logic_error);
+    EXPECT_THROW((AmbientOcclusion{device_, passes_, {0, 0}}), std::runtime_error);
+    using Change = std::function<void(scene::GBuffer&, Settings&)>;
+    const std::vector<std::pair<Change, const char*>> rows{
+        {[](scene::GBuffer& changed, Settings&) { changed = wall({8, 7}, 3.0F); }, ""},
+        {[](scene::GBuffer&, Settings& settings) { settings.radius = nan; }, "radius"},
+        {[](scene::GBuffer&, Settings& settings) { settings.guard = 0.1F; }, "no guard band"},
+        {[](scene::GBuffer& changed, Settings&) { changed.off_centre = {4, 0}; }, "centred"},
+        {[](scene::GBuffer& changed, Settings&) { changed.border = gpu::Extent{4, 0}; }, "no frame"},
+        {[](scene::GBuffer&, Settings& settings) { settings.own.layers = 2; }, "layers 2: the view has 1"},
+        {[](scene::GBuffer& changed, Settings&) { changed.layers = {{1.0F}}; }, ""},
+        {[](scene::GBuffer& changed, Settings&) { changed.layers.assign(4, changed.depth); }, ""},
+        {[](scene::GBuffer& changed, Settings&) { changed.previous_position.resize(7); },
+         "previous positions: 7 pixels"}};
+    for (const auto& [change, named] : rows) {
+        scene::GBuffer changed = view;
+        Settings settings = paper();
+        change(changed, settings);
+        expect_error<std::invalid_argument>([&] { effect.begin(changed, settings); }, {named});
+    }
+}
+
+}  // namespace gloam::effect::study_frames_test
