@@ -8,43 +8,15 @@ GBuffer shot(const Scene& scene, int number, double guard = 0.0) {
     return draw(scene, {96, 54}, {.frame = number, .motion = true, .ids = true, .guard = guard});
 }
 
-// As an engine would write it and gloam reads it.
-GBuffer from_files(GBuffer view, bool previous_depth) {
-    if (previous_depth) {
-        for (const glm::vec3& p : view.previous_position) view.previous_depth.push_back(0.0F - p.z);
-    }
-    const TemporaryDirectory folder;
-    write_frame(folder, 3, view);
-    return read_gbuffer(folder.path(), 3);
-}
-
-// A sequence read from files is linked as draw() links it. Without depths of the frame before the cameras
-// tell: what stands still is where it was, and the objects of this scene hardly move towards the eye.
-TEST(FrameLink, PositionsComeBackFromFiles) {
-    const Scene scene = make_scene("moving");
-    for (const auto& [guard, depths, tolerance] :
-         {std::tuple{0.0, true, 3e-6F}, {0.1, true, 3e-6F}, {0.0, false, 0.02F}}) {
-        const GBuffer before = from_files(shot(scene, 8, guard), depths);
-        const GBuffer drawn = shot(scene, 9, guard);
-        GBuffer read = from_files(drawn, depths);
-        EXPECT_TRUE(read.previous_position.empty());
-        ASSERT_EQ(cut_between(before, read), "");
-        link(read, before);
-        ASSERT_EQ(read.previous_position.size(), drawn.depth.size());
-        EXPECT_EQ(read.camera.previous_from_current, drawn.camera.previous_from_current);
-        for (std::size_t i = 0; i < drawn.depth.size(); ++i)
-            EXPECT_LT(glm::distance(read.previous_position[i], drawn.previous_position[i]),
-                      tolerance * drawn.depth[i])
-                << i;
-    }
-}
-
+// tests/tools/render_test.cpp has the cuts that files can have, tests/effect a pass that finds what link() finds.
 TEST(FrameLink, WithoutMotionTheMatricesTell) {
     const Scene scene = make_scene("far");  // 128 km from the origin
     GBuffer drawn = shot(scene, 5);
     drawn.motion.clear();
     drawn.previous_position.clear();
-    GBuffer read = from_files(drawn, false);
+    const TemporaryDirectory folder;
+    write_frame(folder, 5, drawn);
+    GBuffer read = read_gbuffer(folder.path(), 5);
     link(read, shot(scene, 4));
     EXPECT_TRUE(read.previous_position.empty());
     EXPECT_EQ(read.camera.previous_from_current, drawn.camera.previous_from_current);
@@ -58,17 +30,11 @@ TEST(FrameLink, WithoutMotionTheMatricesTell) {
 }
 
 TEST(FrameLink, CutsAreNamed) {
-    const Scene scene = make_scene("moving");
-    const GBuffer before = shot(scene, 8);
-    const GBuffer view = shot(scene, 9);
-    EXPECT_EQ(cut_between(before, view), "");
-    EXPECT_EQ(cut_between(shot(scene, 7), view), "prev_view is not the view before");
-    GBuffer other = view;
-    other.camera.previous_view.reset();
-    EXPECT_EQ(cut_between(before, other), "") << "previous_from_current is enough";
-    other.camera.previous_from_current.reset();
-    EXPECT_EQ(cut_between(before, other), "there is no prev_view");
-    EXPECT_EQ(cut_between(shot(scene, 8, 0.1), view), "the size has changed");
+    const GBuffer before = shot(make_scene("moving"), 8);
+    GBuffer view = shot(make_scene("moving"), 9);
+    EXPECT_EQ(cut_between(shot(make_scene("moving"), 8, 0.1), view), "the size has changed");
+    view.camera.previous_view.reset();
+    EXPECT_EQ(cut_between(before, view), "") << "previous_from_current is enough";
 }
 
 // Two pixels of depth 2 before a camera that stands still; motion and depth as given.

@@ -68,24 +68,6 @@ TEST_F(GBufferTest, WhatIsWrittenIsRead) {
     EXPECT_EQ(frames_of(folder.path()), numbers);
 }
 
-// Images with the frame at a place of its own in them.
-TEST_F(GBufferTest, AViewportIsTheFrameAlone) {
-    GBuffer images = example();
-    images.previous_depth = images.depth;
-    const GBuffer frame = images;
-    for (const glm::ivec2& lacks : {glm::ivec2(3, 1), glm::ivec2(-1, -2)}) {
-        images.off_centre = lacks;
-        images = centred(std::move(images));
-    }
-    write_frame(folder, 0, images);
-    json description = json::parse(frame_json(frame, 0));
-    description.update({{"width", 7}, {"height", 5}, {"viewport", {3, 1, 3, 2}}});
-    folder.write("f0000.json", description.dump());
-    expect_same(read_gbuffer(folder.path(), 0), frame);
-    folder.write("f0000_depth.pfm", pfm_text({3, 2}, frame.depth));
-    expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 0); }, {"3x2", "expected 7x5"});
-}
-
 // A frame of one pixel, with what `change` does to its description.
 template <class Change>
 GBuffer one_pixel(Change change) {

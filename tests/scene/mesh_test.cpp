@@ -131,14 +131,6 @@ TEST(MeshScene, KeepsItsUnitsAndFillsTheImage) {
     }
 }
 
-TEST(MeshScene, AFlatMeshIsMeasuredByItsLongestSide) {
-    const Mesh sheet = make_parallelogram({0, 3, 0}, {0, 0, 4}, {2, 0, 0}, 10.0);
-    const Scene scene = mesh_scene(sheet, "sheet");
-    EXPECT_NEAR(scene.ao_radius, 0.2 * 4, 1e-6);
-    EXPECT_NEAR(bounds_of(standing(sheet, {0, 1, 0}, 1.0)).high.z, 0.5, 1e-6);
-    expect_seen(scene, sheet.positions.size(), 1.0);
-}
-
 // A box of 1 x 2 x 3 is as high as the side along the axis that points up, whose end comes to the top, and
 // not mirrored.
 TEST(MeshScene, UpIsAnAxisOfTheFile) {
@@ -162,16 +154,21 @@ TEST(MeshScene, UpIsAnAxisOfTheFile) {
     for (const char* name : {"", "w", "+x", "--x", "xy", "X"}) EXPECT_FALSE(axis_named(name)) << name;
 }
 
-TEST(MeshScene, AnEyeOfOnesOwn) {
+// A flat mesh is measured by its longest side, a wider view is nearer, and an eye may be one's own.
+TEST(MeshScene, OfOnesOwn) {
+    const Mesh sheet = make_parallelogram({0, 3, 0}, {0, 0, 4}, {2, 0, 0}, 10.0);
+    const Scene flat = mesh_scene(sheet, "sheet");
+    EXPECT_NEAR(flat.ao_radius, 0.2 * 4, 1e-6);
+    EXPECT_NEAR(bounds_of(standing(sheet, {0, 1, 0}, 1.0)).high.z, 0.5, 1e-6);
+    expect_seen(flat, sheet.positions.size(), 1.0);
     const Mesh box = make_box({0, 0, 0}, {1, 1, 1}, 10.0);
-    const Scene scene =
-        mesh_scene(box, "box", {.eye = glm::dvec3(0, 0.5, 4), .look_at = glm::dvec3(0, 0.5, 0)});
-    EXPECT_NEAR(glm::distance(scene.camera.eye, glm::dvec3(0, 0.5, 4)), 0.0, 1e-9);
-    EXPECT_EQ(scene.camera.target, glm::dvec3(0, 0.5, 0));
-    // A wider view is nearer.
     const Scene wide = mesh_scene(box, "box", {.fovy_deg = 90.0});
     EXPECT_NEAR(wide.camera.fovy_rad, 0.5 * std::numbers::pi, 1e-9);
     EXPECT_NEAR(expect_seen(wide, box.positions.size(), 1.0), 0.84, 1e-3);
+    const Scene own =
+        mesh_scene(box, "box", {.eye = glm::dvec3(0, 0.5, 4), .look_at = glm::dvec3(0, 0.5, 0)});
+    EXPECT_NEAR(glm::distance(own.camera.eye, glm::dvec3(0, 0.5, 4)), 0.0, 1e-9);
+    EXPECT_EQ(own.camera.target, glm::dvec3(0, 0.5, 0));
 }
 
 }  // namespace gloam::scene::test::mesh_test

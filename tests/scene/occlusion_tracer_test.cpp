@@ -39,6 +39,28 @@ struct Ceiling {
     }
 };
 
+// How often an estimate was further from the truth than 1, 2 and 3 of its own standard errors.
+struct Tally {
+    double points = 0.0;
+    std::array<double, 3> beyond{};
+
+    void add(double error, double standard_error) {
+        points += 1.0;
+        for (std::size_t k = 0; k < beyond.size(); ++k)
+            if (error > static_cast<double>(k + 1) * standard_error) beyond[k] += 1.0;
+    }
+
+    // The mean of 16 parts over its estimated error: Student's t with 15 degrees of freedom.
+    void expect_student(double least_points) const {
+        const std::array<double, 3> expected{0.3332, 0.0640, 0.0090};
+        EXPECT_GT(points, least_points);
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            const double deviation = std::sqrt(expected[k] * (1.0 - expected[k]) / points);
+            EXPECT_NEAR(beyond[k] / points, expected[k], 4.0 * deviation) << k + 1;
+        }
+    }
+};
+
 // What is not the rays' fault: ends instead of infinity, single precision.
 constexpr double modelling = 1e-4;
 
@@ -116,6 +138,25 @@ TEST(OcclusionTracer, SettingsThatAreNotPossible) {
     expect({.radius = std::nan("")}, {"radius"});
     expect({.radius = everywhere}, {"infinite", "step"});
     EXPECT_EQ(OcclusionTracer(mesh, {.rays = 33}).rays(), 48U);
+}
+
+// The views whose occlusion is known in closed form: their meshes have it at the point that they show in the
+// middle.
+TEST(ClosedFormViews, HaveTheOcclusionThatTheySay) {
+    for (const Projection projection : projections)
+        for (const ClosedFormView& view : closed_form_views(projection)) {
+            SCOPED_TRACE(view.scene.name);
+            const OcclusionTracer tracer(view.scene.mesh, {.radius = 1.0, .rays = 1 << 16});
+            EXPECT_NEAR(tracer.occlusion({.clearance = 1e-5}, 0).occlusion, view.occlusion, 5e-4);
+            const GBuffer buffer = draw(view, 65);
+            const std::size_t middle = std::size_t{65} * 32 + 32;
+            EXPECT_NEAR(double{buffer.depth[middle]}, glm::length(view.scene.camera.eye), 1e-5);
+            EXPECT_EQ(buffer.normal[middle], glm::vec3(view_rotation(view.scene.camera)[2]));
+            EXPECT_EQ(buffer.border, (gpu::Extent{32, 32}));
+            for (std::size_t i = 0; i < buffer.depth.size(); ++i)
+                EXPECT_NEAR(glm::length(glm::dvec3(buffer.normal[i])),
+                            std::isfinite(buffer.depth[i]) ? 1.0 : 0.0, 1e-6);
+        }
 }
 
 }  // namespace gloam::scene::test::occlusion_tracer_test

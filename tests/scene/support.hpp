@@ -72,26 +72,4 @@ inline void expect_whole(const Mesh& mesh) {
         ASSERT_GE(glm::dot(area_of(mesh, i / 3), glm::dvec3(mesh.normals[mesh.indices[i]])), -1e-9) << i;
 }
 
-// How often an estimate was further from the truth than 1, 2 and 3 of its own standard errors.
-struct Tally {
-    double points = 0.0;
-    std::array<double, 3> beyond{};
-
-    void add(double error, double standard_error) {
-        points += 1.0;
-        for (std::size_t k = 0; k < beyond.size(); ++k)
-            if (error > static_cast<double>(k + 1) * standard_error) beyond[k] += 1.0;
-    }
-
-    // The mean of 16 parts over its estimated error: Student's t with 15 degrees of freedom.
-    void expect_student(double least_points) const {
-        const std::array<double, 3> expected{0.3332, 0.0640, 0.0090};
-        EXPECT_GT(points, least_points);
-        for (std::size_t k = 0; k < expected.size(); ++k) {
-            const double deviation = std::sqrt(expected[k] * (1.0 - expected[k]) / points);
-            EXPECT_NEAR(beyond[k] / points, expected[k], 4.0 * deviation) << k + 1;
-        }
-    }
-};
-
 }  // namespace gloam::scene::test
