@@ -6,9 +6,7 @@
 #include "experiment/experiment.hpp"
 #include "experiment/visits.hpp"
 
-namespace gloam::experiment {
-
-namespace experiment_file_test {
+namespace gloam::experiment::experiment_file_test {
 
 constexpr const char* whole = R"({
   "about": "a description", "sizes": ["64x36"], "frames": 4, "scored": 2, "rounds": 3, "rays": 64,
@@ -24,10 +22,6 @@ std::string with(const std::string& part, const std::string& other) {
     const std::size_t at = text.find(part);
     EXPECT_NE(at, std::string::npos) << part;
     return text.replace(at, part.size(), other);
-}
-
-void expect_refused(const std::string& text, const std::string& why) {
-    expect_error<std::runtime_error>([&] { (void)read_experiment("mine.json", text); }, {"mine.json", why});
 }
 
 TEST(ExperimentFile, ReadsAllParts) {
@@ -98,51 +92,63 @@ TEST(ExperimentFile, AMethodTakesTheSamplesAskedFor) {
     EXPECT_THAT(all[1].layer.set, ElementsAre(samples, converged, Pair("weight_max", "1024")));
 }
 
+// A part of the description, what stands there instead, and what is said of it.
+struct Fault {
+    const char* part;
+    const char* other;
+    const char* why;
+};
+constexpr Fault misread[] = {
+    {"\"rays\"", "\"rayz\"", "rayz: expected one of"},
+    {"\"sizes\": [\"64x36\"]", "\"sizes\": []", "sizes"},
+    {"\"frames\": 4", "\"frames\": 1e9", "frames: expected a whole number from 1 to 1000"},
+    {"\"rounds\": 3", "\"rounds\": -1", "rounds"},
+    {"\"rounds\": 3", "\"rounds\": 2.5", "rounds"},
+    {"\"scene\": \"sky\"", "\"scene\": 3", "cases[0].scene: expected a text"},
+    {"[3, 1]", "[3, 0]", "cases[0].shown[1]"},
+    {"\"target\": 0.5", "\"target\": \"big\"", "cases[0].target: expected a number"},
+    {"9x3+1", "9x", "candidates[1].plain: expected SLICESxSTEPS+BLURS"},
+    {"\"select\"", "\"columns\"", "tables[0]: expected an object with \"select\""},
+    {"\"SELECT 1\"", "1", "tables[0].select[0]: expected a text"},
+    {"{\"samples\": 8", "{\"samples\": [8]", "set.samples"},
+    {"\"name\": \"run\", ", "", "candidates[0]: expected an object with \"name\""},
+    {"\"sequence\": true", "\"enough_samples\": 1", "candidates[0].enough_samples: expected true or false"},
+    {"\"sequence\": true", "\"pictures\": [\"all\"]",
+     "candidates[0].pictures[0]: expected one of visibility, error"},
+    {"\"sequence\": true}", "\"sequence\": true}, {\"methods\": []}, {\"methods\": []}",
+     "candidates[2]: expected one query alone"},
+    {"\"scored\": 1", "\"every\": 0", "cases[0].every: expected a whole number from 1"},
+    {"\"name\": \"all\"", "\"measures\": [\"all\"]",
+     "tables[0].measures[0]: expected one of depth, remapped"},
+};
+// Names that parts refer to exist, and once.
+constexpr Fault inconsistent[] = {
+    {"SELECT 1", "SELECT candidate = 'lop'", "\"lop\""},
+    {"SELECT 1", "SELECT one", "mine.json: tables[0]: no such column: one"},
+    {"SELECT [case]", "DELETE", "tables[0]: "},
+    {"SELECT 1", "SELECT (SELECT rmse_fit FROM result)",
+     "a table: no such column: rmse_fit, expected in its"},
+    {"SELECT 1", "SELECT (SELECT 1 FROM class_errors)", "no such table: class_errors"},
+    {"[\"run\"]", "[\"ran\"]", "\"ran\""},
+    {"\"name\": \"loop\"", "\"name\": \"run\"", "twice"},
+};
+
 TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
+    const auto expect_refused = [](const std::string& text, const std::string& why) {
+        expect_error<std::runtime_error>([&] { (void)read_experiment("mine.json", text); },
+                                         {"mine.json", why});
+    };
     expect_refused("", "no JSON");
     expect_refused("[]", "an object");
     expect_refused(std::string(100'000, '['), "nested");
-    expect_refused(with("\"rays\"", "\"rayz\""), "rayz: expected one of");
-    expect_refused(with("\"sizes\": [\"64x36\"]", "\"sizes\": []"), "sizes");
-    expect_refused(with("\"frames\": 4", "\"frames\": 1e9"),
-                   "frames: expected a whole number from 1 to 1000");
-    expect_refused(with("\"rounds\": 3", "\"rounds\": -1"), "rounds");
-    expect_refused(with("\"rounds\": 3", "\"rounds\": 2.5"), "rounds");
-    expect_refused(with("\"scene\": \"sky\"", "\"scene\": 3"), "cases[0].scene: expected a text");
-    expect_refused(with("[3, 1]", "[3, 0]"), "cases[0].shown[1]");
-    expect_refused(with("\"target\": 0.5", "\"target\": \"big\""), "cases[0].target: expected a number");
-    expect_refused(with("9x3+1", "9x"), "candidates[1].plain: expected SLICESxSTEPS+BLURS");
-    expect_refused(with("\"select\"", "\"columns\""), "tables[0]: expected an object with \"select\"");
-    expect_refused(with("\"SELECT 1\"", "1"), "tables[0].select[0]: expected a text");
-    expect_refused(with("{\"samples\": 8", "{\"samples\": [8]"), "set.samples");
-    expect_refused(with("\"name\": \"run\", ", ""), "candidates[0]: expected an object with \"name\"");
-    expect_refused(with("\"sequence\": true", "\"enough_samples\": 1"),
-                   "candidates[0].enough_samples: expected true or false");
-    expect_refused(with("\"sequence\": true", "\"pictures\": [\"all\"]"),
-                   "candidates[0].pictures[0]: expected one of visibility, error");
-    expect_refused(with("\"sequence\": true}", "\"sequence\": true}, {\"methods\": []}, {\"methods\": []}"),
-                   "candidates[2]: expected one query alone");
-    expect_refused(with("\"scored\": 1", "\"every\": 0"), "cases[0].every: expected a whole number from 1");
-    expect_refused(with("\"name\": \"all\"", "\"measures\": [\"all\"]"),
-                   "tables[0].measures[0]: expected one of depth, remapped");
-}
-
-TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {
-    const auto expect = [](const std::string& text, const std::string& why) {
-        const Experiment read = read_experiment("mine.json", text);
-        expect_error<std::invalid_argument>([&] { require_consistent(read); }, {why});
-    };
-    expect(with("SELECT 1", "SELECT candidate = 'lop'"), "\"lop\"");
-    expect(with("SELECT 1", "SELECT one"), "mine.json: tables[0]: no such column: one");
-    expect(with("SELECT [case]", "DELETE"), "tables[0]: ");
-    expect(with("SELECT 1", "SELECT (SELECT rmse_fit FROM result)"),
-           "a table: no such column: rmse_fit, expected in its");
-    expect(with("SELECT 1", "SELECT (SELECT 1 FROM class_errors)"), "no such table: class_errors");
-    expect(with("[\"run\"]", "[\"ran\"]"), "\"ran\"");
+    for (const Fault& fault : misread) expect_refused(with(fault.part, fault.other), fault.why);
+    for (const Fault& fault : inconsistent) {
+        const Experiment read = read_experiment("mine.json", with(fault.part, fault.other));
+        expect_error<std::invalid_argument>([&] { require_consistent(read); }, {fault.why});
+    }
     // What is not read may be called so.
     EXPECT_NO_THROW(require_consistent(
         read_experiment("mine.json", with("SELECT 1", "SELECT (SELECT 1 AS 'rmse_fit' FROM result)"))));
-    expect(with("\"name\": \"loop\"", "\"name\": \"run\""), "twice");
 }
 
 // Bytes of a description that are changed at random give a description or one line.
@@ -158,9 +164,7 @@ TEST(ExperimentFile, DamagedFilesAreRefusedOrRead) {
     }
 }
 
-}  // namespace experiment_file_test
-
-namespace comparison_test {
+// Comparisons of results, and questions to them.
 
 const std::vector<Row> two_scenes{{"a", "fast", 10, 0.08}, {"a", "good", 40, 0.02}, {"a", "bad", 50, 0.09},
                                   {"b", "fast", 10, 0.04}, {"b", "good", 90, 0.04}, {"b", "bad", 50, 0.05}};
@@ -223,6 +227,4 @@ TEST(ExperimentComparison, WarnsOfOtherCircumstancesAndStillCompares) {
         EXPECT_THAT(found.text, HasSubstr(text));
 }
 
-}  // namespace comparison_test
-
-}  // namespace gloam::experiment
+}  // namespace gloam::experiment::experiment_file_test

@@ -4,9 +4,7 @@
 #include "experiment/table.hpp"
 #include "experiment/visits.hpp"
 
-namespace gloam::experiment {
-
-namespace results_test {
+namespace gloam::experiment::results_test {
 
 Record everything() {
     Record record = make_record({{"a", "m/4", 10, 0.05}, {"a", "n/8", 30, 0.02}, {"a", "n/4", 40, 0.03}});
@@ -172,43 +170,33 @@ TEST(ExperimentResults, TheFrontIsWhatNoOtherBeats) {
               "| **m/4** |\n| **n/8** |\n| n/4 |\n");
 }
 
-}  // namespace results_test
-
 // What tables show of scores by class and frame, and of points in closed form.
-
-namespace table_test {
 
 // Frames 1 to 4 of 8 samples each. The estimate errs by 0.4 / frame in each of two pixels,
 // the displayed image by half of that. Settled pixels are there from frame 3 on.
-ClassScores scores() {
+Record scored() {
     ClassScores all{.flicker = {{"all", 0.25}}};
     for (int frame = 1; frame <= 4; ++frame) {
         const double error = 0.4 / frame;
-        const ClassScore whole{.pixels = "all",
-                               .against = "depth",
-                               .count = 2,
-                               .squares = error * error / 2.0,
-                               .raw_squares = 2.0 * error * error,
-                               .raw_errors = 2.0 * error};
-        all.frames.push_back({frame, 8.0 * frame, {whole}});
+        all.frames.push_back({frame,
+                              8.0 * frame,
+                              {{.pixels = "all",
+                                .against = "depth",
+                                .count = 2,
+                                .squares = error * error / 2.0,
+                                .raw_squares = 2.0 * error * error,
+                                .raw_errors = 2.0 * error}}});
         if (frame < 3) continue;
         all.frames.back().classes.push_back(
             {.pixels = "settled", .against = "geometry", .count = 1, .squares = 0.01 * frame});
         all.frames.back().classes.push_back(
             {.pixels = "all", .against = "geometry", .count = 4, .squares = 0.1});
     }
-    return all;
-}
-
-Visit visit_of(const char* shown, const char* candidate) {
-    return {.size = {320, 180}, .shown = {.name = shown}, .candidate = candidate};
-}
-
-Record scored() {
     Record record({.experiment = "mine"});
-    Visit visit = visit_of("a", "m");
-    visit.quality = FrameQuality{.by_class = scores()};
-    record.add(visit);
+    record.add({.size = {320, 180},
+                .shown = {.name = "a"},
+                .candidate = "m",
+                .quality = FrameQuality{.by_class = all}});
     return read_record("", lines_of(record));  // as a journal holds it
 }
 
@@ -282,6 +270,4 @@ TEST(ExperimentTable, ASelectOnlyReads) {
     EXPECT_EQ(rows_of(scored(), "SELECT 'a' || char(10) || char(27) || '[2J'"), "| a??[2J |\n");
 }
 
-}  // namespace table_test
-
-}  // namespace gloam::experiment
+}  // namespace gloam::experiment::results_test
