@@ -212,16 +212,88 @@ TEST_P(OnEachDevice, SharesMemoryInAGroup) {
     EXPECT_EQ(out.values<float>("numbers"), std::vector<float>(4, 4.0F));
 }
 
-TEST_P(OnEachDevice, OfTheLibraryIsRunAsItIs) {
-    const glm::ivec2 hole{5, 1};
-    const Image wall = make_image<float>({8, 6}, [&](glm::ivec2 p) { return p == hole ? 0.0F : 2.0F; });
-    const PassResult out = Pass(*lab_, "passes/study/normals_from_depth.comp")
-                               .run({{"depth_image", wall},
-                                     {"p00_p11", glm::vec2(1.5F, -2.0F)},
-                                     {"size", glm::ivec2(8, 6)},
-                                     {"orthographic", 0U}});
-    const auto to_the_eye = [&](glm::ivec2 p) { return glm::vec4(0, 0, p == hole ? 0 : 1, 0); };
-    EXPECT_TRUE(out.image("normal_image").compare(make_image<glm::vec4>({8, 6}, to_the_eye)));
+// The messages of passes.
+
+class PassErrors : public testing::Test {
+  protected:
+    void expect_refused(const std::string& file, const PassInputs& inputs,
+                        std::initializer_list<std::string> parts, const PassOptions& options = {}) const {
+        expect_error<std::invalid_argument>([&] { (void)Pass(lab_, file).run(inputs, options); }, parts);
+    }
+    // Of box.comp, with another input.
+    void expect_box_refused(const std::string& name, const PassValue& value,
+                            const std::string& message) const {
+        PassInputs inputs = box_;
+        inputs.insert_or_assign(name, value);
+        expect_refused("box.comp", inputs, {"box.comp: " + message});
+    }
+
+    const Lab lab_ = pass_lab();
+    const PassInputs box_ = box_inputs(picture({5, 4}), 0);
+    const Image floats_ = make_image<float>({5, 4}, [](auto) { return 1.0F; });
+    const Image numbers_ = make_image<unsigned>({3, 3}, [](auto) { return 0U; });
+};
+
+TEST_F(PassErrors, NameWhatIsUnknownOrMissing) {
+    expect_box_refused("radios", 1,
+                       "\"radios\" is no input, expected among: source (image of vec4), "
+                       "result (image of vec4), radius (int), fault (uint)");
+    expect_refused("magnify.comp", {{"large", picture({2, 2})}},
+                   {"magnify.comp: \"picture\" (sampler2D) is not given; the pass takes: picture"});
+    expect_refused("box.comp", {{"source", picture()}, {"fault", 0U}},
+                   {"box.comp: \"radius\" (int) is not given"});
+    expect_refused("outside.comp", {{"size", 1}}, {"is no input"});
+    expect_refused("outside.comp", {},
+                   {"\"result\" (image of float) is not given, and it is not `writeonly`"});
+    expect_refused("layers.comp", {{"scale", 1.0F}},
+                   {"\"scale\" is no input", "First.scale (float), ", "Second.scale (float)"});
+}
+
+TEST_F(PassErrors, NameTheExpectedType) {
+    expect_box_refused("radius", 1.0F, "\"radius\" is float, expected int");
+    expect_box_refused("radius", picture({2, 2}), "\"radius\" is an image, expected int");
+    expect_box_refused("radius", std::vector{1, 2}, "\"radius\" is int[2], expected int");
+    expect_box_refused("source", 1, "\"source\" is int, expected image of vec4");
+    expect_box_refused("source", floats_,
+                       "\"source\" is an image of float, expected image of vec4 (rgba32f)");
+    Image cut = picture({2, 2});
+    cut.words.pop_back();
+    expect_box_refused("source", cut, "\"source\" is 2 x 2 with 15 words, expected 16");
+    const PassOptions square{.size = {2, 2}};
+    expect_refused("magnify.comp", {{"picture", numbers_}},
+                   {"\"picture\" is an image of uint, expected one of vec4 for sampler2D"}, square);
+    Image tenths = make_image<glm::vec4>({2, 2}, [](auto) { return glm::vec4(0.1F); });
+    tenths.sampling = Image::Sampling{};
+    expect_refused("magnify.comp", {{"picture", tenths}},
+                   {"\"picture\" holds 0.1 (0x3dcccccd), expected floats of 16 bits"}, square);
+    tenths = picture({2, 2});
+    tenths.sampling = Image::Sampling{.levels = 2};
+    expect_refused("magnify.comp", {{"picture", tenths}}, {"\"picture\" is", "disagree"}, square);
+    expect_refused("blocks.comp", {{"lights", std::vector<glm::vec4>(2)}},
+                   {"\"lights\" is vec4[2], expected Light[]"}, {.groups = {1, 1, 1}});
+}
+
+TEST_F(PassErrors, NameWhatHasNoSize) {
+    expect_refused("magnify.comp", {{"picture", picture({2, 2})}, {"number", numbers_}},
+                   {"magnify.comp: \"large\" has no size: \"number\" is 3 x 3, \"picture\" is 2 x 2"});
+    expect_refused("shared.comp", {{"numbers", std::array<float, 4>{}}},
+                   {"shared.comp: writes no image, expected PassOptions::groups"});
+    expect_refused("blocks.comp", {{"3", 1.0F}, {"scale", 2.0F}}, {"\"scale\" is given twice"});
+    expect_refused("blocks.comp", {{"7", 0U}}, {"is not given"});
+}
+
+TEST_F(PassErrors, NameTheFileAndWhatAPassCannotHave) {
+    expect_refused("none.comp", {}, {"none.comp: "});
+    expect_refused("refused_set.comp", {}, {"\"result\" has set 1 and binding 0, expected set 0"});
+    expect_refused("refused_samples.comp", {},
+                   {"\"sky\" is a sampler2DMS, expected a sampler like sampler2D"});
+    const PassResult out = Pass(lab_, "box.comp").run(box_);
+    expect_error<std::invalid_argument>([&] { (void)out.image("source"); },
+                                        {"box.comp: writes no image \"source\", expected one of: result"});
+    expect_error<std::invalid_argument>([&] { (void)out.image("result").compare(picture({4, 5})); },
+                                        {"box.comp: result: is 5 x 4, the reference 4 x 5"});
+    expect_error<std::invalid_argument>([&] { (void)out.image("result").compare(floats_); },
+                                        {"box.comp: result: is compared with float, expected vec4"});
 }
 
 }  // namespace gloam::check::pass_test
