@@ -28,7 +28,7 @@ GUIDES = ("testing.md", "judge-a-driver.md", "copy-a-shader.md")
 WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",
-    "engine": "needs a cluster or a build: tests/laboratory, tests/tools/check_steps_test.cpp",
+    "engine": "needs a cluster or a build: tests/laboratory, tests/tools/stories/steps.txt",
 }
 BLOCK = re.compile(r"^```(\S*) ?(\S*)\n(.*?)^```$", re.S | re.M)
 CITED = re.compile(r"([A-Z][\w-]+(?:, [A-Z][\w-]+)*(?: and [A-Z][\w-]+)?(?: et al\.)? \d{4})")

@@ -76,11 +76,6 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
     posix_spawn_file_actions_addopen(actions.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(actions.get(), fileno(out), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(actions.get(), fileno(err), STDERR_FILENO);
-    if (!options.standard_output.empty())
-        posix_spawn_file_actions_addopen(actions.get(), STDOUT_FILENO, options.standard_output.c_str(),
-                                         O_WRONLY, 0);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO})
-        if (options.closed_streams) posix_spawn_file_actions_addclose(actions.get(), stream);
     if (!options.working_directory.empty())
         posix_spawn_file_actions_addchdir_np(actions.get(), options.working_directory.c_str());
 

@@ -17,13 +17,10 @@ struct CommandOptions {
     std::vector<std::string> environment{};
     std::filesystem::path working_directory{};  // empty: this process's own
     std::chrono::seconds timeout{120};
-    std::filesystem::path
-        standard_output{};        // a device to write to, /dev/full say; empty: CommandResult::out
-    bool closed_streams = false;  // it gets no standard input and no standard output at all
 };
 
-// Runs `program` with `arguments`, no shell between, standard input empty where it is not closed. Throws
-// std::runtime_error when it cannot be started or is still running after the timeout (it is killed then).
+// Runs `program` with `arguments`, no shell between, standard input empty. Throws std::runtime_error when it
+// cannot be started or is still running after the timeout (it is killed then).
 [[nodiscard]] CommandResult run_program(const std::filesystem::path& program,
                                         const std::vector<std::string>& arguments,
                                         const CommandOptions& options = {});

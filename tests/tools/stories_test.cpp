@@ -5,6 +5,9 @@
 //   > FILE                    a file; the lines behind it are its text, four blanks before each
 //   $ WORDS => A && B         gloam with these words: status 0, no standard error, and A and B in its output
 //   $1 WORDS => A && B        another status, and anything on standard error
+//   %, %1 LINE => A && B      the same for a line of the shell, which has gloam in its path
+//   spoil FILE : A -> B       from now on gloam is an installation of its own: in that shader B stands for A
+//   only LINE                 where the shell says no to the line, the story is skipped
 //   ! WORDS : ROW || ROW      each row behind the words cannot run: status 2, no folder "out". One line on
 //                             standard error, without control characters, holds the text that stands in
 //                             brackets or behind =>.
@@ -24,13 +27,10 @@
 namespace gloam::test::stories_test {
 
 struct Story {
+    std::string file;
     std::string name;
     std::vector<std::string> lines;
 };
-
-void PrintTo(const Story& story, std::ostream* stream) {
-    *stream << story.name;
-}
 
 std::vector<Story> stories() {
     std::set<fs::path> files;
@@ -41,7 +41,7 @@ std::vector<Story> stories() {
         for (std::string line; std::getline(lines, line);) {
             if (line.empty() || line.starts_with('#')) continue;
             if (line.starts_with("== ")) {
-                all.emplace_back();
+                all.push_back({.file = file.stem().string(), .name = {}, .lines = {}});
                 for (std::size_t i = 3; i < line.size(); ++i)
                     if (std::isalnum(line[i]) != 0)
                         all.back().name +=
@@ -97,8 +97,17 @@ std::vector<std::string> quoted_words(const std::string& text) {
     return all;
 }
 
-class Stories : public InFolder, public testing::WithParamInterface<Story> {
-  protected:
+class Stories : public InFolder {
+  public:
+    explicit Stories(std::vector<std::string> lines) : lines_(std::move(lines)) {}
+    void TestBody() override {
+        for (const std::string& line : lines_) {
+            SCOPED_TRACE(line);
+            if (!IsSkipped()) take(line);
+        }
+    }
+
+  private:
     [[nodiscard]] std::string replaced(std::string text) const {
         const std::pair<std::string, std::string> names[] = {{"@glsl", GLOAM_GLSL_DIR},
                                                              {"@examples", GLOAM_EXAMPLES},
@@ -115,15 +124,26 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
         return text;
     }
 
-    CommandResult run(const std::string& line) {
+    CommandResult run(const std::string& line, bool shell = false) {
         CommandOptions options{.working_directory = path(""), .timeout = std::chrono::seconds(300)};
+        const char* chosen = std::getenv("GLOAM_BINARY");
+        const fs::path program = installation_       ? installation_->program()
+                                 : chosen != nullptr ? chosen
+                                                     : GLOAM_BUILT_BINARY;
+        if (shell) {
+            options.environment = {"PATH=" + program.parent_path().string() + ":" + std::getenv("PATH")};
+            return keep(run_program("sh", {"-ec", line}, options));
+        }
         std::vector<std::string> words = quoted_words(line);
         const auto command = std::ranges::find_if_not(words, [](const std::string& word) {
             return std::isupper(word[0]) != 0 && word.find('=') != std::string::npos;
         });
         options.environment.assign(words.begin(), command);
         words.erase(words.begin(), command);
-        CommandResult result = run_command(words, options);
+        return keep(run_program(program, words, options));
+    }
+
+    CommandResult keep(CommandResult result) {
         output_ = result.out + result.err;
         return result;
     }
@@ -139,14 +159,16 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
         const CommandResult result = run(line);
         expect_could_not_run(result, named);
         EXPECT_THAT(result.err, Not(HasSubstr("\x1b")));
+        EXPECT_LT(result.err.size(), 1000U);
         EXPECT_FALSE(fs::exists(path("out")));
     }
 
-    void expect_runs(const std::string& line, std::optional<int> status) {
+    // mark: "$" or "%", and the status.
+    void expect_runs(const std::string& mark, const std::string& line) {
         const std::size_t arrow = std::min(line.find(" => "), line.size());
-        const CommandResult result = run(line.substr(0, arrow));
-        if (!status) expect_success(result);
-        EXPECT_EQ(result.status, status.value_or(0)) << output_;
+        const CommandResult result = run(line.substr(0, arrow), mark.front() == '%');
+        if (mark.size() == 1) expect_success(result);
+        EXPECT_EQ(result.status, std::atoi(mark.c_str() + 1)) << output_;
         if (arrow < line.size()) expect_texts(line.substr(arrow + 4), true);
     }
 
@@ -175,9 +197,16 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
                 (void)run(choice);
                 EXPECT_EQ(output_, before);
             }
-        } else if (mark.starts_with('$')) {
-            for (const std::string& choice : choices_of(rest))
-                expect_runs(choice, mark == "$" ? std::nullopt : std::optional(std::stoi(mark.substr(1))));
+        } else if (mark.starts_with('$') || mark.starts_with('%')) {
+            for (const std::string& choice : choices_of(rest)) expect_runs(mark, choice);
+        } else if (mark == "spoil") {
+            if (!installation_) installation_.emplace();
+            const std::size_t colon = text.find(" : ");
+            const std::size_t arrow = text.find(" -> ");
+            installation_->replace(text.substr(0, colon), text.substr(colon + 3, arrow - colon - 3),
+                                   text.substr(arrow + 4));
+        } else if (mark == "only") {
+            if (run(text, true).status != 0) GTEST_SKIP() << text << "\n" << output_;
         } else {
             look(mark, text);
         }
@@ -208,18 +237,18 @@ class Stories : public InFolder, public testing::WithParamInterface<Story> {
         }
     }
 
-  private:
+    std::vector<std::string> lines_;
     std::string output_;  // of the last run, or the file's text
+    std::optional<Installation> installation_;
 };
 
-TEST_P(Stories, AreTrue) {
-    for (const std::string& line : GetParam().lines) {
-        SCOPED_TRACE(line);
-        take(line);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Of, Stories, testing::ValuesIn(stories()),
-                         [](const auto& story) { return story.param.name; });
+// A suite for each file.
+const bool registered = [] {
+    for (const Story& story : stories())
+        testing::RegisterTest(("Stories_" + story.file).c_str(), story.name.c_str(), nullptr, nullptr,
+                              __FILE__, __LINE__,
+                              [lines = story.lines]() -> InFolder* { return new Stories(lines); });
+    return true;
+}();
 
 }  // namespace gloam::test::stories_test
