@@ -145,28 +145,28 @@ TEST(WorkerProcess, LinesArriveWholeHoweverTheyWereWritten) {
     EXPECT_EQ(worker.end(), "ended with status 0");
 }
 
-TEST(WorkerProcess, SaysHowItEnded) {
+// How a worker that says nothing more ended.
+std::string end_of(WorkerProcess& worker) {
     std::string line;
-    WorkerProcess killed(shell("kill -9 $$"));
-    EXPECT_EQ(killed.receive(line, in(20s)), Heard::end);
-    EXPECT_EQ(killed.end(), "ended by signal 9 (KILL: Killed)");
-    EXPECT_FALSE(killed.send("anybody?"));
+    EXPECT_EQ(worker.receive(line, in(20s)), Heard::end);
+    EXPECT_FALSE(worker.send("anybody?"));
+    return worker.end();
+}
 
-    WorkerProcess crashed(shell("echo 'first words' >&2; echo 'LLVM ERROR: last words' >&2; kill -SEGV $$"));
-    EXPECT_EQ(crashed.receive(line, in(20s)), Heard::end);
-    EXPECT_EQ(crashed.end(),
-              "ended by signal 11 (SEGV: Segmentation fault): first words\nLLVM ERROR: last words");
-
-    WorkerProcess left(shell("exit 3"));
-    EXPECT_EQ(left.receive(line, in(20s)), Heard::end);
-    EXPECT_EQ(left.end(), "ended with status 3");
+TEST(WorkerProcess, SaysHowItEnded) {
+    for (const auto& [script, end] :
+         {std::pair{"kill -9 $$", "ended by signal 9 (KILL: Killed)"},
+          {"echo 'first words' >&2; echo 'LLVM ERROR: last words' >&2; kill -SEGV $$",
+           "ended by signal 11 (SEGV: Segmentation fault): first words\nLLVM ERROR: last words"},
+          {"exit 3", "ended with status 3"}}) {
+        WorkerProcess worker(shell(script));
+        EXPECT_EQ(end_of(worker), end);
+    }
 }
 
 TEST(WorkerProcess, KeepsTheEndOfWhatWasSaidOnStandardError) {
     WorkerProcess worker(shell("head -c 100000 /dev/zero | tr '\\0' x >&2; echo the end >&2; exit 1"));
-    std::string line;
-    EXPECT_EQ(worker.receive(line, in(20s)), Heard::end);
-    const std::string text = worker.end();
+    const std::string text = end_of(worker);
     EXPECT_LT(text.size(), 1100U);
     EXPECT_THAT(text, EndsWith("xxxthe end"));
 }
@@ -187,24 +187,15 @@ TEST(WorkerProcess, SilenceEndsAtTheDeadlineAndDeathLeavesNoZombie) {
 
 TEST(WorkerProcess, OneThatClosesItsOutputButLivesOnIsEnded) {
     WorkerProcess worker(shell("exec >&- <&-; exec sleep 1000"));
-    std::string line;
-    EXPECT_EQ(worker.receive(line, in(20s)), Heard::end);
-    EXPECT_EQ(worker.end(), "ended by signal 9 (KILL: Killed)");
+    EXPECT_EQ(end_of(worker), "ended by signal 9 (KILL: Killed)");
     EXPECT_TRUE(is_gone(worker.id()));
 }
 
 TEST(WorkerProcess, DiesWithTheThreadThatStartedIt) {
-    pid_t process = 0;
-    auto* leaked = static_cast<WorkerProcess*>(nullptr);
-    std::thread([&] {
-        leaked = new WorkerProcess(shell("exec sleep 1000"));
-        process = leaked->id();
-    }).join();
-    std::string line;
-    EXPECT_EQ(leaked->receive(line, in(20s)), Heard::end);
-    EXPECT_EQ(leaked->end(), "ended by signal 9 (KILL: Killed)");
-    delete leaked;
-    EXPECT_TRUE(is_gone(process));
+    std::unique_ptr<WorkerProcess> worker;
+    std::thread([&] { worker = std::make_unique<WorkerProcess>(shell("exec sleep 1000")); }).join();
+    EXPECT_EQ(end_of(*worker), "ended by signal 9 (KILL: Killed)");
+    EXPECT_TRUE(is_gone(worker->id()));
 }
 
 // How many files a worker finds open.
