@@ -211,8 +211,9 @@ def statements(source):
         yield line_of(code, position), head, head.splitlines()[0], function and function.group(1), body
 
 
-def shader_bindings(source):
-    """glsl/gloam holds no bindings, no main and no globals: those belong to passes and engines."""
+def shader_statement(source):
+    """glsl/gloam holds no bindings, no main and no globals: those belong to passes and engines. Its functions are called
+    gloam_snake_case, and each has a comment directly above it."""
     for line, head, first, name, _ in statements(source) if source.is_shader_library else ():
         if name == "main":
             yield line, "main() belongs in glsl/passes"
@@ -220,20 +221,10 @@ def shader_bindings(source):
             yield line, f"a binding belongs in glsl/passes: {first}"
         elif not name and not re.match(r"(struct\b|const\s+\w+\s+GLOAM_\w+)", head):
             yield line, f"file scope holds functions, structs and GLOAM_ constants only: {first}"
-
-
-def shader_comment(source):
-    """Every function of glsl/gloam has a comment directly above it."""
-    for line, _, _, name, _ in statements(source) if source.is_shader_library else ():
-        if name and not source.lines[line - 2].startswith("//"):
-            yield line, f"{name} has no comment directly above it"
-
-
-def shader_name(source):
-    """Functions of glsl/gloam are called gloam_snake_case."""
-    for line, _, _, name, _ in statements(source) if source.is_shader_library else ():
-        if name and name != "main" and not re.fullmatch(r"gloam_[a-z0-9_]+", name):
+        elif name and not re.fullmatch(r"gloam_[a-z0-9_]+", name):
             yield line, f"{name}: functions are called gloam_snake_case"
+        elif name and not source.lines[line - 2].startswith("//"):
+            yield line, f"{name} has no comment directly above it"
 
 
 def shader_include(source):
@@ -318,13 +309,13 @@ def paper_code(source):
         if source.path.as_posix() == "docs/testing.md" and block.group(0).startswith("```cpp\n"):
             continue
         files = (path for area in SHOWN_FROM for path in sorted((source.root / area).rglob("*"))
-                 if path.suffix in (".cpp", ".hpp", ".glsl", ".comp") or path.name == "CMakeLists.txt")
+                 if path.suffix in (".cpp", ".hpp", ".glsl", ".comp", ".txt"))
         if not any(stripped(block.group(1)) in stripped(path.read_text(encoding="utf-8")) for path in files):
             yield line_of(source.text, block.start()), "this code stands in no file of the house"
 
 
-RULES = (room_include, wing, framework_command, internal_include, include_style, library_home, shader_bindings, shader_comment,
-         shader_name, shader_include, shader_reference, guard, spdx, length, machine_path, paper_path, paper_code)
+RULES = (room_include, wing, framework_command, internal_include, include_style, library_home, shader_statement,
+         shader_include, shader_reference, guard, spdx, length, machine_path, paper_path, paper_code)
 
 
 def shader_caller(house):

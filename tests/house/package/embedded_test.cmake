@@ -6,14 +6,7 @@ set(work "${WORK}/embedded")
 file(REMOVE_RECURSE "${work}")
 file(MAKE_DIRECTORY "${work}")
 
-# run(WHAT command...): stops the test when the command fails; its output is in `output`.
-function(run WHAT)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${WHAT}: exit status ${status}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
 set(without)
 foreach(package embree assimp OpenEXR CLI11 SQLite3 rapidcheck benchmark)

@@ -7,27 +7,14 @@ set(prefix "${WORK}/moved here")
 set(consumer "${WORK}/own_function")
 set(shader "${consumer}/shaders/tone.glsl")
 
-# run(WHAT command...): stops the test when the command fails.
-function(run WHAT)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${WHAT}: exit status ${status}\n${output}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
-function(expect_verdict EXPECTED)
-  execute_process(COMMAND "${consumer}/build/own_function_test"
-    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  set(text_found NO)
-  if(EXPECTED STREQUAL "pass")
-    if(status EQUAL 0 AND output MATCHES "\\[  PASSED  \\] 2 tests")
-      return()
-    endif()
-  elseif(NOT status EQUAL 0 AND output MATCHES "1 FAILED TEST" AND output MATCHES "FAILED  . Tone.MatchesReinhard"
-         AND output MATCHES "tone_reinhard.*outside")
-    return()
+# expect_failure(PATTERN command...): the command fails, and its output matches.
+function(expect_failure PATTERN)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(status EQUAL 0 OR NOT output MATCHES "${PATTERN}")
+    message(FATAL_ERROR "expected a failure with ${PATTERN}, exit status ${status}\n${output}")
   endif()
-  message(FATAL_ERROR "expected the consumer to ${EXPECTED}, exit status ${status}\n${output}")
 endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
@@ -40,11 +27,8 @@ file(GLOB_RECURSE of_occlusion "${WORK}/framework/*.glsl" "${WORK}/framework/*.c
 if(of_occlusion)
   message(FATAL_ERROR "the framework alone has files of ambient occlusion: ${of_occlusion}")
 endif()
-execute_process(COMMAND "${CMAKE_COMMAND}" -S "${CONSUMER}" -B "${WORK}/without" "-DCMAKE_PREFIX_PATH=${WORK}/framework"
-  "-DCMAKE_CXX_COMPILER=${COMPILER}" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(status EQUAL 0 OR NOT output MATCHES "without its component glsl")
-  message(FATAL_ERROR "expected find_package to miss the component glsl, exit status ${status}\n${output}")
-endif()
+expect_failure("without its component glsl" "${CMAKE_COMMAND}" -S "${CONSUMER}" -B "${WORK}/without"
+  "-DCMAKE_PREFIX_PATH=${WORK}/framework" "-DCMAKE_CXX_COMPILER=${COMPILER}")
 
 run("install" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/installed")
 file(RENAME "${WORK}/installed" "${prefix}")
@@ -66,12 +50,8 @@ foreach(asked 0.2 0.3 0.4 1.0)
   endif()
 endforeach()
 
-execute_process(COMMAND "${CMAKE_COMMAND}" -S "${consumer}" -B "${WORK}/alone" "-DCMAKE_PREFIX_PATH=${prefix}"
-  "-DCMAKE_CXX_COMPILER=${COMPILER}" -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON
-  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(status EQUAL 0 OR NOT output MATCHES "expected GoogleTest with")
-  message(FATAL_ERROR "expected the consumer to miss GoogleTest, exit status ${status}\n${output}")
-endif()
+expect_failure("expected GoogleTest with" "${CMAKE_COMMAND}" -S "${consumer}" -B "${WORK}/alone"
+  "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${COMPILER}" -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON)
 
 set(flags "")
 if(SANITIZE)
@@ -80,7 +60,10 @@ endif()
 run("configure" "${CMAKE_COMMAND}" -G Ninja -S "${consumer}" -B "${consumer}/build" "-DCMAKE_PREFIX_PATH=${prefix}"
   "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DCMAKE_CXX_FLAGS=${flags}")
 run("build" "${CMAKE_COMMAND}" --build "${consumer}/build")
-expect_verdict(pass)
+run("the consumer" "${consumer}/build/own_function_test")
+if(NOT output MATCHES "\\[  PASSED  \\] 2 tests")
+  message(FATAL_ERROR "expected two tests of the consumer\n${output}")
+endif()
 
 if(DOCTEST)
   set(other "${WORK}/doctest")
@@ -97,10 +80,8 @@ if(broken STREQUAL text)
   message(FATAL_ERROR "nothing to break in ${shader}")
 endif()
 file(WRITE "${shader}" "${broken}")
-expect_verdict(fail)
+expect_failure("tone_reinhard.*outside.*FAILED  . Tone.MatchesReinhard.*1 FAILED TEST"
+  "${consumer}/build/own_function_test")
 if(DOCTEST)
-  execute_process(COMMAND "${other}/doctest_user" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(status EQUAL 0 OR NOT output MATCHES "answer.passed.*tone_reinhard.*outside")
-    message(FATAL_ERROR "expected doctest to report the answer, exit status ${status}\n${output}")
-  endif()
+  expect_failure("answer.passed.*tone_reinhard.*outside" "${other}/doctest_user")
 endif()
