@@ -82,7 +82,12 @@ const std::vector<Case> cases{
     {"PreprocessorHasRun",
      "#define REAL vec2\n#if 0\nfloat off() { return 1.0; }\n#endif\nREAL f(REAL x) { return x; }\n",
      {"vec2 f(vec2 x)"}},
-};
+    // The size of such an array is known only when the pipeline is made.
+    {"ATableSizedByASpecializationConstantStandsInNoWay",
+     "layout(constant_id = 0) const int half_size = 2;\nfloat table[2 * half_size];\n"
+     "float f(float x) { return x * table[0]; }\n",
+     {"float f(float x)"}},
+    {"ATextWithoutFunctionsHasNone", "const float x = 1.0;\n", {}}};
 
 class FunctionsOf : public testing::TestWithParam<Case> {};
 
@@ -92,14 +97,6 @@ TEST_P(FunctionsOf, AText) {
 
 INSTANTIATE_TEST_SUITE_P(Texts, FunctionsOf, testing::ValuesIn(cases),
                          [](const auto& info) { return info.param.name; });
-
-// The size of such an array is known only when the pipeline is made.
-TEST(Functions, ATableSizedByASpecializationConstantStandsInNoWay) {
-    const auto found = functions_of(
-        "layout(constant_id = 0) const int half_size = 2;\nfloat table[2 * half_size];\n"
-        "float f(float x) { return x * table[0]; }\n");
-    EXPECT_THAT(prototypes(found), ElementsAre("float f(float x)"));
-}
 
 // 4^7 scalars.
 TEST(Functions, DeeplyNestedStructuresAreOversized) {
@@ -112,10 +109,6 @@ TEST(Functions, DeeplyNestedStructuresAreOversized) {
     const auto found = functions_of(text + "float f(S3 s, S7 t) { return s.a.a.a.a; }\n");
     EXPECT_TRUE(is_supported(found[0].parameters[0].type));
     EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
-}
-
-TEST(Functions, ATextWithoutFunctionsHasNone) {
-    EXPECT_TRUE(functions_of("const float x = 1.0;\n").empty());
 }
 
 }  // namespace gloam::shader::functions_test

@@ -14,29 +14,18 @@ std::vector<std::string> includes(std::string_view text) {
     return names;
 }
 
-using Names = std::vector<std::string>;
-
-TEST(Lines, FindsIncludesHoweverTheyAreWritten) {
-    EXPECT_EQ(includes("#include \"a\"\n  #\tinclude\"b\" // why\n/* x */ # include <c>\n#include \"d//e\""),
-              (Names{"a", "b", "<c", "d//e"}));
-}
-
-TEST(Lines, LooksPastContinuations) {
-    EXPECT_EQ(includes("#include \\\n \"a\"\n#inc\\\nlude \"b\"\n#include \\\r\n \"c\"\r\n"),
-              (Names{"a", "b", "c"}));
-}
-
-TEST(Lines, IgnoresComments) {
-    EXPECT_EQ(
-        includes("// #include \"a\"\n/* #include \"b\"\n#include \"c\"\n*/\n// goes on \\\n#include \"d\"\n"),
-        Names{});
-    EXPECT_EQ(includes("/* // */ #include \"a\"\n// /*\n#include \"b\"\n"), (Names{"a", "b"}));
-}
-
-TEST(Lines, IgnoresWhatIsNoInclude) {
-    EXPECT_EQ(includes("#include\n#include a\n#include \"a\n#includes \"b\"\nfloat x; #include "
-                       "\"c\"\n#define include \"d\"\n"),
-              Names{});
+// However they are written, past continuations and comments, and of what is none.
+TEST(Lines, FindsIncludes) {
+    const std::pair<const char*, std::vector<std::string>> rows[] = {
+        {"#include \"a\"\n  #\tinclude\"b\" // why\n/* x */ # include <c>\n#include \"d//e\"",
+         {"a", "b", "<c", "d//e"}},
+        {"#include \\\n \"a\"\n#inc\\\nlude \"b\"\n#include \\\r\n \"c\"\r\n", {"a", "b", "c"}},
+        {"// #include \"a\"\n/* #include \"b\"\n#include \"c\"\n*/\n// goes on \\\n#include \"d\"\n", {}},
+        {"/* // */ #include \"a\"\n// /*\n#include \"b\"\n", {"a", "b"}},
+        {"#include\n#include a\n#include \"a\n#includes \"b\"\nfloat x; #include \"c\"\n#define include "
+         "\"d\"\n",
+         {}}};
+    for (const auto& [text, names] : rows) EXPECT_EQ(includes(text), names) << text;
 }
 
 TEST(Lines, CountsPhysicalLines) {
