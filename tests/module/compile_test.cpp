@@ -67,7 +67,7 @@ TEST(CompileErrorMessage, NamesFileLineAndCause) {
         {kernel("#include \"broken/missing.glsl\"", "1.0"),
          AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":4: "),
                HasSubstr("\"broken/nowhere.glsl\""))},
-        {kernel("#include \"cycle/a.glsl\"", "1.0"), b + ":5: include cycle: " + a + " -> " + b + " -> " + a},
+        {kernel("#include \"cycle/a.glsl\"", "1.0"), b + ":3: include cycle: " + a + " -> " + b + " -> " + a},
         {kernel("#include \"cycle/self.glsl\"", "1.0"), self + ":2: include cycle: " + self + " -> " + self},
         {kernel("#include \"fetch.glsl\"", "fx_twice(ivec2(0))"),
          AllOf(StartsWith("kernel: "), HasSubstr(" fx_fetch_depth()"), Not(HasSubstr("\n")))},
@@ -119,16 +119,14 @@ TEST_F(Include, ReadsATextWhole) {
 
 TEST_F(Include, FilesThatWereReadAreListedOnceEach) {
     const auto file = folder.write("a.glsl", "");
-    const char* before = std::getenv("GLOAM_DEPENDENCIES_OUTPUT");
-    const std::optional<std::string> kept = before ? std::optional<std::string>(before) : std::nullopt;
     const auto list = folder.path() / "list";
-    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", list.c_str(), 1);
-    static_cast<void>(read_text(file));
-    static_cast<void>(read_text(folder.path() / "." / "a.glsl"));
-    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (folder.path() / "none" / "list").c_str(), 1);
-    EXPECT_EQ(read_text(file), "") << "a list that cannot be written stops nothing";
-    if (kept) ::setenv("GLOAM_DEPENDENCIES_OUTPUT", kept->c_str(), 1);
-    if (!kept) ::unsetenv("GLOAM_DEPENDENCIES_OUTPUT");
+    {
+        const gloam::test::ScopedVariable output("GLOAM_DEPENDENCIES_OUTPUT", list.c_str());
+        static_cast<void>(read_text(file));
+        static_cast<void>(read_text(folder.path() / "." / "a.glsl"));
+        ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (folder.path() / "none" / "list").c_str(), 1);
+        EXPECT_EQ(read_text(file), "") << "a list that cannot be written stops nothing";
+    }
     EXPECT_EQ(read_text(list), std::filesystem::canonical(file).string() + "\n");
 }
 

@@ -82,17 +82,14 @@ TEST(Language, AcceptsABodyThatIsWrittenForIt) {
     for (const auto& [about, text, languages] : bodies) EXPECT_EQ(accepted_by(text), languages) << about;
 }
 
-TEST(Language, BodyLinesAreItsOwn) {
-    for (const Language language : all)
+TEST(Language, ErrorsNameTheLineOfTheBodyOrTheInclude) {
+    const std::string inner = fixture("broken/inner.glsl").string() + ":9: ";
+    for (const Language language : all) {
         EXPECT_THAT(error_of("\nfloat f() {\n    return oops;\n}\n", language), StartsWith("body:3: 'oops'"))
             << to_string(language);
-}
-
-TEST(Language, ErrorsInIncludesNameTheInclude) {
-    for (const Language language : all)
-        EXPECT_THAT(error_of("#include \"broken/outer.glsl\"\n", language),
-                    StartsWith(fixture("broken/inner.glsl").string() + ":9: "))
+        EXPECT_THAT(error_of("#include \"broken/outer.glsl\"\n", language), StartsWith(inner))
             << to_string(language);
+    }
     EXPECT_THAT(error_of("#include \"none.glsl\"\n", Language::es300),
                 StartsWith("body:1: cannot find include"));
 }

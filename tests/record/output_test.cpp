@@ -30,12 +30,6 @@ TEST_F(OutputFileTest, AnEmptyPathWritesNothing) {
     EXPECT_NO_THROW(file.write("text"));
 }
 
-TEST_F(OutputFileTest, WhatCannotBeWrittenIsNamedBeforeTheWork) {
-    const fs::path missing = folder.path() / "no" / "a.json";
-    EXPECT_THAT([&] { OutputFile file(missing); }, names(missing));
-    EXPECT_THAT([&] { OutputFile file(folder.path()); }, names(folder.path()));
-}
-
 // What a link leads to is replaced as a whole, too.
 TEST_F(OutputFileTest, WhatALinkLeadsToIsNeverHalfWritten) {
     const fs::path target = folder.path() / "target";
@@ -57,11 +51,6 @@ TEST_F(OutputFileTest, OpenFilesAreWrittenTo) {
     std::fclose(open);
     EXPECT_EQ(test::read_file(path), "text");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
-}
-
-TEST_F(OutputFileTest, AFullDiskIsNamedAndLeavesNothing) {
-    const OutputFile full("/dev/full");
-    EXPECT_THAT([&] { full.write("text"); }, names("/dev/full"));
 }
 
 TEST_F(OutputFileTest, AFolderThatCameInTheWayIsNamedAndNothingIsLeftBeside) {
@@ -127,65 +116,6 @@ TEST_F(OutputFolderTest, RunsWithOneFolderNeverMix) {
             ASSERT_EQ(test::read_file(out / name), test::read_file(out / "x"));
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
-}
-
-TEST_F(OutputFolderTest, AFileInTheWayIsNamed) {
-    const fs::path file = folder.path() / "file";
-    std::ofstream(file) << "x";
-    for (const auto& [path, named] :
-         {std::pair(file, file), {file / "below", file}, {"/proc/gloam", "/proc/gloam"}})
-        EXPECT_THAT([path = path] { OutputFolder folder(path); }, names(named));
-}
-
-class JournalTest : public InFolder {
-  protected:
-    // The lines that are taken over go into `lines`.
-    [[nodiscard]] Journal open(bool resume, const std::string& heading = "head") {
-        lines.clear();
-        return {file, heading, resume, [this](std::string_view line) {
-                    if (line == "bad") throw std::runtime_error("expected good");
-                    lines.emplace_back(line);
-                }};
-    }
-    [[nodiscard]] std::string text() const { return test::read_file(file); }
-
-    const fs::path file = path("journal.jsonl");
-    std::vector<std::string> lines;
-};
-
-TEST_F(JournalTest, TakesUpWhereItWasLeftWithoutALineThatWasBeingWritten) {
-    open(false).add("one");
-    open(true).add("two");
-    const std::string whole = text();
-    std::ofstream(file, std::ios::app) << "thr";
-    const Journal journal = open(true);
-    EXPECT_THAT(lines, ElementsAre("one", "two"));
-    EXPECT_EQ(text(), whole);
-    journal.add("three");
-    EXPECT_EQ(text(), "head\none\ntwo\nthree\n");
-}
-
-TEST_F(JournalTest, StartsEmptyWhereNothingIsToBeResumed) {
-    open(false).add("one");
-    for (const auto& prepare : {std::function<bool()>([&] { return (void)open(false), true; }),
-                                {[&] { return fs::remove(file); }},
-                                {[&] { return std::ofstream(file).good(); }}}) {
-        EXPECT_TRUE(prepare());
-        (void)open(true);
-        EXPECT_THAT(lines, IsEmpty());
-        EXPECT_EQ(text(), "head\n");
-    }
-}
-
-TEST_F(JournalTest, RefusesWhatWasMeasuredOtherwiseAndNamesALineThatIsWrong) {
-    open(false).add("one");
-    open(true).add("bad");
-    const std::string whole = text();
-    expect_error<std::runtime_error>([&] { (void)open(true, "another"); }, {"cannot resume"});
-    expect_error<std::runtime_error>([&] { (void)open(true); }, {file.string() + ", line 3: expected good"});
-    EXPECT_EQ(text(), whole);
-    EXPECT_THROW(Journal("/no/such/folder/journal.jsonl", "head", false, {}), std::runtime_error);
-    EXPECT_NO_THROW(Journal({}, "head", true, {}).add("nowhere"));
 }
 
 }  // namespace gloam::record::output_test
