@@ -9,9 +9,6 @@
 #include "judge/function.hpp"
 #include "judge/reproduction.hpp"
 #include "subject/fixture_functions.hpp"
-#include "support/devices.hpp"
-
-#include "support/test.hpp"
 
 namespace gloam::check::own_values_test {
 
@@ -148,18 +145,6 @@ TEST(OwnTypes, WhatIsOutsideIsTheInputsFault) {
     EXPECT_TRUE(answer_of(lab, "own_images.glsl", "size_of", {}, 64).passed());
     EXPECT_TRUE(answer_of(lab, "own_images.glsl", "height", {{"p", {0, 3}}}, 5000).passed())
         << "more inputs than an image has layers";
-}
-
-TEST(OwnTypes, ADeviceWithoutFloat16SaysSo) {
-    const auto devices = test::devices_at_hand();
-    const auto found =
-        std::ranges::find_if(devices, [](const auto& one) { return one.name.find("SwiftShader") == 0; });
-    if (found == devices.end()) GTEST_SKIP() << "SwiftShader lacks it, and it is not here";
-    LabOptions of_device = options_of("numbers.glsl");
-    of_device.device = found->name;
-    const Lab lab(of_device);
-    expect_error<backend::Unsupported>([&] { (void)answer_of(lab, "numbers.glsl", "half_sum"); },
-                                       {"half_sum: needs shaderFloat16, which device \"SwiftShader"});
 }
 
 TEST(OwnTypes, Float16IsDrawnFromItsFormat) {
