@@ -3,14 +3,9 @@
 
 #include "support/test.hpp"
 
-namespace gloam::base {
-namespace {
+namespace gloam::base::half_test {
 
 constexpr std::uint16_t infinite = 0x7c00;
-
-bool is_nan(std::uint16_t half) {
-    return (half & 0x7fffu) > infinite;
-}
 
 // The value by definition.
 double value(std::uint16_t half) {
@@ -48,23 +43,17 @@ TEST(Half, RoundsToNearestEven) {
     }
 }
 
-TEST(Half, OutOfRange) {
+TEST(Half, BeyondItsRangeAndNaN) {
     for (const float large : {std::numeric_limits<float>::max(), infinity}) {
         EXPECT_EQ(to_half(large), infinite);
         EXPECT_EQ(to_half(-large), 0xfc00);
     }
     EXPECT_EQ(from_half(0xfc00), -infinity);
     EXPECT_EQ(to_half(-std::numeric_limits<float>::denorm_min()), 0x8000);
-}
-
-TEST(Half, NanStaysNan) {
-    for (const std::uint32_t bits : {0x7f800001u, 0x7fc00000u, 0x7fffffffu, 0xffc00001u, 0xff800001u}) {
-        EXPECT_TRUE(is_nan(to_half(std::bit_cast<float>(bits)))) << bits;
-    }
-    for (std::uint32_t fraction = 1; fraction < 0x400; ++fraction) {
+    for (const std::uint32_t bits : {0x7f800001u, 0x7fc00000u, 0x7fffffffu, 0xffc00001u, 0xff800001u})
+        EXPECT_GT(to_half(std::bit_cast<float>(bits)) & 0x7fff, infinite) << bits;
+    for (std::uint32_t fraction = 1; fraction < 0x400; ++fraction)
         EXPECT_TRUE(std::isnan(from_half(static_cast<std::uint16_t>(infinite | fraction))));
-    }
 }
 
-}  // namespace
-}  // namespace gloam::base
+}  // namespace gloam::base::half_test
