@@ -93,29 +93,19 @@ const auto other_filter = of_header([](SampledHeader& h) { h.linear = 1 - h.line
 const Ranges directions{{"p", {-1, 1}}};
 
 TEST(OwnSamplers, AWrongSamplerIsNoticed) {
-    const auto sampled = [](std::function<void(std::span<Word>)> change, bool noticed = true) {
-        return Planted{"samplers.glsl",         {"sampled"},      {}, std::move(change), noticed ? 1U : 0U,
-                       noticed ? SIZE_MAX : 0U, {{"uv", {-1, 2}}}};
+    const auto rows_of = [](std::vector<const char*> functions, const Ranges& ranges, std::size_t inputs) {
+        return [=](std::function<void(std::span<Word>)> change, std::size_t least = 1,
+                   std::size_t most = SIZE_MAX) {
+            return Planted{"samplers.glsl", functions, {}, std::move(change), least, most, ranges, inputs};
+        };
     };
-    const auto shadow = [](std::function<void(std::span<Word>)> change) {
-        return Planted{"samplers.glsl", {"shadow_at_level"}, {},  std::move(change), 1,
-                       SIZE_MAX,        {{"p", {0, 1}}},     1024};
-    };
+    const auto sampled = rows_of({"sampled"}, {{"uv", {-1, 2}}}, 512);
+    const auto shadow = rows_of({"shadow_at_level"}, {{"p", {0, 1}}}, 1024);
+    const auto cube = rows_of({"cube_at_level", "of_cube"}, directions, 1024);
     const auto compares = [](Compare other) {
         return of_header([other](SampledHeader& h) {
             h.compare = h.compare == Compare::less_equal ? other : Compare::less_equal;
         });
-    };
-    const auto cube = [](std::function<void(std::span<Word>)> change, std::size_t least,
-                         std::size_t most = SIZE_MAX) {
-        return Planted{"samplers.glsl",
-                       {"cube_at_level", "of_cube"},
-                       {},
-                       std::move(change),
-                       least,
-                       most,
-                       directions,
-                       1024};
     };
     // The faces +x and -x of the largest level.
     const auto exchanged = [](std::span<Word> image) {
@@ -130,7 +120,7 @@ TEST(OwnSamplers, AWrongSamplerIsNoticed) {
         {sampled(other_filter), sampled(of_header([](SampledHeader& h) {
              h.wrap = h.wrap == Wrap::edge ? Wrap::repeat : Wrap::edge;
          })),
-         sampled(of_header([](SampledHeader& h) { h.wrap = Wrap::border; })), sampled(nothing, false),
+         sampled(of_header([](SampledHeader& h) { h.wrap = Wrap::border; })), sampled(nothing, 0, 0),
          shadow(compares(Compare::greater_equal)), shadow(compares(Compare::less)), shadow(other_filter),
          cube(exchanged, 101), cube(corner, 1), cube(nothing, 0, 0)},
         test::SharedDevice::get());

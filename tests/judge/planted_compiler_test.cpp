@@ -4,8 +4,6 @@
 #include <GLSL.std.450.h>
 #include <fmt/format.h>
 #include <spirv.h>
-#include <array>
-#include <chrono>
 
 #include "interpreter/program.hpp"
 #include "judge/run.hpp"

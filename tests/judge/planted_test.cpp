@@ -2,16 +2,6 @@
 // Wrong results, planted behind the back of a device: the check of every equation notices them by the rules
 // alone, and by its reference where the device promises least. What is noticed there is noticed on every
 // other device.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <utility>
-
 #include "backend/gl/device.hpp"
 #include "judge/run.hpp"
 #include "judge/session.hpp"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Functions whose inputs are more than vectors of floats: arrays, nested structures, float16, uniforms and
 // buffers, samplers, and images that they load and store.
-#include <array>
-
-#include "backend/sampled.hpp"
 #include "interpreter/program.hpp"
 #include "judge/explain.hpp"
 #include "judge/function.hpp"
@@ -11,9 +8,6 @@
 #include "subject/fixture_functions.hpp"
 
 namespace gloam::check::own_values_test {
-
-using shader::Scalar;
-using testing::UnorderedElementsAre;
 
 // Values that C++ gives.
 
