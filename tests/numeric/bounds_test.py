@@ -75,8 +75,7 @@ def flushed(low, high):
 
 def rounded(low, high):
     """Correctly rounded: either neighbour."""
-    low, high = flushed(down(low) if abs(low) > 0 else low, up(high))
-    return (0 if 0 < low < F.normal else low), high
+    return flushed(down(low), up(high))
 
 
 def inside(low, high):
