@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The front end of the framework, as far as it is ours: lines, directives, includes, declarations.
-// (gloam tries glslang in a copy of the process first, see harness/framework/base/compiler_limits.hpp.)
+// (gloam tries glslang in a copy of the process first, see harness/framework/base/process.hpp.)
 #include "fuzz/fuzz.hpp"
 #include "module/include.hpp"
-#include "source/lines.hpp"
-#include "source/outline.hpp"
+#include "source/declarations.hpp"
 
 using namespace gloam;
 

@@ -115,10 +115,10 @@ std::vector<Body> bodies_of(shader::Tokens tokens, const std::string& function) 
     std::vector<Body> all;
     for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
         if (tokens[i] != function || tokens[i + 1] != "(" || !tokens[i - 1].is_word()) continue;
-        const std::size_t behind = shader::behind_bracket(tokens, i + 1);
+        const std::size_t behind = shader::behind(tokens, i + 1);
         if (behind >= tokens.size() || tokens[behind] != "{") continue;
         Body body{.parameters = {},
-                  .tokens = tokens.subspan(behind, shader::behind_bracket(tokens, behind) - behind)};
+                  .tokens = tokens.subspan(behind, shader::behind(tokens, behind) - behind)};
         for (std::size_t k = i + 2; k < behind; ++k)
             if (tokens[k] == "," || k + 1 == behind) body.parameters.push_back(tokens[k - 1].text);
         all.push_back(std::move(body));

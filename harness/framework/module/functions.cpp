@@ -16,7 +16,7 @@
 namespace gloam::shader {
 namespace {
 
-using internal::Declaration;
+using internal::FunctionHead;
 using spirv::Id;
 
 // A function as SPIR-V describes it: without the directions of its parameters and the names of opaque types.
@@ -239,7 +239,7 @@ std::vector<Compiled> compiled(const Spirv& module) {
 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
-Function function_of(Function function, const Declaration& declaration) {
+Function function_of(Function function, const FunctionHead& declaration) {
     if (function.name.starts_with(own_prefix)) function.name.erase(0, own_prefix.size());
     function.defined = declaration.defined;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -258,10 +258,10 @@ Function function_of(Function function, const Declaration& declaration) {
 
 // The declaration of each function of the module; null for an added main. Functions of one name are in the
 // same order on both sides.
-std::vector<const Declaration*> paired(const std::vector<Compiled>& compiled,
-                                       const std::vector<Declaration>& declared) {
-    std::vector<const Declaration*> pairs(compiled.size(), nullptr);
-    for (const Declaration& declaration : declared) {
+std::vector<const FunctionHead*> paired(const std::vector<Compiled>& compiled,
+                                        const std::vector<FunctionHead>& declared) {
+    std::vector<const FunctionHead*> pairs(compiled.size(), nullptr);
+    for (const FunctionHead& declaration : declared) {
         std::size_t i = 0;
         while (i < pairs.size() && (pairs[i] || compiled[i].name != declaration.name)) ++i;
         if (i == pairs.size())
@@ -273,15 +273,15 @@ std::vector<const Declaration*> paired(const std::vector<Compiled>& compiled,
 
 // In order of definition; a function that is only declared is listed at its first call.
 std::vector<Function> listed(const std::vector<Compiled>& compiled,
-                             const std::vector<Declaration>& declared) {
-    const std::vector<const Declaration*> pairs = paired(compiled, declared);
+                             const std::vector<FunctionHead>& declared) {
+    const std::vector<const FunctionHead*> pairs = paired(compiled, declared);
     std::vector<Function> functions;
     std::vector<bool> taken(pairs.size(), false);
     const auto take = [&](std::size_t i) {
         if (!taken[i]) functions.push_back(function_of(compiled[i], *pairs[i]));
         taken[i] = true;
     };
-    for (const Declaration& declaration : declared) {
+    for (const FunctionHead& declaration : declared) {
         if (!declaration.defined) break;  // those that are only declared come last
         const auto found = static_cast<std::size_t>(std::ranges::find(pairs, &declaration) - pairs.begin());
         take(found);
@@ -311,7 +311,7 @@ std::vector<Function> functions(const Source& source, const CompileOptions& opti
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                                 options.include_roots);
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
-    const std::vector<Declaration> declared = internal::each_once(internal::declarations(text));
+    const std::vector<FunctionHead> declared = internal::each_once(internal::function_heads(text));
     const Source whole{source.name, internal::completed(text, declared)};
     const Spirv module = internal::to_spirv(whole, options.stage, {}, internal::Unreached::kept);
     try {

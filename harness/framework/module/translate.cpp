@@ -14,10 +14,10 @@
 namespace gloam::shader {
 namespace {
 
-using internal::Declaration;
 using internal::DeclaredParameter;
+using internal::FunctionHead;
 
-void require_values(const std::string& name, const Declaration& function) {
+void require_values(const std::string& name, const FunctionHead& function) {
     for (const DeclaredParameter& parameter : function.parameters)
         if (internal::is_opaque(parameter.type))
             throw std::invalid_argument(name + ": " + function.name + " has a parameter of type " +
@@ -26,11 +26,11 @@ void require_values(const std::string& name, const Declaration& function) {
 }
 
 // A main() that calls every function once: SPIRV-Cross writes what main() reaches.
-std::string caller_of(const std::vector<Declaration>& functions) {
+std::string caller_of(const std::vector<FunctionHead>& functions) {
     std::string variables;
     std::string calls;
     std::size_t count = 0;
-    for (const Declaration& function : functions) {
+    for (const FunctionHead& function : functions) {
         std::string arguments;
         for (const DeclaredParameter& parameter : function.parameters) {
             const std::string name = "argument" + std::to_string(count++);
@@ -44,11 +44,11 @@ std::string caller_of(const std::vector<Declaration>& functions) {
 
 // The text with a main(), and with bodies of the functions that its user defines.
 std::string whole(const Source& packed, Stage stage) {
-    std::vector<Declaration> functions = internal::declarations(internal::preprocessed(packed, stage, {}));
-    if (std::ranges::find(functions, "main", &Declaration::name) != functions.end()) return packed.text;
-    for (const Declaration& function : functions) require_values(packed.name, function);
+    std::vector<FunctionHead> functions = internal::function_heads(internal::preprocessed(packed, stage, {}));
+    if (std::ranges::find(functions, "main", &FunctionHead::name) != functions.end()) return packed.text;
+    for (const FunctionHead& function : functions) require_values(packed.name, function);
     const std::string text = packed.text + caller_of(functions);
-    functions.push_back({.name = "main", .result = "void", .head = "", .parameters = {}, .defined = true});
+    functions.push_back({.name = "main", .result = "void", .text = "", .parameters = {}, .defined = true});
     return internal::completed(text, functions);
 }
 

@@ -5,15 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
-#include <stdexcept>
+#include <sstream>
 #include <utility>
 
 #include "base/text.hpp"
 #include "source/internal/selection.hpp"
-#include "source/lines.hpp"
-#include "source/outline.hpp"
 #include "source/plain_global.hpp"
 
 namespace gloam::shader {
@@ -22,8 +18,7 @@ namespace {
 using internal::ActiveText;
 using internal::Declaration;
 using internal::Outline;
-using internal::Piece;
-using Kind = Piece::Kind;
+using Kind = Declaration::Kind;
 
 // The file whose functions are taken: the last of those given.
 const internal::TextFile& own_file(const ActiveText& text) {
@@ -39,7 +34,7 @@ std::string version_of(const ActiveText& text) {
 }
 
 // "f(vec2, float)"
-std::string definition_of(const Declaration& function) {
+std::string definition_of(const internal::FunctionHead& function) {
     std::string parameters;
     for (const internal::DeclaredParameter& parameter : function.parameters)
         parameters += (parameters.empty() ? "" : ", ") + parameter.type;
@@ -47,16 +42,12 @@ std::string definition_of(const Declaration& function) {
 }
 
 // The comments above a function and inside its list of parameters: "float x /* in [0, 1] */" counts whole.
-std::string comment_of(const Piece& piece, const std::string& file) {
-    const std::size_t begin = piece.tokens[piece.function->list - 1].begin;
-    const std::size_t end = std::max(piece.tokens[piece.function->body - 1].begin, begin);
+std::string comment_of(const Declaration& one, const std::string& file) {
+    const std::size_t begin = one.tokens[one.function->list - 1].begin;
+    const std::size_t end = std::max(one.tokens[one.function->body - 1].begin, begin);
     const std::string list = file.substr(begin, end - begin);
     const bool comments = list.find("/*") != std::string::npos || list.find("//") != std::string::npos;
-    return comments ? piece.comment + list : piece.comment;
-}
-
-bool defines(const Piece& piece, const std::string& function) {
-    return piece.kind == Kind::function && piece.names.front() == function;
+    return comments ? one.comment + list : one.comment;
 }
 
 // What the macros stand for.
@@ -64,9 +55,9 @@ using Macros = std::map<std::string, std::set<std::string>>;
 
 Macros macros_of(const Outline& outline) {
     Macros macros;
-    for (const Piece& piece : outline.pieces)
-        if (piece.kind == Kind::macro)
-            macros[piece.names.front()].insert(piece.mentions.begin(), piece.mentions.end());
+    for (const Declaration& one : outline.declarations)
+        if (one.kind == Kind::macro)
+            macros[one.names.front()].insert(one.mentions.begin(), one.mentions.end());
     return macros;
 }
 
@@ -94,25 +85,24 @@ std::string bound_text(const std::vector<BoundVariable>& variables, Excerpt& exc
     return text;
 }
 
-// The text of a piece in an excerpt, and its names; a macro may give a variable another one.
-std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
-    const bool sizes = contains(piece.tokens, "local_size_x");
-    if (excerpt.needs == Needs::group && (sizes || contains(piece.tokens, "shared"))) {
+// The text of a declaration in an excerpt, and its names; a macro may give a variable another one.
+std::string interface_text(const Declaration& one, const Macros& macros, Excerpt& excerpt) {
+    const bool sizes = contains(one.tokens, "local_size_x");
+    if (excerpt.needs == Needs::group && (sizes || contains(one.tokens, "shared"))) {
         excerpt.has_group_size |= sizes;
-        return piece.text;
+        return one.text;
     }
     const std::map<std::string, std::string> opaque = opaque_macros(macros);
-    if (const auto bound = internal::bound_variables(piece, opaque)) return bound_text(*bound, excerpt);
-    const auto plain = internal::plain_globals(piece, opaque);
+    if (const auto bound = internal::bound_variables(one, opaque)) return bound_text(*bound, excerpt);
+    const auto plain = internal::plain_globals(one, opaque);
     if (!plain) {
-        excerpt.interface.insert(piece.names.begin(), piece.names.end());
+        excerpt.interface.insert(one.names.begin(), one.names.end());
         return {};
     }
     for (const auto& [name, access] : plain->access) {
         excerpt.globals[name] = access;
-        const auto renamed = macros.find(name);
-        if (renamed == macros.end()) continue;
-        for (const std::string& other : renamed->second) excerpt.globals[other] = access;
+        if (const auto renamed = macros.find(name); renamed != macros.end())
+            for (const std::string& other : renamed->second) excerpt.globals[other] = access;
     }
     return plain->text;
 }
@@ -192,44 +182,35 @@ std::string built_in_text(const std::set<std::string>& mentioned, Excerpt& excer
 }
 
 // Whether a text has "NAME other": NAME is a type there.
-bool is_type_in(const Piece& piece, std::string_view name) {
-    if (piece.kind == Kind::macro || !piece.mentions.contains(std::string(name))) return false;
+bool is_type_in(const Declaration& one, const std::string& name) {
+    if (one.kind == Kind::macro || !one.mentions.contains(name)) return false;
     const auto names_type = [&](const Token& token, const Token& next) {
         return token == name && next != "(";
     };
-    return std::ranges::adjacent_find(piece.tokens, names_type) != piece.tokens.end();
+    return std::ranges::adjacent_find(one.tokens, names_type) != one.tokens.end();
 }
 
 // What samplers' functions are called in GLSL 1.20 and 1.00, and now.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> legacy_calls{
-    {{"texture2D", "texture"},
-     {"texture2DProj", "textureProj"},
-     {"texture2DLod", "textureLod"},
-     {"texture2DLodEXT", "textureLod"},
-     {"texture2DProjLod", "textureProjLod"},
-     {"texture2DProjLodEXT", "textureProjLod"},
-     {"texture2DGradEXT", "textureGrad"},
-     {"texture3D", "texture"},
-     {"texture3DLod", "textureLod"},
-     {"textureCube", "texture"},
-     {"textureCubeLod", "textureLod"},
-     {"textureCubeLodEXT", "textureLod"},
-     {"textureCubeGradEXT", "textureGrad"},
-     {"texture3DProj", "textureProj"}}};
+constexpr const char* legacy_calls =
+    "texture2D texture texture2DProj textureProj texture2DLod textureLod texture2DLodEXT textureLod "
+    "texture2DProjLod textureProjLod texture2DProjLodEXT textureProjLod texture2DGradEXT textureGrad "
+    "texture3D texture texture3DLod textureLod textureCube texture textureCubeLod textureLod "
+    "textureCubeLodEXT textureLod textureCubeGradEXT textureGrad texture3DProj textureProj";
 
 // Macros that give these functions the names of today, and those names. GLSL for Vulkan has types with some
 // of the old names; where a text declares one, it is not that old.
 std::string legacy_text(const Outline& outline, std::set<std::string>& mentioned) {
     std::string text;
-    for (const auto& [old_name, name] : legacy_calls) {
-        if (!mentioned.contains(std::string(old_name))) continue;
-        const bool has_another_meaning = std::ranges::any_of(outline.pieces, [&](const Piece& piece) {
-            return is_type_in(piece, old_name) ||
-                   std::ranges::find(piece.names, old_name) != piece.names.end();
-        });
+    std::istringstream calls(legacy_calls);
+    for (std::string old_name, name; calls >> old_name >> name;) {
+        if (!mentioned.contains(old_name)) continue;
+        const bool has_another_meaning =
+            std::ranges::any_of(outline.declarations, [&](const Declaration& one) {
+                return is_type_in(one, old_name) || std::ranges::find(one.names, old_name) != one.names.end();
+            });
         if (has_another_meaning) continue;
         text += fmt::format("#define {} {}\n", old_name, name);
-        mentioned.insert(std::string(name));
+        mentioned.insert(name);
     }
     return text;
 }
@@ -237,68 +218,66 @@ std::string legacy_text(const Outline& outline, std::set<std::string>& mentioned
 // Built-in functions of one, two and three parameters, which have one type or are floats; between blanks.
 constexpr std::array<std::string_view, 3> built_in_functions{
     " sinh cosh tanh asinh acosh atanh round trunc roundEven fract sign floor ceil radians degrees exp exp2 "
-    "log "
-    "log2 sqrt inversesqrt abs sin cos tan asin acos isnan isinf length normalize inverse transpose "
+    "log log2 sqrt inversesqrt abs sin cos tan asin acos isnan isinf length normalize inverse transpose "
     "determinant ",
     " mod min max step pow distance dot cross reflect outerProduct matrixCompMult ",
     " mix clamp fma smoothstep refract faceforward "};
 
 // Whether a function takes the place of a built-in one.
-bool is_own_built_in(const Piece& piece) {
-    if (piece.kind != Kind::function) return false;
-    const std::size_t count = piece.function->parameters.size();
+bool is_own_built_in(const Declaration& one) {
+    if (one.kind != Kind::function) return false;
+    const std::size_t count = one.function->parameters.size();
     if (count == 0 || count > built_in_functions.size()) return false;
-    const std::string name = fmt::format(" {} ", piece.names.front());
+    const std::string name = fmt::format(" {} ", one.names.front());
     if (built_in_functions.at(count - 1).find(name) == std::string_view::npos) return false;
-    return std::ranges::all_of(piece.function->parameters, [](const internal::DeclaredParameter& parameter) {
+    return std::ranges::all_of(one.function->parameters, [](const internal::DeclaredParameter& parameter) {
         return parameter.type == "float" || parameter.type.starts_with("vec") ||
                parameter.type.starts_with("mat");
     });
 }
 
 // A function and what it uses.
-std::vector<const Piece*> kept_for(const std::string& function, const Outline& outline, std::size_t given) {
+std::vector<const Declaration*> kept_for(const std::string& function, const Outline& outline,
+                                         std::size_t given) {
     internal::Selection selection(outline, given);
     selection.want({function});
-    std::vector<const Piece*> kept;
-    for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
-        const Piece& piece = outline.pieces[i];
-        if (selection.keeps(i) && piece.kind != Kind::comment && !defines(piece, "main"))
-            kept.push_back(&piece);
+    std::vector<const Declaration*> kept;
+    for (std::size_t i = 0; i < outline.declarations.size(); ++i) {
+        const Declaration& one = outline.declarations[i];
+        if (selection.keeps(i) && one.kind != Kind::comment && !one.defines("main")) kept.push_back(&one);
     }
     return kept;
 }
 
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
-    const std::vector<const Piece*> kept = kept_for(function, outline, active.given);
+    const std::vector<const Declaration*> kept = kept_for(function, outline, active.given);
     const Macros macros = macros_of(outline);
-    Excerpt excerpt{
-        .function = function, .text = {}, .interface = {}, .bound = {}, .globals = {}, .definitions = {}};
+    Excerpt excerpt{.function = function};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
     const std::size_t head = excerpt.text.size();
     std::set<std::string> mentioned;
-    for (const Piece* piece : kept) mentioned.insert(piece->mentions.begin(), piece->mentions.end());
-    const bool shares = std::ranges::any_of(kept, [](const Piece* piece) {
-        return (piece->kind == Kind::interface || piece->kind == Kind::variable) &&
-               contains(piece->tokens, "shared");
-    });
+    std::set<std::string> own;
+    bool shares = false;
+    for (const Declaration* one : kept) {
+        mentioned.insert(one->mentions.begin(), one->mentions.end());
+        if (is_own_built_in(*one)) own.insert(one->names.front());
+        const bool variable = one->kind == Kind::interface || one->kind == Kind::variable;
+        shares |= variable && contains(one->tokens, "shared");
+    }
     const std::string legacy = legacy_text(outline, mentioned);
     excerpt.needs = needs_of(mentioned, shares, own_file(active).name);
     excerpt.text += legacy + built_in_text(mentioned, excerpt);
-    std::set<std::string> own;
-    for (const Piece* piece : kept)
-        if (is_own_built_in(*piece)) own.insert(piece->names.front());
     for (const std::string& name : own)
         excerpt.text += fmt::format("#define {} {}{}\n", name, own_prefix, name);
-    for (const Piece* piece : kept) {
+    for (const Declaration* one : kept) {
         const std::string text =
-            piece->kind == Kind::interface ? interface_text(*piece, macros, excerpt) : piece->text;
+            one->kind == Kind::interface ? interface_text(*one, macros, excerpt) : one->text;
         if (text.empty()) continue;
-        const internal::TextFile& file = active.files[piece->file];
-        excerpt.text += internal::line_directive(piece->line, file.name) + text + "\n";
-        if (!defines(*piece, function)) continue;
-        excerpt.definitions.push_back(piece->file < active.given ? definition_of(*piece->function) : "");
-        excerpt.comments.push_back(comment_of(*piece, file.text));
+        const internal::TextFile& file = active.files[one->file];
+        excerpt.text += internal::line_directive(one->line, file.name) + text + "\n";
+        if (!one->defines(function)) continue;
+        excerpt.definitions.push_back(one->file < active.given ? definition_of(*one->function) : "");
+        excerpt.comments.push_back(comment_of(*one, file.text));
     }
     const bool stores = std::ranges::any_of(mentioned, [](const std::string& name) {
         return name == "imageStore" || name.starts_with("imageAtomic");
@@ -317,12 +296,12 @@ std::string binding_macro(std::size_t variable) {
 
 Excerpts excerpts(const ActiveText& active) {
     const Outline outline = internal::outline(active, internal::Keep::line_numbers);
-    Excerpts all{.version = version_of(active), .functions = {}, .by_macro = {}};
-    for (const Piece& piece : outline.pieces) {
-        if (piece.by_macro && piece.file < active.given)
-            all.by_macro.push_back(fmt::format("line {}: {}", piece.line, base::one_line(piece.text)));
-        if (piece.kind != Kind::function || piece.file >= active.given || defines(piece, "main")) continue;
-        const std::string& name = piece.names.front();
+    Excerpts all{.version = version_of(active)};
+    for (const Declaration& one : outline.declarations) {
+        if (one.by_macro && one.file < active.given)
+            all.by_macro.push_back(fmt::format("line {}: {}", one.line, base::one_line(one.text)));
+        if (one.kind != Kind::function || one.file >= active.given || one.defines("main")) continue;
+        const std::string& name = one.names.front();
         if (std::ranges::find(all.functions, name, &Excerpt::function) == all.functions.end())
             all.functions.push_back(excerpt_of(name, active, outline));
     }

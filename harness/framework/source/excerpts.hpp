@@ -52,21 +52,20 @@ inline constexpr const char* discarded = "gloam_discarded";
 //   Of a function of a group, that is so for gl_WorkGroupID and what follows from it.
 // - Its samplers and images have a macro for their binding, which the other shader defines (binding_macro()).
 // - An image2D is an image2DArray, of which each invocation has a layer: macros for imageLoad() and its like
-// add
-//   `image_layer`, which the other shader sets. Its format has 32 bits.
+//   add `image_layer`, which the other shader sets. Its format has 32 bits.
 // - Other types without values are left out.
 // - Specialization constants have their default.
 // - Where it may discard, it has a variable `discarded`, bool, which the other shader sets.
 // - Of a function of a group, shared variables and the size of the group are as the file has them.
 struct Excerpt {
     std::string function;  // its name; overloads have one excerpt
-    std::string text;
-    std::set<std::string> interface;        // names that it may use and that are left out
-    std::vector<BoundVariable> bound = {};  // samplers and images that it may use
-    std::map<std::string, Access> globals;  // the plain variables that it may use
+    std::string text = {};
+    std::set<std::string> interface = {};        // names that it may use and that are left out
+    std::vector<BoundVariable> bound = {};       // samplers and images that it may use
+    std::map<std::string, Access> globals = {};  // the plain variables that it may use
     // Each definition of this name in `text`, in order: with its types as the file itself has them, "f(vec2,
     // float[2])"; empty for one of an include.
-    std::vector<std::string> definitions;
+    std::vector<std::string> definitions = {};
     std::vector<std::string> comments = {};  // above each of them, and inside its list of parameters
     Needs needs = Needs::nobody;
     bool has_group_size = false;  // `text` states that of its work groups
@@ -77,9 +76,9 @@ struct Excerpt {
 inline constexpr std::string_view own_prefix = "gloam_own_";
 
 struct Excerpts {
-    std::string version;                // of the file's #version line: "330 core"; empty: there is none
-    std::vector<Excerpt> functions;     // that the file itself defines, but for main, in their order
-    std::vector<std::string> by_macro;  // "line 7: MAKE(name)": what macros may define is no excerpt
+    std::string version;                     // of the file's #version line: "330 core"; empty: there is none
+    std::vector<Excerpt> functions = {};     // that the file itself defines, but for main, in their order
+    std::vector<std::string> by_macro = {};  // "line 7: MAKE(name)": what macros may define is no excerpt
 };
 
 // The functions of the last text that was given; others before it have definitions. It need not be valid.

@@ -2,6 +2,7 @@
 #include "source/lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace gloam::shader::internal {
@@ -109,8 +110,8 @@ ActiveText whole_text(std::string text) {
 }
 
 bool is_blank(const Line& line) {
-    return std::all_of(line.code.begin(), line.code.end(),
-                       [](char c) { return c == '\0' || blanks.find(c) != std::string_view::npos; });
+    return std::ranges::all_of(line.code,
+                               [](char c) { return c == '\0' || blanks.find(c) != std::string_view::npos; });
 }
 
 std::string comments_of(const Line& line) {
@@ -145,35 +146,22 @@ std::optional<IncludeName> include_of(const Line& line) {
     return IncludeName{argument.substr(1, end - 1), system};
 }
 
-namespace {
-
-constexpr std::string_view accepted[] = {"430",      "440",      "450",      "460",    "430 core",
-                                         "440 core", "450 core", "460 core", "310 es", "320 es"};
-
-std::string with_single_blanks(const std::string& text) {
-    std::istringstream words(text);
-    std::string joined;
-    for (std::string word; words >> word;) joined.append(joined.empty() ? "" : " ").append(word);
-    return joined;
-}
-
-}  // namespace
-
 void require_vulkan_version(const Source& source) {
-    int number = 1;
-    std::string found = "none";
-    for (const Line& line : split_lines(source.text)) {
-        if (is_blank(line)) continue;
-        number = line.number;
-        const auto directive = directive_of(line);
-        if (!directive || directive->keyword != "version") break;
-        found = with_single_blanks(directive->argument);
-        if (std::find(std::begin(accepted), std::end(accepted), found) != std::end(accepted)) return;
-        break;
+    constexpr std::array accepted{"430",      "440",      "450",      "460",    "430 core",
+                                  "440 core", "450 core", "460 core", "310 es", "320 es"};
+    const std::vector<Line> lines = split_lines(source.text);
+    const auto first = std::ranges::find_if_not(lines, is_blank);
+    const int number = first == lines.end() ? 1 : first->number;
+    const auto directive = first == lines.end() ? std::nullopt : directive_of(*first);
+    std::string version;
+    if (directive && directive->keyword == "version") {
+        std::istringstream words(directive->argument);
+        for (std::string word; words >> word;) version.append(version.empty() ? "" : " ").append(word);
     }
+    if (std::ranges::find(accepted, version) != accepted.end()) return;
     throw CompileError(source.name + ":" + std::to_string(number) +
                        ": the text must start with #version 430 to 460 (core), 310 es or 320 es; found " +
-                       found);
+                       (directive && directive->keyword == "version" ? version : "none"));
 }
 
 }  // namespace gloam::shader::internal

@@ -13,12 +13,10 @@
 #include <string_view>
 #include <utility>
 
-#include "source/outline.hpp"
+#include "source/declarations.hpp"
 
 namespace gloam::shader {
 namespace {
-
-using internal::Piece;
 
 // Rows of a token and what can stand in its place; "_": nothing.
 constexpr std::string_view comparisons = "< <= >, <= < >=, > >= <, >= > <=, == !=, != ==";
@@ -37,24 +35,23 @@ std::vector<std::string> other_numbers(const std::string& text) {
     const bool hex = text.starts_with("0x") || text.starts_with("0X");
     if (hex || text.find_first_of(".eE") == std::string::npos) {
         unsigned long value = 0;
-        const std::size_t prefix = hex ? 2 : 0;
-        std::from_chars(text.data() + prefix, text.data() + text.size(), value, hex ? 16 : 10);
+        std::from_chars(text.data() + (hex ? 2 : 0), text.data() + text.size(), value, hex ? 16 : 10);
         if (hex) return {fmt::format("{:#x}{}", value ^ 1UL, suffix)};
-        std::vector<std::string> found{fmt::format("{}{}", value + 1, suffix)};
-        if (value > 0) found.push_back(fmt::format("{}{}", value - 1, suffix));
-        return found;
+        std::vector<std::string> others{fmt::format("{}{}", value + 1, suffix)};
+        if (value > 0) others.push_back(fmt::format("{}{}", value - 1, suffix));
+        return others;
     }
     double value = 0.0;
     std::from_chars(text.data(), text.data() + text.size(), value);
     if (value == 0.0) return {"1.0"};
     if (value == 1.0) return {"0.0", "2.0"};
-    std::vector<std::string> found;
+    std::vector<std::string> others;
     for (const double other : {2.0 * value, 0.5 * value}) {
         const std::string shown = fmt::format("{}", other);
         if (std::isfinite(other))
-            found.push_back(shown.find_first_of(".e") == std::string::npos ? shown + ".0" : shown);
+            others.push_back(shown.find_first_of(".e") == std::string::npos ? shown + ".0" : shown);
     }
-    return found;
+    return others;
 }
 
 // The faults of what declarations do: of the body of a function, or the value of a constant.
@@ -62,14 +59,14 @@ class Faults {
   public:
     explicit Faults(const std::string& text) : text_(text) {}
 
-    void add(const Piece& piece) {
-        tokens_ = piece.tokens;
+    void add(const internal::Declaration& one) {
+        tokens_ = one.tokens;
         if (!find_region()) return;
-        function_ = in_body_ ? (piece.names.empty() ? tokens_[0].text : piece.names.front()) : "";
+        function_ = in_body_ ? (one.names.empty() ? tokens_[0].text : one.names.front()) : "";
         loop_end_ = 0;
         brackets_ = 0;
         for (at_ = first_; at_ < last_; ++at_) {
-            if (here() == "for" || here() == "while") loop_end_ = behind_bracket(tokens_, at_ + 1);
+            if (here() == "for" || here() == "while") loop_end_ = behind(tokens_, at_ + 1);
             if (here() == "(" || here() == "[") ++brackets_;
             if (here() == ")" || here() == "]") --brackets_;
             add_token();
@@ -80,15 +77,12 @@ class Faults {
 
   private:
     [[nodiscard]] bool find_region() {
-        for (std::size_t i = 0; i < tokens_.size();) {
+        for (std::size_t i = 0; i < tokens_.size(); i = behind(tokens_, i)) {
             in_body_ = tokens_[i] == "{" && before(i) == ")";
-            if (in_body_ || tokens_[i] == "=") {
-                first_ = in_body_ ? i : i + 1;
-                last_ = in_body_ ? behind_bracket(tokens_, i) - 1 : tokens_.size() - 1;
-                return in_body_ || (tokens_[0] != "layout" && tokens_[0] != "uniform");
-            }
-            const bool opens = tokens_[i] == "(" || tokens_[i] == "[" || tokens_[i] == "{";
-            i = opens ? behind_bracket(tokens_, i) : i + 1;
+            if (!in_body_ && tokens_[i] != "=") continue;
+            first_ = in_body_ ? i : i + 1;
+            last_ = in_body_ ? behind(tokens_, i) - 1 : tokens_.size() - 1;
+            return in_body_ || (tokens_[0] != "layout" && tokens_[0] != "uniform");
         }
         return false;
     }
@@ -101,16 +95,15 @@ class Faults {
     [[nodiscard]] const Token& before(std::size_t i) const {
         return i > 0 ? near(i - 1) : near(tokens_.size());
     }
-    [[nodiscard]] std::string between(std::size_t first, std::size_t last) const {
-        return text_.substr(tokens_[first].begin, tokens_[last].end() - tokens_[first].begin);
-    }
 
     // From the token `first` to `last`.
     void found(const std::string& kind, std::size_t first, std::size_t last, std::string after) {
-        found_.push_back({.begin = tokens_[first].begin,
-                          .end = tokens_[last].end(),
+        const std::size_t begin = tokens_[first].begin;
+        const std::size_t end = tokens_[last].end();
+        found_.push_back({.begin = begin,
+                          .end = end,
                           .line = tokens_[first].line,
-                          .before = between(first, last),
+                          .before = text_.substr(begin, end - begin),
                           .after = std::move(after),
                           .kind = kind,
                           .function = function_});
@@ -136,7 +129,7 @@ class Faults {
         } else if (here().is_number()) {
             for (const std::string& other : other_numbers(here().text)) found("constant", at_, at_, other);
         } else if (here() == "if" && called) {
-            const std::size_t last = behind_bracket(tokens_, at_ + 1) - 2;
+            const std::size_t last = behind(tokens_, at_ + 1) - 2;
             for (const char* value : {"true", "false"}) found("condition", at_ + 2, last, value);
         } else if (here() == "?") {
             for (const char* value : {"true", "false"}) found("condition", condition_begin(), at_ - 1, value);
@@ -180,10 +173,7 @@ class Faults {
         if (!steps && (others.contains(here().text) || near(at_ + 1).is_word()))
             return std::nullopt;  // a declaration
         std::size_t end = at_;
-        while (end < last_ && near(end) != ";") {
-            const bool opens = near(end) == "(" || near(end) == "[";
-            end = opens ? behind_bracket(tokens_, end) : end + 1;
-        }
+        while (end < last_ && near(end) != ";") end = behind(tokens_, end);
         return end < last_ ? std::optional(end) : std::nullopt;
     }
 
@@ -203,8 +193,8 @@ class Faults {
 
 std::vector<Mutation> mutations(const internal::ActiveText& active) {
     Faults faults(active.files.front().text);
-    for (const Piece& piece : internal::outline(active).pieces)
-        if (piece.file == 0) faults.add(piece);
+    for (const internal::Declaration& one : internal::outline(active).declarations)
+        if (one.file == 0) faults.add(one);
     std::vector<Mutation> all = faults.take();
     std::ranges::stable_sort(all, {}, &Mutation::begin);
     return all;

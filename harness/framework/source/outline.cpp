@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "source/outline.hpp"
-
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 
 #include "source/declarations.hpp"
 
 namespace gloam::shader::internal {
 namespace {
-
-using Kind = Piece::Kind;
 
 constexpr const char* blanks = " \t\r\n\v\f";
 
@@ -50,18 +44,14 @@ class Reader {
   private:
     void read(const ActiveText::Place& place) {
         const Line& line = text_.at(place);
-        if (place.file != file_) change_file(place.file);
+        if (place.file != file_) end_paragraph();
+        file_ = place.file;
         seen_.insert(place.file);
         if (tokens_.empty() && is_licence(line))
             return add_once(outline_.licences, without_end(std::string(line.text)));
         if (const auto directive = directive_of(line)) return read_directive(line, *directive);
         if (tokens_.empty() && is_blank(line)) return read_comment(line);
         read_code(line);
-    }
-
-    void change_file(std::size_t file) {
-        end_paragraph();
-        file_ = file;
     }
 
     void end_paragraph() {
@@ -72,10 +62,10 @@ class Reader {
     void read_comment(const Line& line) {
         const bool blank = line.text.find_first_not_of(blanks) == std::string_view::npos;
         if (blank && !line.crosses) return end_paragraph();
-        if (line.crosses && crossing_ && !outline_.pieces.empty()) {
+        if (line.crosses && crossing_ && !outline_.declarations.empty()) {
             // The end of a comment that began behind a declaration.
             if (keep_ == Keep::comments)
-                outline_.pieces.back().text += "\n" + without_end(std::string(line.text));
+                outline_.declarations.back().text += "\n" + without_end(std::string(line.text));
             return;
         }
         if (waiting_.empty() || waiting_.back().blank_after || waiting_.back().file != file_)
@@ -94,12 +84,10 @@ class Reader {
             inner_.push_back(macro_of(directive));
             return add_text(line, 0, line.text.size());
         }
-        Piece piece = macro_of(directive);
         const bool guard = directive.argument.find_first_of(" \t(") == std::string::npos;
         if (!guard) open();  // a comment above one is the file's
         add_text(line, 0, line.text.size());
-        piece.text = without_end(std::move(text_so_far_));
-        put(std::move(piece));
+        put(macro_of(directive));
         crossing_ = line.crosses;
     }
 
@@ -127,10 +115,10 @@ class Reader {
 
     // Whether the declaration so far is the call of a macro with a body, which ends without a ';'.
     bool calls_maker() const {
-        if (!is_macro_call(tokens_) || behind_bracket(tokens_, 1) != tokens_.size()) return false;
-        return std::ranges::any_of(outline_.pieces, [&](const Piece& piece) {
-            return piece.kind == Kind::macro && piece.names.front() == tokens_.front().text &&
-                   piece.text.find('{') != std::string::npos;
+        if (!is_macro_call(tokens_) || behind(tokens_, 1) != tokens_.size()) return false;
+        return std::ranges::any_of(outline_.declarations, [&](const Declaration& one) {
+            return one.kind == Declaration::Kind::macro && one.names.front() == tokens_.front().text &&
+                   one.text.find('{') != std::string::npos;
         });
     }
 
@@ -142,7 +130,7 @@ class Reader {
         return depth_ <= 0 && (token == ";" || (token == "}" && is_body_));
     }
 
-    // Adds a part of a line to the text of the piece.
+    // Adds a part of a line to the text of the declaration.
     void add_text(const Line& line, std::size_t begin, std::size_t end) {
         if (text_so_far_.empty()) {
             first_line_ = line.number;
@@ -186,10 +174,10 @@ class Reader {
                 outline_.heads.push_back(without_end(std::move(comment.text)));
                 continue;
             }
-            outline_.pieces.push_back({.kind = Piece::Kind::comment,
-                                       .file = comment.file,
-                                       .text = without_end(std::move(comment.text)),
-                                       .paragraph = ++paragraph_});
+            outline_.declarations.push_back({.kind = Declaration::Kind::comment,
+                                             .file = comment.file,
+                                             .text = without_end(std::move(comment.text)),
+                                             .paragraph = ++paragraph_});
             ++paragraph_;
         }
         waiting_.clear();
@@ -197,25 +185,25 @@ class Reader {
     }
 
     void finish() {
-        Piece piece = piece_of(std::move(tokens_));
-        piece.text = without_end(std::move(text_so_far_));
-        piece.comment = std::move(comment_);
-        for (const Piece& inner : inner_) {
-            piece.names.insert(piece.names.end(), inner.names.begin(), inner.names.end());
-            piece.mentions.insert(inner.mentions.begin(), inner.mentions.end());
+        Declaration one = declaration_of(std::move(tokens_));
+        one.comment = std::move(comment_);
+        for (const Declaration& inner : inner_) {
+            one.names.insert(one.names.end(), inner.names.begin(), inner.names.end());
+            one.mentions.insert(inner.mentions.begin(), inner.mentions.end());
         }
-        put(std::move(piece));
+        put(std::move(one));
         inner_.clear();
         tokens_.clear();
         depth_ = 0;
         is_body_ = false;
     }
 
-    void put(Piece piece) {
-        piece.file = file_;
-        piece.line = first_line_;
-        piece.paragraph = paragraph_;
-        outline_.pieces.push_back(std::move(piece));
+    void put(Declaration one) {
+        one.file = file_;
+        one.line = first_line_;
+        one.text = without_end(std::move(text_so_far_));
+        one.paragraph = paragraph_;
+        outline_.declarations.push_back(std::move(one));
         text_so_far_.clear();
     }
 
@@ -235,7 +223,7 @@ class Reader {
     std::string comment_;    // above it
     std::string text_so_far_;
     std::vector<Token> tokens_;
-    std::vector<Piece> inner_;
+    std::vector<Declaration> inner_;
     int depth_ = 0;
     bool is_body_ = false;
 };

@@ -10,24 +10,16 @@
 #include <utility>
 
 #include "source/internal/selection.hpp"
-#include "source/lines.hpp"
-#include "source/outline.hpp"
 
 namespace gloam::shader {
 namespace {
 
+using internal::Declaration;
 using internal::Outline;
-using internal::Piece;
 
 void add_block(std::string& text, const std::string& block, bool apart = true) {
     if (!text.empty()) text += apart ? "\n\n" : "\n";
     text += block;
-}
-
-std::string listed(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines) add_block(text, line, false);
-    return text;
 }
 
 // A value as GLSL writes it.
@@ -61,25 +53,25 @@ std::string for_opengl(const std::string& text) {
                               "layout(binding = 0, std140) uniform");
 }
 
-std::string written(const Outline& outline, const std::vector<const Piece*>& pieces,
+std::string written(const Outline& outline, const std::vector<const Declaration*>& kept,
                     const PackRequest& request, const std::string& head) {
     const std::string preamble = shader::preamble(request.language);
     const std::size_t version = preamble.find('\n');
     std::string text = preamble.substr(0, version);
     for (const auto& lines : {outline.licences, outline.extensions})
-        if (!lines.empty()) add_block(text, listed(lines), false);
+        for (const std::string& line : lines) add_block(text, line, false);
     if (version + 1 < preamble.size())
         add_block(text, preamble.substr(version + 1, preamble.size() - version - 2), false);
     if (!head.empty() && std::ranges::count(outline.heads, head) == 0) add_block(text, head);
     for (const std::string& own : outline.heads) add_block(text, own);
-    const Piece* before = nullptr;
-    for (const Piece* piece : pieces) {
-        const bool same = before && before->paragraph == piece->paragraph && before->file == piece->file;
-        const bool adjustable = piece->kind == Piece::Kind::interface;
-        const std::string set = adjustable ? with_value(piece->text, request.constants) : piece->text;
+    const Declaration* before = nullptr;
+    for (const Declaration* one : kept) {
+        const bool same = before && before->paragraph == one->paragraph && before->file == one->file;
+        const bool adjustable = one->kind == Declaration::Kind::interface;
+        const std::string set = adjustable ? with_value(one->text, request.constants) : one->text;
         const bool vulkan = request.language == Language::vulkan450;
         add_block(text, adjustable && !vulkan ? for_opengl(set) : set, !same);
-        before = piece;
+        before = one;
     }
     return text + "\n";
 }
@@ -92,10 +84,10 @@ Packed packed(const internal::ActiveText& texts, const PackRequest& request) {
     const std::vector<std::string> wanted = request.functions.empty() ? selection.usual() : request.functions;
     selection.want(wanted);
     if (wanted.empty()) selection.want_all_given();
-    const std::vector<const Piece*> pieces = selection.ordered();
+    const std::vector<const Declaration*> kept = selection.ordered();
     const bool has_main = std::ranges::find(wanted, "main") != wanted.end();
-    const std::string head = has_main ? "" : internal::calling_comment(pieces, wanted);
-    return {written(outline, pieces, request, head), has_main};
+    const std::string head = has_main ? "" : internal::calling_comment(kept, wanted);
+    return {written(outline, kept, request, head), has_main};
 }
 
 std::string code_of(std::string_view text) {
@@ -116,13 +108,13 @@ std::size_t code_lines(const std::vector<std::string>& packed) {
     for (const std::string& text : packed) {
         const Outline outline = internal::outline(internal::whole_text(text));
         all += outline.extensions.size();
-        for (const Piece& piece : outline.pieces) {
-            const bool directive = piece.tokens.empty();
-            const bool own = directive ? piece.text.starts_with("#version")
-                                       : piece.tokens.front() == "layout" ||
-                                             (piece.function && piece.function->name == "main");
-            if (own || counted.insert(directive ? piece.text : joined(piece.tokens, " ")).second)
-                all += code_lines(piece.text);
+        for (const Declaration& one : outline.declarations) {
+            const bool directive = one.tokens.empty();
+            const bool own =
+                directive ? one.text.starts_with("#version")
+                          : one.tokens.front() == "layout" || (one.function && one.function->name == "main");
+            if (own || counted.insert(directive ? one.text : joined(one.tokens, " ")).second)
+                all += code_lines(one.text);
         }
     }
     return all;

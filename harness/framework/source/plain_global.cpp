@@ -4,34 +4,33 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <vector>
-
-#include "source/lines.hpp"
 
 namespace gloam::shader::internal {
 namespace {
 
-constexpr std::array<std::string_view, 18> dropped{
-    "uniform",  "buffer", "in",    "out",    "attribute", "varying",  "flat",     "smooth",   "noperspective",
-    "centroid", "sample", "patch", "shared", "coherent",  "volatile", "restrict", "readonly", "writeonly"};
-
 bool is_dropped(const Token& token) {
-    return std::ranges::find(dropped, token.text) != dropped.end() || token == "invariant";
+    constexpr std::array words{"uniform",  "buffer",   "in",        "out",      "attribute",
+                               "varying",  "flat",     "smooth",    "centroid", "noperspective",
+                               "sample",   "patch",    "shared",    "coherent", "volatile",
+                               "restrict", "readonly", "writeonly", "invariant"};
+    return std::ranges::find(words, token.text) != words.end();
 }
 
 bool is_precision(const Token& token) {
     return token == "highp" || token == "mediump" || token == "lowp";
 }
 
-// The tokens without layouts and storage qualifiers; an array without a size gets one.
+// The tokens without layouts and storage qualifiers; an array without a size ("float values[];": as many as
+// its buffer holds) gets one.
 std::vector<Token> without_qualifiers(Tokens tokens) {
+    constexpr const char* runtime_array_length = "16";
     std::vector<Token> kept;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "layout" && i + 1 < tokens.size() && tokens[i + 1] == "(") {
-            i = behind_bracket(tokens, i + 1) - 1;
+            i = behind(tokens, i + 1) - 1;
             continue;
         }
-        if (tokens[i] == "]" && tokens[i - 1] == "[") kept.push_back({std::to_string(runtime_array_length)});
+        if (tokens[i] == "]" && tokens[i - 1] == "[") kept.push_back({runtime_array_length});
         if (!is_dropped(tokens[i])) kept.push_back(tokens[i]);
     }
     return kept;
@@ -42,19 +41,13 @@ std::vector<Token> without_values(Tokens tokens) {
     std::vector<Token> kept;
     bool value = false;
     for (std::size_t i = 0; i < tokens.size();) {
-        const bool bracket = tokens[i] == "(" || tokens[i] == "[" || tokens[i] == "{";
-        const std::size_t end = bracket ? behind_bracket(tokens, i) : i + 1;
+        const std::size_t end = behind(tokens, i);
         if (tokens[i] == "=") value = true;
         if (tokens[i] == "," || tokens[i] == ";") value = false;
         if (!value) std::ranges::copy(tokens.subspan(i, end - i), std::back_inserter(kept));
         i = end;
     }
     return kept;
-}
-
-Tokens up_to(Tokens tokens, std::string_view text) {
-    return tokens.first(
-        static_cast<std::size_t>(std::ranges::find(tokens, text, &Token::text) - tokens.begin()));
 }
 
 // Directives between the lines of a declaration, each on its own line.
@@ -89,17 +82,16 @@ Access access_of(Tokens head) {
 }  // namespace
 
 bool is_opaque(std::string_view word) {
-    constexpr std::array<std::string_view, 6> families{
-        "sampler", "image", "texture", "subpassInput", "atomic_uint", "accelerationStructure"};
-    const std::string_view plain = word.starts_with('i') && !word.starts_with("image") ? word.substr(1)
-                                   : word.starts_with('u')                             ? word.substr(1)
-                                                                                       : word;
-    return std::ranges::any_of(families, [&](std::string_view family) { return plain.starts_with(family); });
+    constexpr std::array families{"sampler",      "image",       "texture",
+                                  "subpassInput", "atomic_uint", "accelerationStructure"};
+    const bool of_integers = (word.starts_with('i') && !word.starts_with("image")) || word.starts_with('u');
+    if (of_integers) word.remove_prefix(1);
+    return std::ranges::any_of(families, [&](const char* family) { return word.starts_with(family); });
 }
 
-std::optional<std::vector<BoundVariable>> bound_variables(const Piece& piece,
+std::optional<std::vector<BoundVariable>> bound_variables(const Declaration& one,
                                                           const std::map<std::string, std::string>& opaque) {
-    const Tokens all = piece.tokens;
+    const Tokens all = one.tokens;
     const std::vector<Token> words = without_qualifiers(all);
     const auto type = std::ranges::find_if_not(words, is_precision);
     if (type == words.end() || contains(words, "{")) return std::nullopt;
@@ -110,8 +102,8 @@ std::optional<std::vector<BoundVariable>> bound_variables(const Piece& piece,
     if (!is_sampler_type(name) && variable.format.empty()) return std::nullopt;
     if (contains(words, "[")) return std::nullopt;  // an array of samplers
     std::vector<BoundVariable> variables;
-    for (const std::string& one : piece.names) {
-        variable.name = one;
+    for (const std::string& own : one.names) {
+        variable.name = own;
         variables.push_back(variable);
     }
     return variables;
@@ -133,25 +125,25 @@ std::string image_macros() {
     return text;
 }
 
-std::optional<PlainGlobals> plain_globals(const Piece& piece,
+std::optional<PlainGlobals> plain_globals(const Declaration& one,
                                           const std::map<std::string, std::string>& opaque) {
-    const std::vector<Token> kept = without_qualifiers(piece.tokens);
-    if (contains(piece.tokens, "constant_id")) return PlainGlobals{joined(kept, " "), {}};
-    if (piece.names.empty() || piece.names.front().starts_with("gl_")) return std::nullopt;
-    if (contains(piece.tokens, "buffer_reference")) return std::nullopt;
-    const Access access = access_of(up_to(piece.tokens, "{"));
+    const std::vector<Token> kept = without_qualifiers(one.tokens);
+    if (contains(one.tokens, "constant_id")) return PlainGlobals{joined(kept, " "), {}};
+    if (one.names.empty() || one.names.front().starts_with("gl_")) return std::nullopt;
+    if (contains(one.tokens, "buffer_reference")) return std::nullopt;
+    const Access access = access_of(up_to(one.tokens, "{"));
     const std::vector<Token> words = without_values(kept);
     const Tokens tokens = words;
-    PlainGlobals globals{directives_of(piece.text), {}};
+    PlainGlobals globals{directives_of(one.text), {}};
     const std::size_t brace = up_to(tokens, "{").size();
     if (brace == tokens.size()) {
         const auto type = std::ranges::find_if_not(words, is_precision);
         if (type == words.end() || is_opaque(type->text) || opaque.contains(type->text)) return std::nullopt;
         globals.text += joined(words, " ");
-        for (const std::string& name : piece.names) globals.access[name] = access;
+        for (const std::string& name : one.names) globals.access[name] = access;
         return globals;
     }
-    const std::size_t end = behind_bracket(tokens, brace);
+    const std::size_t end = behind(tokens, brace);
     const bool structure = contains(tokens.first(brace), "struct");
     const bool instance = end < tokens.size() && tokens[end] != ";";
     if (structure || instance) {
@@ -160,7 +152,7 @@ std::optional<PlainGlobals> plain_globals(const Piece& piece,
     } else {
         globals.text += joined(tokens.subspan(brace + 1, end - brace - 2), " ");
         // The name of the block is first among the names.
-        for (std::size_t i = 1; i < piece.names.size(); ++i) globals.access[piece.names[i]] = access;
+        for (std::size_t i = 1; i < one.names.size(); ++i) globals.access[one.names[i]] = access;
     }
     return globals;
 }

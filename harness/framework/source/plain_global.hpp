@@ -5,13 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "source/declarations.hpp"
 #include "source/excerpts.hpp"
-#include "source/outline.hpp"
 
 namespace gloam::shader::internal {
-
-// Elements of an array that a buffer has as many of as it holds: "float values[];".
-inline constexpr int runtime_array_length = 16;
 
 // Variables of a text's interface as variables at file scope that any function may set.
 struct PlainGlobals {
@@ -24,13 +21,13 @@ struct PlainGlobals {
 // storage qualifiers and initial values are dropped. A specialization constant becomes a constant. nullopt
 // for samplers, images, references to buffers and other types without values; `opaque`: these, by macros that
 // stand for them. nullopt also where nothing is declared.
-[[nodiscard]] std::optional<PlainGlobals> plain_globals(const Piece& piece,
+[[nodiscard]] std::optional<PlainGlobals> plain_globals(const Declaration& one,
                                                         const std::map<std::string, std::string>& opaque);
 
 // The samplers, or images of two dimensions and 32 bits, that a declaration declares; nullopt for any other
 // declaration, for arrays of images, and for arrays of arrays.
 [[nodiscard]] std::optional<std::vector<BoundVariable>> bound_variables(
-    const Piece& piece, const std::map<std::string, std::string>& opaque);
+    const Declaration& one, const std::map<std::string, std::string>& opaque);
 
 // Macros that turn accesses to images of two dimensions into those to the invocation's layer, `image_layer`.
 [[nodiscard]] std::string image_macros();

@@ -72,18 +72,22 @@ std::vector<Token> tokens_of(std::string_view text) {
     return tokens;
 }
 
-std::size_t behind_bracket(Tokens tokens, std::size_t open) {
+std::size_t behind(Tokens tokens, std::size_t i) {
     int depth = 0;
-    for (std::size_t i = open; i < tokens.size(); ++i) {
-        const Token& token = tokens[i];
-        if (token == "(" || token == "[" || token == "{") ++depth;
-        if ((token == ")" || token == "]" || token == "}") && --depth == 0) return i + 1;
+    for (; i < tokens.size(); ++i) {
+        if (tokens[i] == "(" || tokens[i] == "[" || tokens[i] == "{") ++depth;
+        if (depth == 0) return i + 1;
+        if ((tokens[i] == ")" || tokens[i] == "]" || tokens[i] == "}") && --depth == 0) return i + 1;
     }
     return tokens.size();
 }
 
+Tokens up_to(Tokens tokens, std::string_view text) {
+    return {tokens.begin(), std::ranges::find(tokens, text, &Token::text)};
+}
+
 bool contains(Tokens tokens, std::string_view text) {
-    return std::ranges::find(tokens, text, &Token::text) != tokens.end();
+    return up_to(tokens, text).size() < tokens.size();
 }
 
 std::string joined(Tokens tokens, std::string_view separator) {

@@ -25,8 +25,11 @@ using Tokens = std::span<const Token>;
 // The tokens of a text, but for comments and directives.
 [[nodiscard]] std::vector<Token> tokens_of(std::string_view text);
 
-// The index behind the bracket that closes the one at `open`; the end if there is none.
-[[nodiscard]] std::size_t behind_bracket(Tokens tokens, std::size_t open);
+// The index behind a token: of an opening bracket behind the one that closes it, or the end if there is none.
+[[nodiscard]] std::size_t behind(Tokens tokens, std::size_t i);
+
+// The tokens before the first of this text; all if there is none.
+[[nodiscard]] Tokens up_to(Tokens tokens, std::string_view text);
 
 [[nodiscard]] bool contains(Tokens tokens, std::string_view text);
 
