@@ -30,27 +30,6 @@ double moved_out(double x, double distance) {
     return std::isinf(x) ? x : x + distance;
 }
 
-}  // namespace
-
-// The rounding error of the sum is known exactly (Knuth).
-double sum_down(double a, double b) {
-    const double sum = a + b;
-    if (std::isnan(sum)) return infinity;  // infinities that cancel: not a number
-    // Finite numbers beyond the largest double are above it.
-    constexpr double largest = std::numeric_limits<double>::max();
-    if (std::isinf(sum)) return sum < 0.0 || std::isinf(a) || std::isinf(b) ? sum : largest;
-    const double part = sum - a;
-    const double error = (a - (sum - part)) + (b - part);
-    return error < 0.0 ? std::nextafter(sum, -infinity) : sum;
-}
-
-Bounds inflated(const Bounds& computed) {
-    return {moved_out(computed.low, -std::abs(computed.low) * double_error),
-            moved_out(computed.high, std::abs(computed.high) * double_error), computed.nan};
-}
-
-namespace {
-
 // The floats that lie within an error: none is beyond its end. A step of a formula is no float.
 Interval floats_within(const Bounds& error) {
     const FloatFormat& format = Paths::format();
@@ -69,6 +48,23 @@ Interval floats_within(const Bounds& error) {
 }
 
 }  // namespace
+
+// The rounding error of the sum is known exactly (Knuth).
+double sum_down(double a, double b) {
+    const double sum = a + b;
+    if (std::isnan(sum)) return infinity;  // infinities that cancel: not a number
+    // Finite numbers beyond the largest double are above it.
+    constexpr double largest = std::numeric_limits<double>::max();
+    if (std::isinf(sum)) return sum < 0.0 || std::isinf(a) || std::isinf(b) ? sum : largest;
+    const double part = sum - a;
+    const double error = (a - (sum - part)) + (b - part);
+    return error < 0.0 ? std::nextafter(sum, -infinity) : sum;
+}
+
+Bounds inflated(const Bounds& computed) {
+    return {moved_out(computed.low, -std::abs(computed.low) * double_error),
+            moved_out(computed.high, std::abs(computed.high) * double_error), computed.nan};
+}
 
 Interval within_ulps(const Bounds& computed, double ulps, Arguments arguments) {
     if (computed.empty()) return Interval::within(computed);
@@ -151,6 +147,35 @@ Interval over_zero(const Bounds& x, const Bounds& zero) {
 
 constexpr double division_ulps = 2.5;
 
+constexpr int most_integers = 64;
+
+// The answer; both are explored if both are possible. NaN alone makes every comparison false.
+bool decide(bool may_be_true, bool may_be_false) {
+    if (may_be_true != may_be_false) return may_be_true;
+    return Paths::choose(2) == 0;
+}
+
+bool has_nan(const Interval& a, const Interval& b) {
+    return a.may_be_nan() || b.may_be_nan();
+}
+
+bool is_nowhere(const Interval& a, const Interval& b) {
+    return a.bounds().empty() || b.bounds().empty();
+}
+
+// The answer for NaN or infinity that a device need not keep; empty if it must, or there are none.
+std::optional<bool> answer_of_specials(const Interval& a, const Interval& b) {
+    if (Paths::specials() == Paths::Specials::kept || !(is_special(a) || is_special(b))) return std::nullopt;
+    return decide(true, true);
+}
+
+// Counts float32 values from zero.
+std::int64_t ordinal_of(float x) {
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffU);
+    return (bits >> 31U) != 0 ? -magnitude : magnitude;
+}
+
 }  // namespace
 
 Interval enclose(const Bounds& exact) {
@@ -179,10 +204,6 @@ Interval Interval::converted(double integer) {
 
 Interval Interval::input(float value) {
     return std::isnan(value) ? Interval(Bounds::only_nan()) : enclose(Bounds::point(value));
-}
-
-Interval operator+(const Interval& x) {
-    return x;
 }
 
 Interval operator-(const Interval& x) {
@@ -228,52 +249,6 @@ Interval fma(const Interval& a, const Interval& b, const Interval& c) {
     return a * b + c;
 }
 
-Interval& Interval::operator+=(const Interval& b) {
-    return *this = *this + b;
-}
-Interval& Interval::operator-=(const Interval& b) {
-    return *this = *this - b;
-}
-Interval& Interval::operator*=(const Interval& b) {
-    return *this = *this * b;
-}
-Interval& Interval::operator/=(const Interval& b) {
-    return *this = *this / b;
-}
-
-namespace {
-
-constexpr int most_integers = 64;
-
-// The answer; both are explored if both are possible. NaN alone makes every comparison false.
-bool decide(bool may_be_true, bool may_be_false) {
-    if (may_be_true != may_be_false) return may_be_true;
-    return Paths::choose(2) == 0;
-}
-
-bool has_nan(const Interval& a, const Interval& b) {
-    return a.may_be_nan() || b.may_be_nan();
-}
-
-bool is_nowhere(const Interval& a, const Interval& b) {
-    return a.bounds().empty() || b.bounds().empty();
-}
-
-// The answer for NaN or infinity that a device need not keep; empty if it must, or there are none.
-std::optional<bool> answer_of_specials(const Interval& a, const Interval& b) {
-    if (Paths::specials() == Paths::Specials::kept || !(is_special(a) || is_special(b))) return std::nullopt;
-    return decide(true, true);
-}
-
-// Counts float32 values from zero.
-std::int64_t ordinal_of(float x) {
-    const auto bits = std::bit_cast<std::uint32_t>(x);
-    const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffU);
-    return (bits >> 31U) != 0 ? -magnitude : magnitude;
-}
-
-}  // namespace
-
 bool is_special(const Interval& x) {
     const Bounds& b = x.bounds();
     return b.empty() || (b.low == b.high && std::isinf(b.low));
@@ -291,24 +266,12 @@ bool operator<=(const Interval& a, const Interval& b) {
     return decide(a.low() <= b.high(), has_nan(a, b) || a.high() > b.low());
 }
 
-bool operator>(const Interval& a, const Interval& b) {
-    return b < a;
-}
-
-bool operator>=(const Interval& a, const Interval& b) {
-    return b <= a;
-}
-
 bool operator==(const Interval& a, const Interval& b) {
     if (const auto answer = answer_of_specials(a, b)) return *answer;
     if (is_nowhere(a, b)) return false;
     const bool meet = a.low() <= b.high() && b.low() <= a.high();
     const bool same = a.low() == a.high() && b.low() == b.high() && a.low() == b.low();
     return decide(meet, has_nan(a, b) || !same);
-}
-
-bool operator!=(const Interval& a, const Interval& b) {
-    return !(a == b);
 }
 
 bool is_nan(const Interval& x) {

@@ -46,6 +46,43 @@ Interval chosen(const Interval& a, const Interval& b, F&& choose) {
     return Interval::within(both);
 }
 
+// What a formula permits is permitted to an operation that inherits from it; with NaN, anything.
+Interval inherited(const Interval& formula) {
+    return formula.may_be_nan() ? Interval::anything() : formula;
+}
+
+bool is_point(const Interval& x) {
+    return x.bounds().is_point();
+}
+
+bool is_bounded(const Interval& x) {
+    return !x.may_be_nan() && std::isfinite(x.low()) && std::isfinite(x.high());
+}
+
+// A formula that names an argument twice has wider intervals than results. This is the part of `all` within
+// the exact range, which is widened by the rounding errors of a few operations on numbers of this magnitude.
+Interval narrowed(const Interval& all, const Bounds& range, double magnitude) {
+    constexpr double operations = 6.0;
+    const FloatFormat& format = Paths::format();
+    const double slack =
+        operations * (std::ldexp(magnitude, 1 - format.precision) + format.smallest_normal());
+    const Bounds wide = enclose({range.low - slack, range.high + slack, false}).bounds();
+    return Interval::within(
+        {std::max(all.low(), wide.low), std::min(all.high(), wide.high), all.may_be_nan()});
+}
+
+// x (1 - t) + y t and x + (y - x) t, as intervals.
+Interval mix_in_order(const Interval& x, const Interval& y, const Interval& t) {
+    return inherited(any_of(x * (Interval(1.0) - t) + y * t, x + (y - x) * t));
+}
+
+// A product with a constant that is rounded correctly: to either neighbour, unless it is known what runs.
+Interval times_constant(const Interval& x, double constant) {
+    const Interval rounded = enclose(Bounds::point(constant));
+    const Paths::EitherWay either;
+    return x * rounded;
+}
+
 }  // namespace
 
 Interval abs(const Interval& x) {
@@ -112,15 +149,6 @@ Interval fract(const Interval& x) {
            Interval::within(whole);
 }
 
-namespace {
-
-// What a formula permits is permitted to an operation that inherits from it; with NaN, anything.
-Interval inherited(const Interval& formula) {
-    return formula.may_be_nan() ? Interval::anything() : formula;
-}
-
-}  // namespace
-
 Interval mod(const Interval& x, const Interval& y) {
     return inherited(x - y * floor(Formula::step([&] { return x / y; })));
 }
@@ -128,35 +156,6 @@ Interval mod(const Interval& x, const Interval& y) {
 Interval remainder(const Interval& x, const Interval& y) {
     return inherited(x - y * trunc(Formula::step([&] { return x / y; })));
 }
-
-namespace {
-
-bool is_point(const Interval& x) {
-    return x.bounds().is_point();
-}
-
-bool is_bounded(const Interval& x) {
-    return !x.may_be_nan() && std::isfinite(x.low()) && std::isfinite(x.high());
-}
-
-// A formula that names an argument twice has wider intervals than results. This is the part of `all` within
-// the exact range, which is widened by the rounding errors of a few operations on numbers of this magnitude.
-Interval narrowed(const Interval& all, const Bounds& range, double magnitude) {
-    constexpr double operations = 6.0;
-    const FloatFormat& format = Paths::format();
-    const double slack =
-        operations * (std::ldexp(magnitude, 1 - format.precision) + format.smallest_normal());
-    const Bounds wide = enclose({range.low - slack, range.high + slack, false}).bounds();
-    return Interval::within(
-        {std::max(all.low(), wide.low), std::min(all.high(), wide.high), all.may_be_nan()});
-}
-
-// x (1 - t) + y t and x + (y - x) t, as intervals.
-Interval mix_in_order(const Interval& x, const Interval& y, const Interval& t) {
-    return inherited(any_of(x * (Interval(1.0) - t) + y * t, x + (y - x) * t));
-}
-
-}  // namespace
 
 // Linear in each operand: its extrema are at the corners.
 Interval mix(const Interval& x, const Interval& y, const Interval& t) {
@@ -204,17 +203,6 @@ Interval ldexp(const Interval& x, int exponent) {
     return Interval::within(hull(all.bounds(), Bounds::point(0.0)));
 }
 
-namespace {
-
-// A product with a constant that is rounded correctly: to either neighbour, unless it is known what runs.
-Interval times_constant(const Interval& x, double constant) {
-    const Interval rounded = enclose(Bounds::point(constant));
-    const Paths::EitherWay either;
-    return x * rounded;
-}
-
-}  // namespace
-
 Interval radians(const Interval& x) {
     return times_constant(x, std::numbers::pi / 180.0);
 }
@@ -239,6 +227,21 @@ Interval any_of(const Interval& a, const Interval& b) {
     const bool meet = x.empty() || y.empty() || (x.low <= y.high && y.low <= x.high);
     if (meet) return Interval::within(hull(x, y));
     return Paths::choose(2) == 0 ? a : b;
+}
+
+Interval sum_in_any_order(std::span<const Interval> p) {
+    const auto three = [&p](std::size_t a, std::size_t b, std::size_t c) {
+        return any_of((p[a] + p[b]) + p[c], any_of((p[a] + p[c]) + p[b], (p[b] + p[c]) + p[a]));
+    };
+    if (p.size() == 1) return p[0];
+    if (p.size() == 2) return p[0] + p[1];
+    if (p.size() == 3) return three(0, 1, 2);
+    const auto pairs = [&p](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+        return (p[a] + p[b]) + (p[c] + p[d]);
+    };
+    const Interval chains = any_of(any_of(three(0, 1, 2) + p[3], three(0, 1, 3) + p[2]),
+                                   any_of(three(0, 2, 3) + p[1], three(1, 2, 3) + p[0]));
+    return any_of(chains, any_of(pairs(0, 1, 2, 3), any_of(pairs(0, 2, 1, 3), pairs(0, 3, 1, 2))));
 }
 
 }  // namespace gloam::numeric

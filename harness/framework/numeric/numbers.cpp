@@ -34,6 +34,27 @@ int last_place(const FloatFormat& format, double x) {
     return std::max(exponent_of(x), format.min_exponent) - (format.precision - 1);
 }
 
+// 0 or infinity if the error is not a matter of distance; -1 if it is.
+double settled_error(double got, double want, const FloatFormat& format) {
+    if (std::isnan(got) || std::isnan(want)) return std::isnan(got) && std::isnan(want) ? 0.0 : infinity;
+    if (std::abs(want) > format.largest()) {
+        const bool same_side = std::signbit(got) == std::signbit(want);
+        const bool exact =
+            same_side && (std::isinf(got) || (!std::isinf(want) && std::abs(got) >= format.largest()));
+        return exact ? 0.0 : infinity;
+    }
+    if (std::isinf(got)) return infinity;
+    if (std::abs(want) < format.smallest_normal() && got == 0.0) return 0.0;
+    return -1.0;
+}
+
+double quantile(const std::vector<double>& sorted, double q) {
+    const double at = q * static_cast<double>(sorted.size() - 1);
+    const auto lower = static_cast<std::size_t>(at);
+    const std::size_t upper = std::min(lower + 1, sorted.size() - 1);
+    return std::lerp(sorted[lower], sorted[upper], at - static_cast<double>(lower));
+}
+
 }  // namespace
 
 double FloatFormat::round_down(double x) const {
@@ -97,24 +118,6 @@ std::vector<double> special_values(const FloatFormat& format) {
             std::numeric_limits<double>::quiet_NaN()};
 }
 
-namespace {
-
-// 0 or infinity if the error is not a matter of distance; -1 if it is.
-double settled_error(double got, double want, const FloatFormat& format) {
-    if (std::isnan(got) || std::isnan(want)) return std::isnan(got) && std::isnan(want) ? 0.0 : infinity;
-    if (std::abs(want) > format.largest()) {
-        const bool same_side = std::signbit(got) == std::signbit(want);
-        const bool exact =
-            same_side && (std::isinf(got) || (!std::isinf(want) && std::abs(got) >= format.largest()));
-        return exact ? 0.0 : infinity;
-    }
-    if (std::isinf(got)) return infinity;
-    if (std::abs(want) < format.smallest_normal() && got == 0.0) return 0.0;
-    return -1.0;
-}
-
-}  // namespace
-
 double ulp_size(double x) {
     return std::isfinite(x) ? float32.ulp(x) : std::numeric_limits<double>::quiet_NaN();
 }
@@ -155,17 +158,6 @@ std::string to_short_text(double x) {
     constexpr double most = 1e6;
     return x > -most && x < most ? fmt::format("{:.2f}", x) : fmt::format("{:.2g}", x);
 }
-
-namespace {
-
-double quantile(const std::vector<double>& sorted, double q) {
-    const double at = q * static_cast<double>(sorted.size() - 1);
-    const auto lower = static_cast<std::size_t>(at);
-    const std::size_t upper = std::min(lower + 1, sorted.size() - 1);
-    return std::lerp(sorted[lower], sorted[upper], at - static_cast<double>(lower));
-}
-
-}  // namespace
 
 Spread spread_of(std::span<const double> values) {
     std::vector<double> sorted;

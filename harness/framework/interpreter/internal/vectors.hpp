@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <span>
 
 #include "interpreter/internal/arithmetic.hpp"
 #include "numeric/interval.hpp"
@@ -37,17 +38,7 @@ template <class N>
 }
 [[nodiscard]] inline numeric::Interval sum(const std::array<numeric::Interval, most_components>& p,
                                            std::uint32_t count) {
-    using Interval = numeric::Interval;
-    switch (count) {
-        case 1:
-            return p[0];
-        case 2:
-            return p[0] + p[1];
-        case 3:
-            return numeric::sum_in_any_order(glm::vec<3, Interval>(p[0], p[1], p[2]));
-        default:
-            return numeric::sum_in_any_order(glm::vec<4, Interval>(p[0], p[1], p[2], p[3]));
-    }
+    return numeric::sum_in_any_order(std::span(p).first(count));
 }
 [[nodiscard]] inline Explained sum(const std::array<Explained, most_components>& p, std::uint32_t count) {
     std::array<numeric::Interval, most_components> permitted{};
