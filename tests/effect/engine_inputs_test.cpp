@@ -171,7 +171,7 @@ class InputImages : public OnDevice<testing::Test> {
         constexpr gpu::Extent size{75, 43};
         AmbientOcclusion effect(device_, passes, size);
         effect.watch([&](const Step& pass, bool) {
-            const auto& kinds = gpu::program_of(*pass.pipeline).bindings;
+            const auto& kinds = pass.pipeline->bindings();
             EXPECT_EQ(std::ranges::count(kinds, gpu::BindingKind::sampled_image) > 0,
                       inputs == scene::Inputs::sampled)
                 << pass.name;

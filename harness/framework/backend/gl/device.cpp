@@ -26,34 +26,6 @@ std::shared_ptr<void> open_library() {
     return {library, [](void* handle) { ::dlclose(handle); }};
 }
 
-}  // namespace
-
-template <class Function>
-void Egl::load(Function& function, const char* name) {
-    function = reinterpret_cast<Function>(GetProcAddress(name));
-    if (function == nullptr)
-        throw Unavailable(fmt::format("OpenGL devices are not available: {} has no {}", library_name, name));
-}
-
-Egl::Egl() : library_(open_library()) {
-    GetProcAddress = reinterpret_cast<decltype(GetProcAddress)>(::dlsym(library_.get(), "eglGetProcAddress"));
-    if (GetProcAddress == nullptr)
-        throw Unavailable(
-            fmt::format("OpenGL devices are not available: {} is no EGL library", library_name));
-    load(QueryString, "eglQueryString");
-    load(Initialize, "eglInitialize");
-    load(Terminate, "eglTerminate");
-    load(BindAPI, "eglBindAPI");
-    load(CreateContext, "eglCreateContext");
-    load(DestroyContext, "eglDestroyContext");
-    load(MakeCurrent, "eglMakeCurrent");
-    load(GetCurrentContext, "eglGetCurrentContext");
-    load(GetError, "eglGetError");
-    load(GetPlatformDisplayEXT, "eglGetPlatformDisplayEXT");
-}
-
-namespace {
-
 // An environment variable with another value, until the object dies.
 class Variable {
   public:
@@ -76,18 +48,10 @@ class Variable {
     std::optional<std::string> before_;
 };
 
-bool has_word(std::string_view list, std::string_view word) {
-    for (std::size_t at = list.find(word); at != std::string_view::npos; at = list.find(word, at + 1)) {
-        const bool begins = at == 0 || list[at - 1] == ' ';
-        const std::size_t end = at + word.size();
-        if (begins && (end == list.size() || list[end] == ' ')) return true;
-    }
-    return false;
-}
-
 EGLDisplay platform_display(const Egl& egl) {
     const char* extensions = egl.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    if (!has_word(extensions == nullptr ? "" : extensions, "EGL_MESA_platform_surfaceless"))
+    const std::string all = fmt::format(" {} ", extensions == nullptr ? "" : extensions);
+    if (all.find(" EGL_MESA_platform_surfaceless ") == std::string::npos)
         throw Unavailable("OpenGL devices are not available: EGL has no EGL_MESA_platform_surfaceless");
     void* const usual = EGL_DEFAULT_DISPLAY;
     const EGLDisplay display = egl.GetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, usual, nullptr);
@@ -110,33 +74,6 @@ void initialize(const Egl& egl, EGLDisplay display, const std::string& executor)
             egl.GetError()));
     }
 }
-
-}  // namespace
-
-std::shared_ptr<Display> Display::open(const std::string& executor) {
-    // EGL itself has one such display for the process.
-    static std::mutex mutex;
-    static std::weak_ptr<Display> current;
-    const std::scoped_lock lock(mutex);
-    std::shared_ptr<Display> display = current.lock();
-    if (display && display->executor() != executor) {
-        throw Unavailable(
-            fmt::format("the display of this process runs {}: close its devices before one of {}",
-                        display->executor(), executor));
-    }
-    if (!display) current = display = std::make_shared<Display>(executor);
-    return display;
-}
-
-Display::Display(const std::string& executor) : handle_(platform_display(egl_)), executor_(executor) {
-    initialize(egl_, handle_, executor);
-}
-
-Display::~Display() {
-    egl_.Terminate(handle_);
-}
-
-namespace {
 
 EGLContext create(const Display& display, const DeviceName& name) {
     const Egl& egl = display.egl();
@@ -176,6 +113,47 @@ Functions functions_of(const Egl& egl, const Version& version) {
 }
 
 }  // namespace
+
+template <class Function>
+void Egl::load(Function& function, const char* name) {
+    function = reinterpret_cast<Function>(GetProcAddress(name));
+    if (function == nullptr)
+        throw Unavailable(fmt::format("OpenGL devices are not available: {} has no {}", library_name, name));
+}
+
+Egl::Egl() : library_(open_library()) {
+    GetProcAddress = reinterpret_cast<decltype(GetProcAddress)>(::dlsym(library_.get(), "eglGetProcAddress"));
+    if (GetProcAddress == nullptr)
+        throw Unavailable(
+            fmt::format("OpenGL devices are not available: {} is no EGL library", library_name));
+#define GLOAM_EGL_LOAD(name) load(name, "egl" #name);
+    GLOAM_EGL_FUNCTIONS(GLOAM_EGL_LOAD)
+#undef GLOAM_EGL_LOAD
+    load(GetPlatformDisplayEXT, "eglGetPlatformDisplayEXT");
+}
+
+std::shared_ptr<Display> Display::open(const std::string& executor) {
+    // EGL itself has one such display for the process.
+    static std::mutex mutex;
+    static std::weak_ptr<Display> current;
+    const std::scoped_lock lock(mutex);
+    std::shared_ptr<Display> display = current.lock();
+    if (display && display->executor() != executor) {
+        throw Unavailable(
+            fmt::format("the display of this process runs {}: close its devices before one of {}",
+                        display->executor(), executor));
+    }
+    if (!display) current = display = std::make_shared<Display>(executor);
+    return display;
+}
+
+Display::Display(const std::string& executor) : handle_(platform_display(egl_)), executor_(executor) {
+    initialize(egl_, handle_, executor);
+}
+
+Display::~Display() {
+    egl_.Terminate(handle_);
+}
 
 Context::Context(const DeviceName& name)
     : display(Display::open(name.executor)), handle(create(*display, name)) {
@@ -267,9 +245,8 @@ bool runs(const DeviceInfo& info, const std::string& executor) {
 
 }  // namespace
 
-Device::Device(const std::string& name) {
+Device::Device(const std::string& name) : context_(base::make_hidden<Context>(required_name(name))) {
     const DeviceName wanted = required_name(name);
-    context_ = std::make_unique<Context>(wanted);
     info_ = describe(*context_, wanted);
     if (wanted.executor != "system" && !runs(info_, wanted.executor)) {
         throw Unavailable(fmt::format("{}: OpenGL is executed by \"{}\", not by {}", name, info_.renderer,
@@ -277,8 +254,6 @@ Device::Device(const std::string& name) {
     }
     context_->check("opening " + name);
 }
-
-Device::~Device() = default;
 
 std::vector<DeviceInfo> list_devices(const std::string& executor) {
     std::vector<DeviceInfo> devices;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "base/hidden.hpp"
 
 namespace gloam::gl {
 
@@ -88,7 +89,6 @@ struct DeviceInfo : backend::DeviceInfo {
 class Device : public backend::Backend {
   public:
     explicit Device(const std::string& name);
-    ~Device() override;
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
@@ -96,7 +96,7 @@ class Device : public backend::Backend {
     [[nodiscard]] internal::Context& context() const { return *context_; }
 
   private:
-    std::unique_ptr<internal::Context> context_;
+    base::Hidden<internal::Context> context_;
     DeviceInfo info_;
 };
 

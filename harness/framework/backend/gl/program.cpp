@@ -80,6 +80,40 @@ class Shader {
     GLuint handle_;
 };
 
+// Textures of four words a pixel, as the targets of the framebuffer that is bound.
+std::vector<Handle> bound_targets(const Device& device, const Draw& work) {
+    const Functions& gl = device.context().use();
+    std::vector<Handle> textures;
+    std::vector<GLenum> places;
+    gl.ActiveTexture(GL_TEXTURE0);
+    for (std::size_t i = 0; i < work.targets; ++i) {
+        const GLuint name = textures.emplace_back(device, Handle::Kind::texture).name();
+        gl.BindTexture(GL_TEXTURE_2D, name);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, static_cast<GLsizei>(work.width),
+                      static_cast<GLsizei>(work.height), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        places.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, places.back(), GL_TEXTURE_2D, name, 0);
+    }
+    gl.DrawBuffers(static_cast<GLsizei>(places.size()), places.data());
+    device.context().check("the targets of a fragment shader");
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw backend::Error("OpenGL cannot draw to targets of four words");
+    return textures;
+}
+
+void set_uniforms(const Functions& gl, const Draw& work) {
+    const GLuint program = work.program.handle();
+    gl.UseProgram(program);
+    for (std::size_t i = 0; i < work.textures.size(); ++i) {
+        gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        gl.BindTexture(GL_TEXTURE_2D, work.textures[i].second->handle());
+        gl.Uniform1i(gl.GetUniformLocation(program, work.textures[i].first.c_str()), static_cast<GLint>(i));
+    }
+    for (const auto& [name, value] : work.uniforms)
+        gl.Uniform1ui(gl.GetUniformLocation(program, name.c_str()), value);
+}
+
 }  // namespace
 
 Program::Program(const Device& device, Stage stage, const ShaderText& shader)
@@ -104,7 +138,7 @@ Program::Program(const Device& device, Stage stage, const ShaderText& shader)
 
 void dispatch(const Device& device, const Dispatch& work) {
     const internal::Context& context = device.context();
-    const internal::Functions& gl = context.use();
+    const Functions& gl = context.use();
     if (!has_compute(device.info().id.version))
         throw backend::Error(to_string(device.info().id.version) + " has no compute shaders");
     gl.UseProgram(work.program.handle());
@@ -125,92 +159,27 @@ void dispatch(const Device& device, const Dispatch& work) {
     context.check("a compute shader");
 }
 
-namespace {
-
-using internal::Context;
-using internal::Functions;
-
-// Targets and their framebuffer, bound for drawing and reading while the object lives.
-class Targets {
-  public:
-    Targets(const Context& context, const Draw& work)
-        : gl_(context.functions), work_(work), textures_(work.targets) {
-        gl_.GenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
-        gl_.GenFramebuffers(1, &framebuffer_);
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-        std::vector<GLenum> places;
-        gl_.ActiveTexture(GL_TEXTURE0);
-        for (std::size_t i = 0; i < textures_.size(); ++i) {
-            gl_.BindTexture(GL_TEXTURE_2D, textures_[i]);
-            gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, width(), height(), 0, GL_RGBA_INTEGER,
-                           GL_UNSIGNED_INT, nullptr);
-            gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-            places.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, places.back(), GL_TEXTURE_2D, textures_[i], 0);
-        }
-        gl_.DrawBuffers(static_cast<GLsizei>(places.size()), places.data());
-    }
-    ~Targets() {
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-        gl_.DeleteFramebuffers(1, &framebuffer_);
-        gl_.DeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
-    }
-    Targets(const Targets&) = delete;
-    Targets& operator=(const Targets&) = delete;
-
-    [[nodiscard]] bool complete() const {
-        return gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    }
-
-    [[nodiscard]] std::vector<std::vector<Word>> read() const {
-        std::vector<std::vector<Word>> all;
-        gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-        for (std::size_t i = 0; i < textures_.size(); ++i) {
-            all.emplace_back(work_.width * work_.height * 4);
-            gl_.ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-            gl_.ReadPixels(0, 0, width(), height(), GL_RGBA_INTEGER, GL_UNSIGNED_INT, all.back().data());
-        }
-        return all;
-    }
-
-  private:
-    [[nodiscard]] GLsizei width() const { return static_cast<GLsizei>(work_.width); }
-    [[nodiscard]] GLsizei height() const { return static_cast<GLsizei>(work_.height); }
-
-    const Functions& gl_;
-    const Draw& work_;
-    std::vector<GLuint> textures_;
-    GLuint framebuffer_ = 0;
-};
-
-void set_uniforms(const Functions& gl, const Draw& work) {
-    const GLuint program = work.program.handle();
-    gl.UseProgram(program);
-    for (std::size_t i = 0; i < work.textures.size(); ++i) {
-        gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        gl.BindTexture(GL_TEXTURE_2D, work.textures[i].second->handle());
-        gl.Uniform1i(gl.GetUniformLocation(program, work.textures[i].first.c_str()), static_cast<GLint>(i));
-    }
-    for (const auto& [name, value] : work.uniforms)
-        gl.Uniform1ui(gl.GetUniformLocation(program, name.c_str()), value);
-}
-
-}  // namespace
-
 std::vector<std::vector<Word>> draw(const Device& device, const Draw& work) {
-    const Context& context = device.context();
+    const internal::Context& context = device.context();
     const Functions& gl = context.use();
-    const Targets targets(context, work);
-    context.check("the targets of a fragment shader");
-    if (!targets.complete()) throw backend::Error("OpenGL cannot draw to targets of four words");
+    const Handle framebuffer(device, Handle::Kind::framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    const std::vector<Handle> targets = bound_targets(device, work);
     set_uniforms(gl, work);
     for (const GLenum test :
          std::array<GLenum, 5>{GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_SCISSOR_TEST})
         gl.Disable(test);
-    gl.Viewport(0, 0, static_cast<GLsizei>(work.width), static_cast<GLsizei>(work.height));
+    const auto width = static_cast<GLsizei>(work.width);
+    const auto height = static_cast<GLsizei>(work.height);
+    gl.Viewport(0, 0, width, height);
     gl.BindVertexArray(context.vertex_array);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    std::vector<std::vector<Word>> words = targets.read();
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    std::vector<std::vector<Word>> words(work.targets, std::vector<Word>(work.width * work.height * 4));
+    for (std::size_t i = 0; i < work.targets; ++i) {
+        gl.ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+        gl.ReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words[i].data());
+    }
     context.check("a fragment shader");
     return words;
 }

@@ -15,58 +15,6 @@ namespace {
 // Every version has this target, and nothing else uses it.
 constexpr GLenum target = GL_COPY_WRITE_BUFFER;
 
-}  // namespace
-
-Handle::Handle(const Device& device, Kind kind) : device_(&device), kind_(kind) {
-    const internal::Functions& gl = device.context().use();
-    if (kind == Kind::program)
-        name_ = gl.CreateProgram();
-    else
-        (kind == Kind::buffer ? gl.GenBuffers : gl.GenTextures)(1, &name_);
-}
-
-Handle::~Handle() {
-    if (name_ == 0) return;
-    const internal::Functions& gl = device_->context().use();
-    if (kind_ == Kind::program)
-        gl.DeleteProgram(name_);
-    else
-        (kind_ == Kind::buffer ? gl.DeleteBuffers : gl.DeleteTextures)(1, &name_);
-}
-
-Buffer::Buffer(const Device& device, std::size_t words)
-    : words_(std::max<std::size_t>(words, 1)), handle_(device, Handle::Kind::buffer) {
-    const internal::Context& context = device.context();
-    const internal::Functions& gl = context.use();
-    const std::vector<Word> zeros(words_);
-    gl.BindBuffer(target, handle_.name());
-    gl.BufferData(target, static_cast<GLsizeiptr>(words_ * sizeof(Word)), zeros.data(), GL_DYNAMIC_COPY);
-    context.check("a buffer");
-}
-
-void Buffer::write(std::size_t first, std::span<const Word> words) {
-    const internal::Functions& gl = handle_.device().context().use();
-    gl.BindBuffer(target, handle_.name());
-    gl.BufferSubData(target, static_cast<GLintptr>(first * sizeof(Word)),
-                     static_cast<GLsizeiptr>(words.size_bytes()), words.data());
-    handle_.device().context().check("writing a buffer");
-}
-
-std::vector<Word> Buffer::read() const {
-    const internal::Functions& gl = handle_.device().context().use();
-    gl.BindBuffer(target, handle_.name());
-    const auto bytes = static_cast<GLsizeiptr>(words_ * sizeof(Word));
-    const void* const mapped = gl.MapBufferRange(target, 0, bytes, GL_MAP_READ_BIT);
-    handle_.device().context().check("reading a buffer");
-    if (mapped == nullptr) throw backend::Error("reading a buffer: OpenGL maps no memory");
-    const auto* const words = static_cast<const Word*>(mapped);
-    std::vector<Word> copy(words, words + words_);
-    gl.UnmapBuffer(target);
-    return copy;
-}
-
-namespace {
-
 struct ImageFormat {
     std::string_view name;
     GLenum internal;
@@ -103,6 +51,54 @@ const ImageFormat& format_named(const Device& device, const std::string& name) {
 
 }  // namespace
 
+Handle::Handle(const Device& device, Kind kind) : device_(&device), kind_(kind) {
+    const internal::Functions& gl = device.context().use();
+    if (kind == Kind::program) name_ = gl.CreateProgram();
+    if (kind == Kind::buffer) gl.GenBuffers(1, &name_);
+    if (kind == Kind::texture) gl.GenTextures(1, &name_);
+    if (kind == Kind::framebuffer) gl.GenFramebuffers(1, &name_);
+}
+
+Handle::~Handle() {
+    if (name_ == 0) return;
+    const internal::Functions& gl = device_->context().use();
+    if (kind_ == Kind::program) gl.DeleteProgram(name_);
+    if (kind_ == Kind::buffer) gl.DeleteBuffers(1, &name_);
+    if (kind_ == Kind::texture) gl.DeleteTextures(1, &name_);
+    if (kind_ == Kind::framebuffer) gl.DeleteFramebuffers(1, &name_);
+}
+
+Buffer::Buffer(const Device& device, std::size_t words)
+    : words_(std::max<std::size_t>(words, 1)), handle_(device, Handle::Kind::buffer) {
+    const internal::Context& context = device.context();
+    const internal::Functions& gl = context.use();
+    const std::vector<Word> zeros(words_);
+    gl.BindBuffer(target, handle_.name());
+    gl.BufferData(target, static_cast<GLsizeiptr>(words_ * sizeof(Word)), zeros.data(), GL_DYNAMIC_COPY);
+    context.check("a buffer");
+}
+
+void Buffer::write(std::size_t first, std::span<const Word> words) {
+    const internal::Functions& gl = handle_.device().context().use();
+    gl.BindBuffer(target, handle_.name());
+    gl.BufferSubData(target, static_cast<GLintptr>(first * sizeof(Word)),
+                     static_cast<GLsizeiptr>(words.size_bytes()), words.data());
+    handle_.device().context().check("writing a buffer");
+}
+
+std::vector<Word> Buffer::read() const {
+    const internal::Functions& gl = handle_.device().context().use();
+    gl.BindBuffer(target, handle_.name());
+    const auto bytes = static_cast<GLsizeiptr>(words_ * sizeof(Word));
+    const void* const mapped = gl.MapBufferRange(target, 0, bytes, GL_MAP_READ_BIT);
+    handle_.device().context().check("reading a buffer");
+    if (mapped == nullptr) throw backend::Error("reading a buffer: OpenGL maps no memory");
+    const auto* const words = static_cast<const Word*>(mapped);
+    std::vector<Word> copy(words, words + words_);
+    gl.UnmapBuffer(target);
+    return copy;
+}
+
 Image::Image(const Device& device, const std::string& format, std::size_t width, std::size_t height,
              std::span<const Word> texels)
     : width_(width), height_(height), handle_(device, Handle::Kind::texture) {
@@ -132,17 +128,14 @@ Image::Image(const Device& device, const std::string& format, std::size_t width,
 std::vector<Word> Image::read() const {
     const internal::Functions& gl = handle_.device().context().use();
     std::vector<Word> texels(width_ * height_ * backend::texel_words);
-    GLuint framebuffer = 0;
-    gl.GenFramebuffers(1, &framebuffer);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    const Handle framebuffer(handle_.device(), Handle::Kind::framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, handle_.name(), 0);
     gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl.ReadPixels(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_),
                   integers_ ? GL_RGBA_INTEGER : GL_RGBA, integers_ ? GL_UNSIGNED_INT : GL_FLOAT,
                   texels.data());
-    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl.DeleteFramebuffers(1, &framebuffer);
     handle_.device().context().check("reading an image");
     return texels;
 }

@@ -17,7 +17,7 @@ using backend::Word;
 // An object of OpenGL, deleted with this.
 class Handle {
   public:
-    enum class Kind { buffer, texture, program };
+    enum class Kind { buffer, texture, framebuffer, program };
 
     Handle(const Device& device, Kind kind);
     ~Handle();
@@ -79,8 +79,7 @@ class Image {
 // A texture with a sampler's state. The words are those of backend/sampled.hpp. Needs compute shaders.
 class SampledTexture {
   public:
-    // Throws backend::OutOfMemory; std::invalid_argument for words
-    // that disagree.
+    // Throws backend::OutOfMemory; std::invalid_argument for words that disagree.
     SampledTexture(const Device& device, std::span<const Word> words);
 
     void bind(std::uint32_t unit) const;

@@ -47,19 +47,14 @@ void set_state(const internal::Functions& gl, GLenum target, const SampledHeader
     set(GL_TEXTURE_COMPARE_FUNC, named(comparisons, header.compare));
 }
 
-// Texels as OpenGL takes them: of depths, the first of four.
-std::vector<Word> taken(SampledTexel texel, std::span<const Word> words) {
-    if (texel != SampledTexel::depth) return {words.begin(), words.end()};
-    std::vector<Word> depths;
-    for (std::size_t i = 0; i < words.size(); i += backend::texel_words) depths.push_back(words[i]);
-    return depths;
-}
-
 void upload(const internal::Functions& gl, GLenum target, const SampledHeader& header,
             std::span<const Word> words) {
     const Format format = named(formats, header.texel);
-    const std::vector<Word> texels = taken(header.texel, words);
-    const std::size_t texel = header.texel == SampledTexel::depth ? 1 : backend::texel_words;
+    const bool depths = header.texel == SampledTexel::depth;
+    const std::vector<Word> stored = depths ? backend::stored_texels(words) : std::vector<Word>{};
+    const std::span<const Word> texels =
+        depths ? std::span<const Word>(stored) : words.subspan(backend::sampled_header_words);
+    const std::size_t texel = depths ? 1 : backend::texel_words;
     for (std::uint32_t level = 0; level < header.levels; ++level) {
         const auto size = backend::size_of_level(header, level);
         const Word* first = &texels[backend::texels_before(header, level) * texel];
@@ -95,7 +90,7 @@ SampledTexture::SampledTexture(const Device& device, std::span<const Word> words
         gl.TexStorage3D(target_, side(header.levels), format.internal, side(header.width),
                         side(header.height), side(header.depth));
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    upload(gl, target_, header, words.subspan(backend::sampled_header_words));
+    upload(gl, target_, header, words);
     set_state(gl, target_, header);
     if (device.info().id.version.api == Api::gl) gl.Enable(seamless_cubes);
     context.check("a texture");

@@ -5,10 +5,6 @@
 
 namespace gloam::gl {
 
-namespace internal {
-struct Context {};
-}  // namespace internal
-
 namespace {
 
 [[noreturn]] void refuse() {
@@ -19,11 +15,9 @@ namespace {
 
 }  // namespace
 
-Device::Device(const std::string& /*name*/) {
+Device::Device(const std::string& /*name*/) : context_(nullptr, nullptr) {
     refuse();
 }
-
-Device::~Device() = default;
 
 std::unique_ptr<backend::Kernel> Device::make_kernel(const backend::KernelProgram& /*program*/) const {
     refuse();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "backend/vulkan/internal/context.hpp"
@@ -28,12 +29,10 @@ ComputePipeline::Handles create(Context& context, const ComputeProgram& program)
     auto layout =
         make_layout(context, set_layout, vk::ShaderStageFlagBits::eCompute, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, layout, program);
-    return {context,
-            {{program.spirv.begin(), program.spirv.end()}, program.constants, program.bindings},
-            std::move(set_layout),
-            std::move(layout),
-            std::move(pipeline)};
+    return {context, program.bindings, std::move(set_layout), std::move(layout), std::move(pipeline)};
 }
+
+constexpr std::uint32_t queries_per_pool = 64;
 
 struct Kind {
     vk::DescriptorType type;
@@ -54,6 +53,40 @@ void check_count(const Context& context, std::span<const BindingKind> kinds, Bin
     if (count > limit) {
         throw std::invalid_argument(fmt::format("pipeline with {} {} bindings: device \"{}\" allows {}",
                                                 count, traits(kind).name, context.physical.info.name, limit));
+    }
+}
+
+// What a descriptor says of a resource.
+using Info = std::variant<vk::DescriptorBufferInfo, vk::DescriptorImageInfo>;
+struct InfoOf {
+    const Context& context;
+
+    static Info image(vk::ImageView view, vk::Sampler sampler) {
+        return vk::DescriptorImageInfo{
+            .sampler = sampler, .imageView = view, .imageLayout = vk::ImageLayout::eGeneral};
+    }
+    Info operator()(const Buffer& buffer) const {
+        return vk::DescriptorBufferInfo{.buffer = *buffer.handles->buffer, .range = VK_WHOLE_SIZE};
+    }
+    Info operator()(const Image& all) const { return image(*all.handles->view, *context.sampler); }
+    Info operator()(const SampledImage& all) const {
+        return image(*all.handles->view, *all.handles->sampler);
+    }
+    Info operator()(const ImageLevel& one) const {
+        return image(*one.image.get().handles->levels.at(one.level), {});
+    }
+    Info operator()(const LinearImage& all) const {
+        return image(*all.image.get().handles->view, *context.linear);
+    }
+};
+
+void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& groups) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i] > device.max_group_count[i]) {
+            throw std::invalid_argument(fmt::format("dispatch: {} work groups in {}, device \"{}\" allows {}",
+                                                    groups[i], "xyz"[i], device.name,
+                                                    device.max_group_count[i]));
+        }
     }
 }
 
@@ -91,108 +124,12 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::span<
                                               .pBindings = bindings.data()}};
 }
 
-const PipelineProgram& program_of(const ComputePipeline& pipeline) {
-    return pipeline.handles().program;
-}
-
 ComputePipeline::ComputePipeline(const Device& device, const ComputeProgram& program)
-    : handles_(owned(create(device.impl(), program))) {}
+    : handles(owned(create(device.impl(), program))) {}
 
-namespace {
-
-constexpr std::uint32_t sets_per_pool = 64;
-constexpr std::uint32_t descriptors_per_pool = 256;  // of each kind
-
-}  // namespace
-
-const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const Context& context,
-                                                             const vk::raii::DescriptorSetLayout& layout,
-                                                             std::span<const BindingKind> bindings) {
-    Counts needed{};
-    for (const BindingKind kind : bindings) ++needed.at(static_cast<std::size_t>(kind));
-    bool fits = sets_left_ > 0;
-    for (std::size_t kind = 0; kind < binding_kinds; ++kind) fits = fits && needed[kind] <= left_[kind];
-    if (!fits) add_pool(context, needed);
-    vk::raii::DescriptorSets sets(
-        context.device,
-        vk::DescriptorSetAllocateInfo{
-            .descriptorPool = *pools_.back(), .descriptorSetCount = 1, .pSetLayouts = &*layout});
-    sets_left_ -= 1;
-    for (std::size_t kind = 0; kind < binding_kinds; ++kind) left_[kind] -= needed[kind];
-    return sets_.emplace_back(std::move(sets.front()));
+const std::vector<BindingKind>& ComputePipeline::bindings() const {
+    return handles->bindings;
 }
-
-void DescriptorAllocator::add_pool(const Context& context, const Counts& needed) {
-    sets_left_ = sets_per_pool;
-    std::array<vk::DescriptorPoolSize, binding_kinds> sizes;
-    for (std::size_t kind = 0; kind < binding_kinds; ++kind) {
-        left_[kind] = std::max(needed[kind], descriptors_per_pool);
-        sizes[kind] = {.type = traits(static_cast<BindingKind>(kind)).type, .descriptorCount = left_[kind]};
-    }
-    pools_.emplace_back(context.device, vk::DescriptorPoolCreateInfo{
-                                            .flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
-                                            .maxSets = sets_left_,
-                                            .poolSizeCount = sizes.size(),
-                                            .pPoolSizes = sizes.data()});
-}
-
-namespace {
-
-// What a descriptor says of a resource.
-using Info = std::variant<vk::DescriptorBufferInfo, vk::DescriptorImageInfo>;
-struct InfoOf {
-    const Context& context;
-
-    static Info image(vk::ImageView view, vk::Sampler sampler) {
-        return vk::DescriptorImageInfo{
-            .sampler = sampler, .imageView = view, .imageLayout = vk::ImageLayout::eGeneral};
-    }
-    Info operator()(const Buffer& buffer) const {
-        return vk::DescriptorBufferInfo{.buffer = *buffer.handles().buffer, .range = VK_WHOLE_SIZE};
-    }
-    Info operator()(const Image& all) const { return image(*all.handles().view, *context.sampler); }
-    Info operator()(const SampledImage& all) const {
-        return image(*all.handles().view, *all.handles().sampler);
-    }
-    Info operator()(const LayeredImage& all) const { return image(*all.handles().view, {}); }
-    Info operator()(const ImageLevel& one) const {
-        return image(*one.image.get().handles().levels.at(one.level), {});
-    }
-    Info operator()(const LinearImage& all) const {
-        return image(*all.image.get().handles().view, *context.linear);
-    }
-};
-
-}  // namespace
-
-void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
-                       std::span<const BindingKind> bindings, std::span<const Resource> resources) {
-    std::vector<Info> infos;
-    for (const Resource& resource : resources) infos.push_back(std::visit(InfoOf{context}, resource));
-    std::vector<vk::WriteDescriptorSet> writes;
-    for (std::uint32_t i = 0; i < infos.size(); ++i)
-        writes.push_back({.dstSet = *set,
-                          .dstBinding = i,
-                          .descriptorCount = 1,
-                          .descriptorType = traits(bindings[i]).type,
-                          .pImageInfo = std::get_if<vk::DescriptorImageInfo>(&infos[i]),
-                          .pBufferInfo = std::get_if<vk::DescriptorBufferInfo>(&infos[i])});
-    context.device.updateDescriptorSets(writes, nullptr);
-}
-
-namespace {
-
-void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& groups) {
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (groups[i] > device.max_group_count[i]) {
-            throw std::invalid_argument(fmt::format("dispatch: {} work groups in {}, device \"{}\" allows {}",
-                                                    groups[i], "xyz"[i], device.name,
-                                                    device.max_group_count[i]));
-        }
-    }
-}
-
-}  // namespace
 
 const vk::raii::CommandBuffer& Commands::Handles::recording() const {
     if (state != State::recording) throw std::runtime_error("these commands were submitted: record new ones");
@@ -200,18 +137,46 @@ const vk::raii::CommandBuffer& Commands::Handles::recording() const {
 }
 
 Commands::Commands(const Device& device)
-    : handles_(owned(Handles{.context = device.impl(), .buffers = begun(device.impl())})) {}
+    : handles(owned(Handles{.context = device.impl(), .buffers = begun(device.impl())})) {}
+
+vk::DescriptorSet Commands::Handles::set_of(const vk::raii::DescriptorSetLayout& layout,
+                                            std::span<const BindingKind> kinds,
+                                            std::span<const Resource> resources) {
+    std::vector<vk::DescriptorPoolSize> sizes;
+    for (const BindingKind kind : kinds) sizes.push_back({.type = traits(kind).type, .descriptorCount = 1});
+    pools.emplace_back(context.device, vk::DescriptorPoolCreateInfo{
+                                           .flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                           .maxSets = 1,
+                                           .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
+                                           .pPoolSizes = sizes.data()});
+    vk::raii::DescriptorSets made(
+        context.device,
+        vk::DescriptorSetAllocateInfo{
+            .descriptorPool = *pools.back(), .descriptorSetCount = 1, .pSetLayouts = &*layout});
+    const vk::DescriptorSet set = *sets.emplace_back(std::move(made.front()));
+    std::vector<Info> infos;
+    for (const Resource& resource : resources) infos.push_back(std::visit(InfoOf{context}, resource));
+    std::vector<vk::WriteDescriptorSet> writes;
+    for (std::uint32_t i = 0; i < infos.size(); ++i)
+        writes.push_back({.dstSet = set,
+                          .dstBinding = i,
+                          .descriptorCount = 1,
+                          .descriptorType = traits(kinds[i]).type,
+                          .pImageInfo = std::get_if<vk::DescriptorImageInfo>(&infos[i]),
+                          .pBufferInfo = std::get_if<vk::DescriptorBufferInfo>(&infos[i])});
+    context.device.updateDescriptorSets(writes, nullptr);
+    return set;
+}
 
 void Commands::Handles::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
                              std::span<const std::byte> push_constants) {
     constexpr auto point = vk::PipelineBindPoint::eCompute;
-    const auto& program = pipeline.handles();
+    const auto& program = *pipeline.handles;
     const auto& commands = recording();
     commands.bindPipeline(point, *program.pipeline);
     if (!resources.empty()) {
-        const auto& set = descriptors.allocate(program.context, program.set_layout, program.program.bindings);
-        write_descriptors(program.context, set, program.program.bindings, resources);
-        commands.bindDescriptorSets(point, *program.layout, 0, *set, nullptr);
+        const auto set = set_of(program.set_layout, program.bindings, resources);
+        commands.bindDescriptorSets(point, *program.layout, 0, set, nullptr);
     }
     if (!push_constants.empty())
         commands.pushConstants<std::byte>(*program.layout, vk::ShaderStageFlagBits::eCompute, 0,
@@ -220,46 +185,73 @@ void Commands::Handles::bind(const ComputePipeline& pipeline, std::span<const Re
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {
-    check_groups(handles_->context.physical.info, groups);
-    handles_->bind(pipeline, resources, push_constants);
-    const auto& commands = handles_->recording();
+    check_groups(handles->context.physical.info, groups);
+    handles->bind(pipeline, resources, push_constants);
+    const auto& commands = handles->recording();
     commands.dispatch(groups[0], groups[1], groups[2]);
     device_barrier(commands);
 }
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         const Buffer& groups, std::uint32_t at, std::span<const std::byte> push_constants) {
-    handles_->bind(pipeline, resources, push_constants);
-    const auto& commands = handles_->recording();
-    commands.dispatchIndirect(*groups.handles().buffer, at);
+    handles->bind(pipeline, resources, push_constants);
+    const auto& commands = handles->recording();
+    commands.dispatchIndirect(*groups.handles->buffer, at);
     device_barrier(commands);
 }
 
 std::size_t Commands::timestamp() {
-    const auto& commands = handles_->recording();
-    const std::size_t position = handles_->timestamps.record(handles_->context, commands);
+    const auto& commands = handles->recording();
+    if (handles->context.physical.timestamp_mask != 0) {
+        const auto query = static_cast<std::uint32_t>(handles->readings % queries_per_pool);
+        if (query == 0)
+            commands.resetQueryPool(
+                *handles->queries.emplace_back(handles->context.device,
+                                               vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp,
+                                                                       .queryCount = queries_per_pool}),
+                0, queries_per_pool);
+        commands.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *handles->queries.back(), query);
+    }
     // lavapipe delays a dispatch until something waits for it. Without a barrier, the time of the work before
     // the reading would count after it. One that makes nothing visible suffices, and takes 3 us less of an
     // H200.
     constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
     commands.pipelineBarrier(all, all, {}, nullptr, nullptr, nullptr);
-    return position;
+    return handles->readings++;
 }
 
 void Commands::submit() {
-    const auto& commands = handles_->recording();
+    const auto& commands = handles->recording();
     host_barrier(commands);
     commands.end();
-    handles_->state = Handles::State::submitted;
-    handles_->context.run(commands);
-    handles_->state = Handles::State::finished;
+    handles->state = Handles::State::submitted;
+    handles->context.run(commands);
+    handles->state = Handles::State::finished;
 }
 
 std::vector<double> Commands::times_ms() const {
-    if (handles_->state != Handles::State::finished) {
+    if (handles->state != Handles::State::finished) {
         throw std::runtime_error("times of commands that have not been submitted and finished");
     }
-    return handles_->timestamps.read_ms(handles_->context);
+    const Physical& physical = handles->context.physical;
+    std::vector<double> times(handles->readings, std::numeric_limits<double>::quiet_NaN());
+    std::uint64_t start = 0;
+    for (std::size_t first = 0; physical.timestamp_mask != 0 && first < times.size();
+         first += queries_per_pool) {
+        constexpr std::size_t tick = sizeof(std::uint64_t);
+        const std::size_t count = std::min<std::size_t>(queries_per_pool, times.size() - first);
+        const auto ticks = handles->queries[first / queries_per_pool]
+                               .getResults<std::uint64_t>(0, static_cast<std::uint32_t>(count), count * tick,
+                                                          tick, vk::QueryResultFlagBits::e64)
+                               .second;
+        if (first == 0) start = ticks[0];
+        for (std::size_t i = 0; i < count; ++i) {
+            // The clock may wrap around.
+            const auto elapsed = static_cast<double>((ticks[i] - start) & physical.timestamp_mask);
+            times[first + i] = elapsed * physical.info.timestamp_period_ns * 1e-6;
+        }
+    }
+    return times;
 }
 
 }  // namespace gloam::gpu

@@ -35,18 +35,16 @@ class ComputePipeline {
   public:
     ComputePipeline(const Device& device, const ComputeProgram& program);
 
-    struct Handles;
-    [[nodiscard]] Handles& handles() const { return *handles_; }
+    [[nodiscard]] const std::vector<BindingKind>& bindings() const;
 
-  private:
-    base::Hidden<Handles> handles_;
+    struct Handles;  // of Vulkan; defined inside this room only
+    base::Hidden<Handles> handles;
 };
 
 // The resource of a binding: a whole storage buffer, or an image. Shaders may write to buffers and storage
 // images.
 using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>,
-                              std::reference_wrapper<const SampledImage>,
-                              std::reference_wrapper<const LayeredImage>, ImageLevel, LinearImage>;
+                              std::reference_wrapper<const SampledImage>, ImageLevel, LinearImage>;
 
 // Work that is recorded in order and run once. Each command sees the writes of all commands before it.
 // Resources and pipelines passed to it must live until submit() returns. After submit() only times_ms() may
@@ -77,11 +75,8 @@ class Commands {
     // NaN where DeviceInfo::timestamp_period_ns is 0. Throws std::runtime_error unless submit() succeeded.
     [[nodiscard]] std::vector<double> times_ms() const;
 
-    struct Handles;
-    [[nodiscard]] Handles& handles() const { return *handles_; }
-
-  private:
-    base::Hidden<Handles> handles_;
+    struct Handles;  // of Vulkan; defined inside this room only
+    base::Hidden<Handles> handles;
 };
 
 // The parts of a pipeline that runs a fragment shader for the pixels of one triangle. Its only outputs are
@@ -101,24 +96,13 @@ class RasterPipeline {
   public:
     RasterPipeline(const Device& device, const RasterProgram& program);
 
-    struct Handles;
-    [[nodiscard]] Handles& handles() const { return *handles_; }
-
-  private:
-    base::Hidden<Handles> handles_;
+    struct Handles;  // of Vulkan; defined inside this room only
+    base::Hidden<Handles> handles;
 };
 
 // Runs the pipeline in a viewport of this size, with the resources at its bindings; later commands can read
 // them.
 void render(Commands& commands, const RasterPipeline& pipeline, Extent extent,
             std::span<const Resource> resources, std::span<const std::byte> push_constants);
-
-// The parts of a pipeline, for running it elsewhere.
-struct PipelineProgram {
-    std::vector<std::uint32_t> spirv;
-    std::vector<SpecializationConstant> constants;
-    std::vector<BindingKind> bindings;
-};
-[[nodiscard]] const PipelineProgram& program_of(const ComputePipeline& pipeline);
 
 }  // namespace gloam::gpu

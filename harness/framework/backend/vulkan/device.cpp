@@ -4,7 +4,6 @@
 #include <unistd.h>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <stdexcept>
 
 #include "backend/vulkan/internal/context.hpp"
@@ -29,6 +28,18 @@ vk::PhysicalDeviceVulkan12Features wanted_of_1_2(const vk::raii::PhysicalDevice&
     return {.shaderFloat16 = offered.shaderFloat16};
 }
 
+// The requested device features besides the core: robustBufferAccess, which every device has, unless the
+// options switch it off. With it, a shader under test that reads beyond its buffer cannot crash the process.
+// And arrays of cubes, storing to images of r16f and r8, and storing of fragment shaders to buffers, where
+// the device can.
+vk::PhysicalDeviceFeatures features_of(const DeviceOptions& options,
+                                       const vk::PhysicalDeviceFeatures& offered) {
+    return {.robustBufferAccess = options.robust_buffer_access ? VK_TRUE : VK_FALSE,
+            .imageCubeArray = offered.imageCubeArray,
+            .fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics,
+            .shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats};
+}
+
 vk::raii::Device open_device(const Physical& physical, const vk::PhysicalDeviceFeatures& features) {
     constexpr float priority = 1.0f;
     const vk::PhysicalDeviceVulkan12Features newer = wanted_of_1_2(physical.handle);
@@ -49,6 +60,29 @@ const DeviceOptions& checked(const DeviceOptions& options) {
     return options;
 }
 
+vk::SamplerCreateInfo sampler_info(vk::Filter filter) {
+    return {.magFilter = filter,
+            .minFilter = filter,
+            .addressModeU = vk::SamplerAddressMode::eClampToEdge,
+            .addressModeV = vk::SamplerAddressMode::eClampToEdge,
+            .maxLod = VK_LOD_CLAMP_NONE};
+}
+
+std::optional<std::uint32_t> find_type(const vk::PhysicalDeviceMemoryProperties& memory,
+                                       std::uint32_t allowed, vk::MemoryPropertyFlags wish) {
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
+        const bool fits = (allowed >> i & 1u) != 0;
+        if (fits && (memory.memoryTypes[i].propertyFlags & wish) == wish) return i;
+    }
+    return std::nullopt;
+}
+
+std::string failure(const Context& context, const vk::MemoryRequirements& needs, const std::string& purpose,
+                    const char* reason) {
+    return fmt::format("{}: device \"{}\" {} for the {} bytes it needs", purpose, context.physical.info.name,
+                       reason, needs.size);
+}
+
 }  // namespace
 
 Physical::Physical(vk::raii::PhysicalDevice device, DeviceInfo description)
@@ -65,18 +99,6 @@ Physical::Physical(vk::raii::PhysicalDevice device, DeviceInfo description)
     const auto bits = handle.getQueueFamilyProperties()[queue_family].timestampValidBits;
     timestamp_mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
 }
-
-namespace {
-
-vk::SamplerCreateInfo sampler_info(vk::Filter filter) {
-    return {.magFilter = filter,
-            .minFilter = filter,
-            .addressModeU = vk::SamplerAddressMode::eClampToEdge,
-            .addressModeV = vk::SamplerAddressMode::eClampToEdge,
-            .maxLod = VK_LOD_CLAMP_NONE};
-}
-
-}  // namespace
 
 Device::Impl::Impl(const DeviceOptions& options)
     : log(checked(options).on_validation_message),
@@ -199,25 +221,6 @@ std::vector<std::string> Device::take_validation_messages() {
     return impl_->log.take();
 }
 
-namespace {
-
-std::optional<std::uint32_t> find_type(const vk::PhysicalDeviceMemoryProperties& memory,
-                                       std::uint32_t allowed, vk::MemoryPropertyFlags wish) {
-    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
-        const bool fits = (allowed >> i & 1u) != 0;
-        if (fits && (memory.memoryTypes[i].propertyFlags & wish) == wish) return i;
-    }
-    return std::nullopt;
-}
-
-std::string failure(const Context& context, const vk::MemoryRequirements& needs, const std::string& purpose,
-                    const char* reason) {
-    return fmt::format("{}: device \"{}\" {} for the {} bytes it needs", purpose, context.physical.info.name,
-                       reason, needs.size);
-}
-
-}  // namespace
-
 vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirements& needs,
                                 std::initializer_list<vk::MemoryPropertyFlags> wishes,
                                 const std::string& purpose) {
@@ -259,43 +262,6 @@ vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::Des
                                                          .pSetLayouts = &*set_layout,
                                                          .pushConstantRangeCount = bytes > 0 ? 1u : 0u,
                                                          .pPushConstantRanges = &range}};
-}
-
-namespace {
-
-constexpr std::uint32_t pool_size = 64;
-
-}  // namespace
-
-std::size_t Timestamps::record(const Context& context, const vk::raii::CommandBuffer& commands) {
-    if (context.physical.timestamp_mask == 0) return count_++;
-    const auto query = static_cast<std::uint32_t>(count_ % pool_size);
-    if (query == 0) {
-        pools_.emplace_back(context.device, vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp,
-                                                                    .queryCount = pool_size});
-        commands.resetQueryPool(*pools_.back(), 0, pool_size);
-    }
-    commands.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *pools_.back(), query);
-    return count_++;
-}
-
-std::vector<double> Timestamps::read_ms(const Context& context) const {
-    std::vector<double> times(count_, std::numeric_limits<double>::quiet_NaN());
-    const auto mask = context.physical.timestamp_mask;
-    std::uint64_t start = 0;
-    for (std::size_t first = 0; mask != 0 && first < count_; first += pool_size) {
-        const auto readings = static_cast<std::uint32_t>(std::min<std::size_t>(pool_size, count_ - first));
-        const auto ticks = pools_[first / pool_size]
-                               .getResults<std::uint64_t>(0, readings, readings * sizeof(std::uint64_t),
-                                                          sizeof(std::uint64_t), vk::QueryResultFlagBits::e64)
-                               .second;
-        if (first == 0) start = ticks[0];
-        for (std::size_t i = 0; i < readings; ++i) {
-            const auto elapsed = static_cast<double>((ticks[i] - start) & mask);  // the clock may wrap around
-            times[first + i] = elapsed * context.physical.info.timestamp_period_ns * 1e-6;
-        }
-    }
-    return times;
 }
 
 }  // namespace gloam::gpu

@@ -99,6 +99,92 @@ int rank(const vk::raii::PhysicalDevice& device) {
     return driver == vk::DriverId::eGoogleSwiftshader ? 3 : 2;
 }
 
+// Real GPUs first, in any order; software last.
+std::size_t default_device(std::span<const DeviceInfo> devices) {
+    const auto rank = [](const DeviceInfo& device) {
+        constexpr std::array<std::string_view, 4> order{"discrete", "integrated", "virtual", "cpu"};
+        const auto found = std::ranges::find(order, device.type);
+        return std::max<std::ptrdiff_t>(found - order.begin(), 1);  // discrete and integrated alike
+    };
+    return static_cast<std::size_t>(std::ranges::min_element(devices, {}, rank) - devices.begin());
+}
+
+std::optional<std::size_t> by_index(std::span<const DeviceInfo> devices, std::string_view digits) {
+    std::size_t index = 0;
+    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (parsed.ec != std::errc{} || index >= devices.size()) return std::nullopt;
+    return index;
+}
+
+std::optional<std::size_t> by_name(std::span<const DeviceInfo> devices, std::string_view part) {
+    const auto found =
+        std::ranges::find_if(devices, [wanted = base::lower(std::string(part))](const DeviceInfo& device) {
+            return base::lower(device.name).find(wanted) != std::string::npos;
+        });
+    if (found == devices.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - devices.begin());
+}
+
+std::string listing(std::span<const DeviceInfo> devices) {
+    std::string text;
+    for (const auto& device : devices) {
+        text +=
+            fmt::format("{}{} \"{}\" ({})", text.empty() ? "" : ", ", device.index, device.name, device.type);
+    }
+    return text;
+}
+
+std::string type_name(vk::PhysicalDeviceType type) {
+    using enum vk::PhysicalDeviceType;
+    static const std::map<vk::PhysicalDeviceType, const char*> names{
+        {eCpu, "cpu"}, {eIntegratedGpu, "integrated"}, {eDiscreteGpu, "discrete"}, {eVirtualGpu, "virtual"}};
+    const auto found = names.find(type);
+    return found == names.end() ? "other" : found->second;
+}
+
+std::string version_text(std::uint32_t version) {
+    return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                       VK_API_VERSION_PATCH(version));
+}
+
+// The driver's name and its own text, or its version if it has no text.
+std::string driver_text(const vk::PhysicalDeviceProperties& properties,
+                        const vk::PhysicalDeviceDriverProperties& driver) {
+    const std::string info = driver.driverInfo;
+    return fmt::format("{} {}", driver.driverName.data(),
+                       info.empty() ? version_text(properties.driverVersion) : info);
+}
+
+// By the specification pipelineCacheUUID alone should suffice. Mesa's lavapipe has the same UUID and driver
+// version 1 in every version; only its texts differ between versions of Mesa or LLVM.
+std::string identity(const vk::PhysicalDeviceProperties& properties,
+                     const vk::PhysicalDeviceDriverProperties& driver) {
+    const auto texts = fmt::format("{}|{}", properties.deviceName.data(), driver_text(properties, driver));
+    const auto& uuid = properties.pipelineCacheUUID;
+    return fmt::format("{:08x}{:08x}{:08x}{:016x}{:02x}", properties.vendorID, properties.deviceID,
+                       properties.driverVersion, base::hash_of(texts)[0],
+                       fmt::join(uuid.begin(), uuid.end(), ""));
+}
+
+FloatControls float_controls(const vk::PhysicalDeviceFloatControlsProperties& controls) {
+    return {.preserves_signed_zero_inf_nan = controls.shaderSignedZeroInfNanPreserveFloat32 == VK_TRUE,
+            .preserves_denormals = controls.shaderDenormPreserveFloat32 == VK_TRUE,
+            .flushes_denormals = controls.shaderDenormFlushToZeroFloat32 == VK_TRUE,
+            .rounds_to_even = controls.shaderRoundingModeRTEFloat32 == VK_TRUE,
+            .rounds_to_zero = controls.shaderRoundingModeRTZFloat32 == VK_TRUE};
+}
+
+double timestamp_period(const vk::raii::PhysicalDevice& device, const vk::PhysicalDeviceLimits& limits) {
+    const auto family = find_queue_family(device);
+    const bool has_clock = family && device.getQueueFamilyProperties()[*family].timestampValidBits > 0;
+    return has_clock ? static_cast<double>(limits.timestampPeriod) : 0.0;
+}
+
+bool filters_depth(const vk::raii::PhysicalDevice& device) {
+    return static_cast<bool>(device.getFormatProperties(vk::Format::eD32Sfloat).optimalTilingFeatures &
+                             vk::FormatFeatureFlagBits::eSampledImageFilterLinear);
+}
+
 }  // namespace
 
 void MessageLog::add(std::string message) {
@@ -147,45 +233,6 @@ std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance&
     return devices;
 }
 
-namespace {
-
-// Real GPUs first, in any order; software last.
-std::size_t default_device(std::span<const DeviceInfo> devices) {
-    const auto rank = [](const DeviceInfo& device) {
-        constexpr std::array<std::string_view, 4> order{"discrete", "integrated", "virtual", "cpu"};
-        const auto found = std::ranges::find(order, device.type);
-        return std::max<std::ptrdiff_t>(found - order.begin(), 1);  // discrete and integrated alike
-    };
-    return static_cast<std::size_t>(std::ranges::min_element(devices, {}, rank) - devices.begin());
-}
-
-std::optional<std::size_t> by_index(std::span<const DeviceInfo> devices, std::string_view digits) {
-    std::size_t index = 0;
-    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-    if (parsed.ec != std::errc{} || index >= devices.size()) return std::nullopt;
-    return index;
-}
-
-std::optional<std::size_t> by_name(std::span<const DeviceInfo> devices, std::string_view part) {
-    const auto found =
-        std::ranges::find_if(devices, [wanted = base::lower(std::string(part))](const DeviceInfo& device) {
-            return base::lower(device.name).find(wanted) != std::string::npos;
-        });
-    if (found == devices.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - devices.begin());
-}
-
-std::string listing(std::span<const DeviceInfo> devices) {
-    std::string text;
-    for (const auto& device : devices) {
-        text +=
-            fmt::format("{}{} \"{}\" ({})", text.empty() ? "" : ", ", device.index, device.name, device.type);
-    }
-    return text;
-}
-
-}  // namespace
-
 std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view selector) {
     if (devices.empty()) throw std::runtime_error(no_device_message);
     if (selector.empty()) return default_device(devices);
@@ -198,56 +245,6 @@ std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view 
     return *found;
 }
 
-namespace {
-
-std::string type_name(vk::PhysicalDeviceType type) {
-    using enum vk::PhysicalDeviceType;
-    static const std::map<vk::PhysicalDeviceType, const char*> names{
-        {eCpu, "cpu"}, {eIntegratedGpu, "integrated"}, {eDiscreteGpu, "discrete"}, {eVirtualGpu, "virtual"}};
-    const auto found = names.find(type);
-    return found == names.end() ? "other" : found->second;
-}
-
-std::string version_text(std::uint32_t version) {
-    return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
-                       VK_API_VERSION_PATCH(version));
-}
-
-// The driver's name and its own text, or its version if it has no text.
-std::string driver_text(const vk::PhysicalDeviceProperties& properties,
-                        const vk::PhysicalDeviceDriverProperties& driver) {
-    const std::string info = driver.driverInfo;
-    return fmt::format("{} {}", driver.driverName.data(),
-                       info.empty() ? version_text(properties.driverVersion) : info);
-}
-
-// By the specification pipelineCacheUUID alone should suffice. Mesa's lavapipe has the same UUID and driver
-// version 1 in every version; only its texts differ between versions of Mesa or LLVM.
-std::string identity(const vk::PhysicalDeviceProperties& properties,
-                     const vk::PhysicalDeviceDriverProperties& driver) {
-    const auto texts = fmt::format("{}|{}", properties.deviceName.data(), driver_text(properties, driver));
-    const auto& uuid = properties.pipelineCacheUUID;
-    return fmt::format("{:08x}{:08x}{:08x}{:016x}{:02x}", properties.vendorID, properties.deviceID,
-                       properties.driverVersion, base::hash_of(texts)[0],
-                       fmt::join(uuid.begin(), uuid.end(), ""));
-}
-
-FloatControls float_controls(const vk::PhysicalDeviceFloatControlsProperties& controls) {
-    return {.preserves_signed_zero_inf_nan = controls.shaderSignedZeroInfNanPreserveFloat32 == VK_TRUE,
-            .preserves_denormals = controls.shaderDenormPreserveFloat32 == VK_TRUE,
-            .flushes_denormals = controls.shaderDenormFlushToZeroFloat32 == VK_TRUE,
-            .rounds_to_even = controls.shaderRoundingModeRTEFloat32 == VK_TRUE,
-            .rounds_to_zero = controls.shaderRoundingModeRTZFloat32 == VK_TRUE};
-}
-
-double timestamp_period(const vk::raii::PhysicalDevice& device, const vk::PhysicalDeviceLimits& limits) {
-    const auto family = find_queue_family(device);
-    const bool has_clock = family && device.getQueueFamilyProperties()[*family].timestampValidBits > 0;
-    return has_clock ? static_cast<double>(limits.timestampPeriod) : 0.0;
-}
-
-}  // namespace
-
 std::optional<std::uint32_t> find_queue_family(const vk::raii::PhysicalDevice& device) {
     const auto families = device.getQueueFamilyProperties();
     constexpr auto wanted = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
@@ -256,15 +253,6 @@ std::optional<std::uint32_t> find_queue_family(const vk::raii::PhysicalDevice& d
     if (found == families.end()) return std::nullopt;
     return static_cast<std::uint32_t>(found - families.begin());
 }
-
-namespace {
-
-bool filters_depth(const vk::raii::PhysicalDevice& device) {
-    return static_cast<bool>(device.getFormatProperties(vk::Format::eD32Sfloat).optimalTilingFeatures &
-                             vk::FormatFeatureFlagBits::eSampledImageFilterLinear);
-}
-
-}  // namespace
 
 DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index) {
     const auto chain =

@@ -92,7 +92,7 @@ class VulkanKernel : public backend::Kernel {
              {memory.inputs, std::span<const Word>(memory.outputs), std::span<const Word>(faults)})
             buffers.push_back(uploaded(device_, words));
         std::vector<SampledImage> images;
-        std::deque<LayeredImage> layers;
+        std::deque<Image> layers;
         for (std::size_t i = 0; i < images_.size(); ++i) {
             const std::span<const Word> words = memory.images[i];
             if (images_[i].sampled) images.emplace_back(device_, words);
@@ -112,10 +112,9 @@ class VulkanKernel : public backend::Kernel {
             if (images_[i].sampled)
                 resources[backend::KernelBinding::first_image + i] = std::cref(images[next++]);
             if (images_[i].layered.empty()) continue;
-            layers.emplace_back(device_, LayeredImage::Layers{.format = images_[i].layered,
-                                                              .width = layer_size_[0],
-                                                              .height = layer_size_[1],
-                                                              .count = static_cast<std::uint32_t>(count)});
+            layers.emplace_back(device_, Extent{layer_size_[0], layer_size_[1]},
+                                format_from(images_[i].layered).value(), 1,
+                                static_cast<std::uint32_t>(count));
             resources[backend::KernelBinding::first_image + i] = std::cref(layers.back());
         }
         submit(static_cast<Word>(columns), static_cast<Word>(rows), run, resources);

@@ -29,6 +29,17 @@ bool is_news(std::string_view data, std::string_view loaded) {
     return !(one_header_more && data.ends_with(loaded));
 }
 
+// VkPipelineCacheHeaderVersionOne with an integer in place of its enumeration: reading a damaged enumeration
+// would be undefined.
+struct BlobHeader {
+    std::uint32_t bytes = 0;
+    std::uint32_t version = 0;
+    std::uint32_t vendor = 0;
+    std::uint32_t device = 0;
+    std::array<std::uint8_t, 16> uuid{};
+};
+static_assert(sizeof(BlobHeader) == sizeof(VkPipelineCacheHeaderVersionOne));
+
 }  // namespace
 
 PipelineCache::PipelineCache(const vk::raii::Device& device, const vk::PhysicalDeviceProperties& properties,
@@ -49,21 +60,6 @@ void PipelineCache::save() const noexcept {
         // On failure the next process compiles again.
     }
 }
-
-namespace {
-
-// VkPipelineCacheHeaderVersionOne with an integer in place of its enumeration: reading a damaged enumeration
-// would be undefined.
-struct BlobHeader {
-    std::uint32_t bytes = 0;
-    std::uint32_t version = 0;
-    std::uint32_t vendor = 0;
-    std::uint32_t device = 0;
-    std::array<std::uint8_t, 16> uuid{};
-};
-static_assert(sizeof(BlobHeader) == sizeof(VkPipelineCacheHeaderVersionOne));
-
-}  // namespace
 
 bool is_pipeline_cache_of(std::span<const std::byte> blob, const DriverKey& driver) {
     BlobHeader header;

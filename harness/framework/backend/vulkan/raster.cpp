@@ -66,12 +66,12 @@ RasterPipeline::Handles create(Context& context, const RasterProgram& program) {
 }  // namespace
 
 RasterPipeline::RasterPipeline(const Device& device, const RasterProgram& program)
-    : handles_(owned(create(device.impl(), program))) {}
+    : handles(owned(create(device.impl(), program))) {}
 
 void render(Commands& commands, const RasterPipeline& pipeline, Extent extent,
             std::span<const Resource> resources, std::span<const std::byte> push_constants) {
-    const auto& program = pipeline.handles();
-    Commands::Handles& handles = commands.handles();
+    const auto& program = *pipeline.handles;
+    Commands::Handles& handles = *commands.handles;
     const auto& recording = handles.recording();
     const vk::Rect2D area{.extent = {extent.width, extent.height}};
     handles.framebuffers.emplace_back(
@@ -86,9 +86,8 @@ void render(Commands& commands, const RasterPipeline& pipeline, Extent extent,
                                           .height = static_cast<float>(extent.height),
                                           .maxDepth = 1.0f});
     recording.setScissor(0, area);
-    const auto& set = handles.descriptors.allocate(program.context, program.set_layout, program.bindings);
-    write_descriptors(program.context, set, program.bindings, resources);
-    recording.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *program.layout, 0, *set, nullptr);
+    const auto set = handles.set_of(program.set_layout, program.bindings, resources);
+    recording.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *program.layout, 0, set, nullptr);
     recording.pushConstants<std::byte>(*program.layout, raster_stages, 0, push_constants);
     recording.draw(3, 1, 0, 0);
     recording.endRenderPass();

@@ -35,70 +35,68 @@ Buffer::Handles make_buffer(Context& context, std::size_t bytes) {
     return {context, std::move(buffer), std::move(memory), {mapped, bytes}};
 }
 
-Buffer::Buffer(const Device& device, std::size_t bytes)
-    : handles_(owned(make_buffer(device.impl(), bytes))) {}
+Buffer::Buffer(const Device& device, std::size_t bytes) : handles(owned(make_buffer(device.impl(), bytes))) {}
 
 std::size_t Buffer::size() const {
-    return handles_->mapped.size();
+    return handles->mapped.size();
 }
 std::span<std::byte> Buffer::bytes() {
-    return handles_->mapped;
+    return handles->mapped;
 }
 std::span<const std::byte> Buffer::bytes() const {
-    return handles_->mapped;
-}
-
-const FormatTraits& traits(Format format) {
-    using enum vk::Format;
-    using enum TexelKind;
-    static constexpr std::array all{// in the order of Format
-                                    FormatTraits{"r32f", eR32Sfloat, 1, 4, words},
-                                    FormatTraits{"rgba32f", eR32G32B32A32Sfloat, 4, 16, words},
-                                    FormatTraits{"rgba16f", eR16G16B16A16Sfloat, 4, 8, halves},
-                                    FormatTraits{"rgba16ui", eR16G16B16A16Uint, 4, 8, shorts},
-                                    FormatTraits{"r16f", eR16Sfloat, 1, 2, halves},
-                                    FormatTraits{"r8", eR8Unorm, 1, 1, unorm8},
-                                    FormatTraits{"r32ui", eR32Uint, 1, 4, words},
-                                    FormatTraits{"rg32f", eR32G32Sfloat, 2, 8, words},
-                                    FormatTraits{"rg16f", eR16G16Sfloat, 2, 4, halves},
-                                    FormatTraits{"rgba8", eR8G8B8A8Unorm, 4, 4, unorm8},
-                                    FormatTraits{"r16ui", eR16Uint, 1, 2, shorts},
-                                    FormatTraits{"rg16ui", eR16G16Uint, 2, 4, shorts},
-                                    FormatTraits{"rg32ui", eR32G32Uint, 2, 8, words},
-                                    FormatTraits{"rgba32ui", eR32G32B32A32Uint, 4, 16, words},
-                                    FormatTraits{"rgb10_a2", eA2B10G10R10UnormPack32, 1, 4, words}};
-    const auto at = static_cast<std::size_t>(format);
-    if (at >= all.size()) throw std::invalid_argument(fmt::format("unknown image format {}", at));
-    return all[at];
-}
-
-std::optional<Format> format_from(std::string_view name) {
-    for (int f = 0; f <= static_cast<int>(Format::rgba32ui); ++f)
-        if (traits(static_cast<Format>(f)).name == name) return static_cast<Format>(f);
-    return std::nullopt;
-}
-
-int channels(Format format) {
-    return traits(format).channels;
-}
-
-std::uint64_t texel_bytes(Format format) {
-    return traits(format).texel_bytes;
+    return handles->mapped;
 }
 
 namespace {
+
+// How a copy keeps a channel: 32 bits as they are; float16; integers of 16 bits; steps of 1/255.
+enum class TexelKind { words, halves, shorts, unorm8 };
+
+// Properties of a Format for Vulkan and for copies.
+struct FormatTraits {
+    std::string_view name;
+    vk::Format format;
+    int channels;
+    std::size_t texel_bytes;
+    TexelKind kind;
+};
+
+// In the order of Format.
+constexpr std::array all_traits{
+    FormatTraits{"r32f", vk::Format::eR32Sfloat, 1, 4, TexelKind::words},
+    FormatTraits{"rgba32f", vk::Format::eR32G32B32A32Sfloat, 4, 16, TexelKind::words},
+    FormatTraits{"rgba16f", vk::Format::eR16G16B16A16Sfloat, 4, 8, TexelKind::halves},
+    FormatTraits{"rgba16ui", vk::Format::eR16G16B16A16Uint, 4, 8, TexelKind::shorts},
+    FormatTraits{"r16f", vk::Format::eR16Sfloat, 1, 2, TexelKind::halves},
+    FormatTraits{"r8", vk::Format::eR8Unorm, 1, 1, TexelKind::unorm8},
+    FormatTraits{"r32ui", vk::Format::eR32Uint, 1, 4, TexelKind::words},
+    FormatTraits{"rg32f", vk::Format::eR32G32Sfloat, 2, 8, TexelKind::words},
+    FormatTraits{"rg16f", vk::Format::eR16G16Sfloat, 2, 4, TexelKind::halves},
+    FormatTraits{"rgba8", vk::Format::eR8G8B8A8Unorm, 4, 4, TexelKind::unorm8},
+    FormatTraits{"r16ui", vk::Format::eR16Uint, 1, 2, TexelKind::shorts},
+    FormatTraits{"rg16ui", vk::Format::eR16G16Uint, 2, 4, TexelKind::shorts},
+    FormatTraits{"rg32ui", vk::Format::eR32G32Uint, 2, 8, TexelKind::words},
+    FormatTraits{"rgba32ui", vk::Format::eR32G32B32A32Uint, 4, 16, TexelKind::words},
+    FormatTraits{"rgb10_a2", vk::Format::eA2B10G10R10UnormPack32, 1, 4, TexelKind::words},
+    FormatTraits{"r32i", vk::Format::eR32Sint, 1, 4, TexelKind::words},
+    FormatTraits{"rg32i", vk::Format::eR32G32Sint, 2, 8, TexelKind::words},
+    FormatTraits{"rgba32i", vk::Format::eR32G32B32A32Sint, 4, 16, TexelKind::words}};
+
+const FormatTraits& traits(Format format) {
+    return all_traits.at(static_cast<std::size_t>(format));
+}
 
 std::string describe(Extent extent, Format format) {
     return fmt::format("image of {}x{} {}", extent.width, extent.height, traits(format).name);
 }
 
-vk::ImageCreateInfo create_info(Extent extent, Format format, std::uint32_t levels) {
+vk::ImageCreateInfo create_info(Extent extent, Format format, std::uint32_t levels, std::uint32_t layers) {
     using Usage = vk::ImageUsageFlagBits;
     return {.imageType = vk::ImageType::e2D,
             .format = traits(format).format,
             .extent = {extent.width, extent.height, 1},
             .mipLevels = levels,
-            .arrayLayers = 1,
+            .arrayLayers = std::max(layers, 1U),
             .samples = vk::SampleCountFlagBits::e1,
             .tiling = vk::ImageTiling::eOptimal,
             .usage = Usage::eStorage | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst,
@@ -123,7 +121,7 @@ void check_size(const Context& context, Extent extent, Format format) {
                                              describe(extent, format), device.name, device.max_image_size));
     }
     const auto bytes = std::uint64_t{extent.width} * extent.height * traits(format).texel_bytes;
-    const auto most = limits(context, create_info(extent, format, 1), format).maxResourceSize;
+    const auto most = limits(context, create_info(extent, format, 1, 0), format).maxResourceSize;
     if (bytes > most) {
         throw std::runtime_error(fmt::format("{}: {} bytes, device \"{}\" allows {}",
                                              describe(extent, format), bytes, device.name, most));
@@ -143,67 +141,20 @@ std::vector<vk::raii::ImageView> views_of_levels(const Context& context, vk::Ima
     return views;
 }
 
-Image::Handles create(Context& context, Extent extent, Format format, std::uint32_t levels) {
+Image::Handles create(Context& context, Extent extent, Format format, std::uint32_t levels,
+                      std::uint32_t layers) {
     context.require_idle();  // a driver may wait for the work before it makes an image
+    const auto features = context.physical.handle.getFormatProperties(traits(format).format);
+    if (layers > 0 && !(features.optimalTilingFeatures & vk::FormatFeatureFlagBits::eStorageImage))
+        throw backend::Unsupported(
+            fmt::format("this device stores to no image of the format {}", traits(format).name));
     check_size(context, extent, format);
-    ImageHandles all = make_image(context, create_info(extent, format, levels), vk::ImageViewType::e2D,
+    ImageHandles all = make_image(context, create_info(extent, format, levels, layers),
+                                  layers > 0 ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
                                   vk::ImageAspectFlagBits::eColor, describe(extent, format));
     auto views = views_of_levels(context, *all.image, format, levels);
     return {std::move(all), extent, format, std::move(views)};
 }
-
-}  // namespace
-
-ImageHandles make_image(Context& context, const vk::ImageCreateInfo& info, vk::ImageViewType type,
-                        vk::ImageAspectFlags aspect, const std::string& purpose) {
-    vk::raii::Image image(context.device, info);
-    auto memory = allocate(context, image.getMemoryRequirements(),
-                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, purpose);
-    image.bindMemory(*memory, 0);
-    vk::raii::ImageView view(context.device,
-                             vk::ImageViewCreateInfo{.image = *image,
-                                                     .viewType = type,
-                                                     .format = info.format,
-                                                     .subresourceRange = {.aspectMask = aspect,
-                                                                          .levelCount = info.mipLevels,
-                                                                          .layerCount = info.arrayLayers}});
-    return {context, std::move(image), std::move(memory), std::move(view)};
-}
-
-void begin_general_layout(const vk::raii::CommandBuffer& commands, const ImageHandles& image,
-                          const vk::ImageSubresourceRange& all_of_it) {
-    constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
-    using Access = vk::AccessFlagBits;
-    const vk::ImageMemoryBarrier barrier{.dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
-                                         .oldLayout = vk::ImageLayout::eUndefined,
-                                         .newLayout = vk::ImageLayout::eGeneral,
-                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                         .image = *image.image,
-                                         .subresourceRange = all_of_it};
-    commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
-}
-
-Image::Image(const Device& device, Extent extent, Format format, std::uint32_t levels)
-    : handles_(owned(create(device.impl(), extent, format, levels))) {
-    handles_->context.run_once([&](const vk::raii::CommandBuffer& commands) {
-        begin_general_layout(
-            commands, *handles_,
-            {.aspectMask = vk::ImageAspectFlagBits::eColor, .levelCount = levels, .layerCount = 1});
-    });
-}
-
-Extent Image::extent() const {
-    return handles_->extent;
-}
-Format Image::format() const {
-    return handles_->format;
-}
-std::uint32_t Image::levels() const {
-    return static_cast<std::uint32_t>(handles_->levels.size());
-}
-
-namespace {
 
 // Copies bands of whole rows: an image may exceed the largest buffer, and staging all of it would double its
 // memory.
@@ -286,8 +237,71 @@ void for_each_band(const Image::Handles& image, Move move) {
 
 }  // namespace
 
+std::optional<Format> format_from(std::string_view name) {
+    const auto found = std::ranges::find(all_traits, name, &FormatTraits::name);
+    return found == all_traits.end() ? std::nullopt : std::optional(Format(found - all_traits.begin()));
+}
+
+int channels(Format format) {
+    return traits(format).channels;
+}
+
+std::uint64_t texel_bytes(Format format) {
+    return traits(format).texel_bytes;
+}
+
+ImageHandles make_image(Context& context, const vk::ImageCreateInfo& info, vk::ImageViewType type,
+                        vk::ImageAspectFlags aspect, const std::string& purpose) {
+    vk::raii::Image image(context.device, info);
+    auto memory = allocate(context, image.getMemoryRequirements(),
+                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, purpose);
+    image.bindMemory(*memory, 0);
+    vk::raii::ImageView view(context.device,
+                             vk::ImageViewCreateInfo{.image = *image,
+                                                     .viewType = type,
+                                                     .format = info.format,
+                                                     .subresourceRange = {.aspectMask = aspect,
+                                                                          .levelCount = info.mipLevels,
+                                                                          .layerCount = info.arrayLayers}});
+    return {context, std::move(image), std::move(memory), std::move(view)};
+}
+
+void begin_general_layout(const vk::raii::CommandBuffer& commands, const ImageHandles& image,
+                          const vk::ImageSubresourceRange& all_of_it) {
+    constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
+    using Access = vk::AccessFlagBits;
+    const vk::ImageMemoryBarrier barrier{.dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
+                                         .oldLayout = vk::ImageLayout::eUndefined,
+                                         .newLayout = vk::ImageLayout::eGeneral,
+                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .image = *image.image,
+                                         .subresourceRange = all_of_it};
+    commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
+}
+
+Image::Image(const Device& device, Extent extent, Format format, std::uint32_t levels, std::uint32_t layers)
+    : handles(owned(create(device.impl(), extent, format, levels, layers))) {
+    handles->context.run_once([&](const vk::raii::CommandBuffer& commands) {
+        begin_general_layout(commands, *handles,
+                             {.aspectMask = vk::ImageAspectFlagBits::eColor,
+                              .levelCount = levels,
+                              .layerCount = std::max(layers, 1U)});
+    });
+}
+
+Extent Image::extent() const {
+    return handles->extent;
+}
+Format Image::format() const {
+    return handles->format;
+}
+std::uint32_t Image::levels() const {
+    return static_cast<std::uint32_t>(handles->levels.size());
+}
+
 void Image::upload(std::span<const float> texels) {
-    const auto& image = *handles_;
+    const auto& image = *handles;
     const auto expected = row_floats(image) * image.extent.height;
     if (texels.size() != expected) {
         throw std::invalid_argument(fmt::format("upload of {} floats to an image of {}x{} {}: expected {}",
@@ -304,7 +318,7 @@ void Image::upload(std::span<const float> texels) {
 }
 
 std::vector<float> Image::download() const {
-    const auto& image = *handles_;
+    const auto& image = *handles;
     std::vector<float> texels(row_floats(image) * image.extent.height);
     for_each_band(image, [&](Buffer::Handles& staging, Band band, std::size_t first, std::size_t count) {
         image.context.run_once([&](const vk::raii::CommandBuffer& commands) {

@@ -36,11 +36,8 @@ class Buffer {
         return {reinterpret_cast<const T*>(bytes().data()), size() / sizeof(T)};
     }
 
-    struct Handles;
-    [[nodiscard]] Handles& handles() const { return *handles_; }
-
-  private:
-    base::Hidden<Handles> handles_;
+    struct Handles;  // of Vulkan; defined inside this room only
+    base::Hidden<Handles> handles;
 };
 
 // Formats of storage images. Those of one and two channels, but for r32f and r32ui, need
@@ -60,10 +57,13 @@ enum class Format {
     rg16ui,
     rg32ui,
     rgba32ui,
-    rgb10_a2
+    rgb10_a2,
+    r32i,
+    rg32i,
+    rgba32i
 };
 
-// The format that GLSL calls so: "rgba8". None for rgb10_a2.
+// The format that GLSL calls so: "rgba8".
 [[nodiscard]] std::optional<Format> format_from(std::string_view name);
 
 // Floats for each texel in uploads and downloads.
@@ -81,10 +81,12 @@ struct Extent {
 // A 2-D storage image in device memory, row 0 at the top. Its contents are undefined at first. Throws
 // std::runtime_error when a side is 0 or exceeds the device's limit, the device does not support the format,
 // or memory is exhausted. levels: how many it has, each of half the sides of the one before; uploads and
-// downloads are of the first.
+// downloads are of the first. layers: if not 0, it is an image2DArray of so many; throws backend::Unsupported
+// where the device has no such storage image.
 class Image {
   public:
-    Image(const Device& device, Extent extent, Format format, std::uint32_t levels = 1);
+    Image(const Device& device, Extent extent, Format format, std::uint32_t levels = 1,
+          std::uint32_t layers = 0);
 
     [[nodiscard]] Extent extent() const;
     [[nodiscard]] Format format() const;
@@ -98,11 +100,8 @@ class Image {
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 
-    struct Handles;
-    [[nodiscard]] Handles& handles() const { return *handles_; }
-
-  private:
-    base::Hidden<Handles> handles_;
+    struct Handles;  // of Vulkan; defined inside this room only
+    base::Hidden<Handles> handles;
 };
 
 // A level of an image, for a binding that writes it.
@@ -122,31 +121,8 @@ class SampledImage {
   public:
     SampledImage(const Device& device, std::span<const backend::Word> words);
 
-    struct Handles;
-    [[nodiscard]] Handles& handles() const { return *handles_; }
-
-  private:
-    base::Hidden<Handles> handles_;
-};
-
-// A storage image of layers, image2DArray in GLSL. Its contents are undefined at first. Throws
-// backend::Unsupported where the device has no such storage image; std::invalid_argument for a format that is
-// not of 32 bits ("rg32f"); std::runtime_error when memory is exhausted.
-class LayeredImage {
-  public:
-    struct Layers {
-        std::string format;
-        std::uint32_t width = 1;
-        std::uint32_t height = 1;
-        std::uint32_t count = 1;
-    };
-    LayeredImage(const Device& device, const Layers& layers);
-
-    struct Handles;
-    [[nodiscard]] Handles& handles() const { return *handles_; }
-
-  private:
-    base::Hidden<Handles> handles_;
+    struct Handles;  // of Vulkan; defined inside this room only
+    base::Hidden<Handles> handles;
 };
 
 }  // namespace gloam::gpu

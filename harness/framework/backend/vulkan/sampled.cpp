@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <map>
 
 #include "backend/vulkan/internal/context.hpp"
 #include "backend/vulkan/internal/objects.hpp"
@@ -102,68 +101,18 @@ std::vector<vk::BufferImageCopy> copies_of(const SampledHeader& header) {
 }  // namespace
 
 SampledImage::SampledImage(const Device& device, std::span<const backend::Word> words)
-    : handles_(owned(create(device.impl(), backend::sampled_header(words)))) {
+    : handles(owned(create(device.impl(), backend::sampled_header(words)))) {
     const SampledHeader header = backend::sampled_header(words);
     const std::vector<backend::Word> texels = backend::stored_texels(words);
-    const auto staging = owned(make_buffer(handles_->context, std::as_bytes(std::span(texels)).size()));
+    const auto staging = owned(make_buffer(handles->context, std::as_bytes(std::span(texels)).size()));
     std::memcpy(staging->mapped.data(), texels.data(), staging->mapped.size());
-    handles_->context.run_once([&](const vk::raii::CommandBuffer& commands) {
-        begin_general_layout(commands, *handles_,
+    handles->context.run_once([&](const vk::raii::CommandBuffer& commands) {
+        begin_general_layout(commands, *handles,
                              {.aspectMask = aspect_of(header.texel),
                               .levelCount = header.levels,
                               .layerCount = layers_of(header)});
-        commands.copyBufferToImage(*staging->buffer, *handles_->image, vk::ImageLayout::eGeneral,
+        commands.copyBufferToImage(*staging->buffer, *handles->image, vk::ImageLayout::eGeneral,
                                    copies_of(header));
-    });
-}
-
-namespace {
-
-vk::Format format_of(const std::string& name) {
-    using F = vk::Format;
-    static const std::map<std::string, F> formats{{"r32f", F::eR32Sfloat},
-                                                  {"r32i", F::eR32Sint},
-                                                  {"r32ui", F::eR32Uint},
-                                                  {"rg32f", F::eR32G32Sfloat},
-                                                  {"rg32i", F::eR32G32Sint},
-                                                  {"rg32ui", F::eR32G32Uint},
-                                                  {"rgba32f", F::eR32G32B32A32Sfloat},
-                                                  {"rgba32i", F::eR32G32B32A32Sint},
-                                                  {"rgba32ui", F::eR32G32B32A32Uint}};
-    const auto found = formats.find(name);
-    if (found == formats.end())
-        throw std::invalid_argument("an image of layers of the format \"" + name +
-                                    "\", expected one of 32 bits");
-    return found->second;
-}
-
-LayeredImage::Handles create(Context& context, const LayeredImage::Layers& layers) {
-    context.require_idle();
-    const vk::Format format = format_of(layers.format);
-    const auto features = context.physical.handle.getFormatProperties(format).optimalTilingFeatures;
-    if (!(features & vk::FormatFeatureFlagBits::eStorageImage))
-        throw backend::Unsupported("this device stores to no image of the format " + layers.format);
-    return {make_image(context,
-                       {.imageType = vk::ImageType::e2D,
-                        .format = format,
-                        .extent = {layers.width, layers.height, 1},
-                        .mipLevels = 1,
-                        .arrayLayers = layers.count,
-                        .samples = vk::SampleCountFlagBits::e1,
-                        .tiling = vk::ImageTiling::eOptimal,
-                        .usage = vk::ImageUsageFlagBits::eStorage,
-                        .initialLayout = vk::ImageLayout::eUndefined},
-                       vk::ImageViewType::e2DArray, vk::ImageAspectFlagBits::eColor, "an image of layers")};
-}
-
-}  // namespace
-
-LayeredImage::LayeredImage(const Device& device, const Layers& layers)
-    : handles_(owned(create(device.impl(), layers))) {
-    handles_->context.run_once([&](const vk::raii::CommandBuffer& commands) {
-        begin_general_layout(
-            commands, *handles_,
-            {.aspectMask = vk::ImageAspectFlagBits::eColor, .levelCount = 1, .layerCount = layers.count});
     });
 }
 

@@ -153,8 +153,7 @@ void append_places(const LaidOut& member, std::size_t at, std::size_t depth, std
 }  // namespace
 
 std::optional<gpu::Format> format_named(const std::string& name) {
-    if (name == "rgb10_a2") return gpu::Format::rgb10_a2;
-    return gpu::format_from(name);
+    return name.ends_with("32i") ? std::nullopt : gpu::format_from(name);
 }
 
 std::size_t channels_of(gpu::Format format) {

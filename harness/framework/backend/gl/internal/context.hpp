@@ -17,15 +17,13 @@ class Egl {
     Egl();
 
     decltype(&::eglGetProcAddress) GetProcAddress = nullptr;
-    decltype(&::eglQueryString) QueryString = nullptr;
-    decltype(&::eglInitialize) Initialize = nullptr;
-    decltype(&::eglTerminate) Terminate = nullptr;
-    decltype(&::eglBindAPI) BindAPI = nullptr;
-    decltype(&::eglCreateContext) CreateContext = nullptr;
-    decltype(&::eglDestroyContext) DestroyContext = nullptr;
-    decltype(&::eglMakeCurrent) MakeCurrent = nullptr;
-    decltype(&::eglGetCurrentContext) GetCurrentContext = nullptr;
-    decltype(&::eglGetError) GetError = nullptr;
+#define GLOAM_EGL_FUNCTIONS(X)                                                              \
+    X(QueryString)                                                                          \
+    X(Initialize) X(Terminate) X(BindAPI) X(CreateContext) X(DestroyContext) X(MakeCurrent) \
+        X(GetCurrentContext) X(GetError)
+#define GLOAM_EGL_MEMBER(name) decltype(&::egl##name) name = nullptr;
+    GLOAM_EGL_FUNCTIONS(GLOAM_EGL_MEMBER)
+#undef GLOAM_EGL_MEMBER
     PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplayEXT = nullptr;
 
   private:

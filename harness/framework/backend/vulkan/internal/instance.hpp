@@ -53,18 +53,6 @@ class MessageLog {
 // The properties of a device. `index`: copied to the result.
 [[nodiscard]] DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index);
 
-// The requested device features besides the core: robustBufferAccess, which every device has, unless the
-// options switch it off. With it, a shader under test that reads beyond its buffer cannot crash the process.
-// And arrays of cubes, storing to images of r16f and r8, and storing of fragment shaders to buffers, where
-// the device can.
-[[nodiscard]] inline vk::PhysicalDeviceFeatures features_of(const DeviceOptions& options,
-                                                            const vk::PhysicalDeviceFeatures& offered = {}) {
-    return {.robustBufferAccess = options.robust_buffer_access ? VK_TRUE : VK_FALSE,
-            .imageCubeArray = offered.imageCubeArray,
-            .fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics,
-            .shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats};
-}
-
 // The message if there is no usable driver, in one line.
 inline constexpr const char* no_device_message =
     "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers; checks run without "

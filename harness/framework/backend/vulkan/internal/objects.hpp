@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "backend/vulkan/commands.hpp"
@@ -13,20 +12,6 @@
 #include "backend/vulkan/resources.hpp"
 
 namespace gloam::gpu {
-
-// How a copy keeps a channel: 32 bits as they are; float16; integers of 16 bits; steps of 1/255.
-enum class TexelKind { words, halves, shorts, unorm8 };
-
-// Properties of a Format for Vulkan and for copies.
-struct FormatTraits {
-    std::string_view name;
-    vk::Format format;
-    int channels;
-    std::size_t texel_bytes;
-    TexelKind kind;
-};
-
-[[nodiscard]] const FormatTraits& traits(Format format);
 
 struct Buffer::Handles {
     Context& context;
@@ -64,17 +49,13 @@ struct SampledImage::Handles : ImageHandles {
     vk::raii::Sampler sampler;
 };
 
-struct LayeredImage::Handles : ImageHandles {};
-
 struct ComputePipeline::Handles {
     Context& context;
-    PipelineProgram program;
+    std::vector<BindingKind> bindings;
     vk::raii::DescriptorSetLayout set_layout;
     vk::raii::PipelineLayout layout;
     vk::raii::Pipeline pipeline;
 };
-
-constexpr std::size_t binding_kinds = 4;
 
 // The constants of a stage, which must outlive it.
 struct Specialization {
@@ -87,29 +68,6 @@ struct Specialization {
 [[nodiscard]] vk::raii::DescriptorSetLayout make_set_layout(const Context& context,
                                                             std::span<const BindingKind> kinds,
                                                             vk::ShaderStageFlags stages);
-
-// Descriptor sets for one recording, from pools that are added on demand.
-class DescriptorAllocator {
-  public:
-    // A set with this layout, which has the given number of bindings of each kind.
-    [[nodiscard]] const vk::raii::DescriptorSet& allocate(const Context& context,
-                                                          const vk::raii::DescriptorSetLayout& layout,
-                                                          std::span<const BindingKind> bindings);
-
-  private:
-    using Counts = std::array<std::uint32_t, binding_kinds>;  // of descriptors, by kind
-    void add_pool(const Context& context, const Counts& needed);
-
-    std::uint32_t sets_left_ = 0;
-    Counts left_{};
-    std::vector<vk::raii::DescriptorPool> pools_;
-    std::vector<vk::raii::DescriptorSet> sets_;  // declared after the pools, so that they are destroyed first
-};
-
-// Binds resources[i] to binding i of the set. bindings: the kinds of the set's layout, which the resources
-// fit.
-void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
-                       std::span<const BindingKind> bindings, std::span<const Resource> resources);
 
 struct RasterPipeline::Handles {
     Context& context;
@@ -124,14 +82,20 @@ struct RasterPipeline::Handles {
 struct Commands::Handles {
     // Throws std::runtime_error after submit().
     [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
+    // A descriptor set with this layout, from a pool of its own: binding i has kinds[i] and resources[i].
+    [[nodiscard]] vk::DescriptorSet set_of(const vk::raii::DescriptorSetLayout& layout,
+                                           std::span<const BindingKind> kinds,
+                                           std::span<const Resource> resources);
     void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
               std::span<const std::byte> push_constants);
 
     enum class State { recording, submitted, finished };
     Context& context;
     vk::raii::CommandBuffers buffers;
-    DescriptorAllocator descriptors{};
-    Timestamps timestamps{};
+    std::vector<vk::raii::DescriptorPool> pools{};
+    std::vector<vk::raii::DescriptorSet> sets{};  // behind the pools, so that they are destroyed first
+    std::size_t readings = 0;                     // of the device's clock
+    std::vector<vk::raii::QueryPool> queries{};
     std::vector<vk::raii::Framebuffer> framebuffers{};
     State state = State::recording;
 };
