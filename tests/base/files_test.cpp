@@ -152,15 +152,15 @@ TEST(Pfm, WrongCountsAreRefused) {
 
 // Only the magnitude counts, up to the end of the scale.
 TEST(HeatMap, IsAPictureOfErrors) {
-    const auto of = [](float error) { return to_heat_png(std::vector<float>{error}, 1, 1, 0.25); };
+    const auto of = [](float error) { return to_png(heat_rgb(std::vector<float>{error}, 0.25), 1, 1); };
     EXPECT_THAT(of(0.0F), StartsWith("\x89PNG"));
     EXPECT_EQ(of(0.3F), of(-9.0F));
     EXPECT_NE(of(0.1F), of(0.2F));
     EXPECT_NE(of(0.0F), of(nan));
     const std::vector<float> four(4);
-    EXPECT_THROW((void)to_heat_png(four, 2, 3, 0.25), std::invalid_argument);
-    EXPECT_THROW((void)to_heat_png(four, 2, 2, 0.0), std::invalid_argument);
-    EXPECT_THROW((void)to_rgb_png(std::vector<std::uint8_t>(5), 1, 2), std::invalid_argument);
+    EXPECT_THROW((void)to_png(heat_rgb(four, 0.25), 2, 3), std::invalid_argument);
+    EXPECT_THROW((void)heat_rgb(four, 0.0), std::invalid_argument);
+    EXPECT_THROW((void)to_png(std::vector<std::uint8_t>(5), 1, 2), std::invalid_argument);
 }
 
 }  // namespace gloam::base::files_test

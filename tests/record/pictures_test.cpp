@@ -145,8 +145,8 @@ TEST(Sheet, RefusesWhatDoesNotFit) {
 
 TEST(Png, ShowsVisibility) {
     const std::string got = to_visibility_png(std::vector<float>{0.0F, 1.0F, 0.5F, -3.0F, 9.0F, nan}, 6, 1);
-    EXPECT_EQ(got, base::to_png(std::vector<std::uint8_t>{255, 0, 128, 255, 0, 255}, 6, 1));
-    EXPECT_NE(got, base::to_png(std::vector<std::uint8_t>{0, 255, 128, 255, 0, 255}, 6, 1));
+    EXPECT_EQ(got, base::to_png(std::vector<std::uint8_t>{255, 0, 128, 255, 0, 255}, 6, 1, 1));
+    EXPECT_NE(got, base::to_png(std::vector<std::uint8_t>{0, 255, 128, 255, 0, 255}, 6, 1, 1));
 }
 
 }  // namespace gloam::record::pictures_test

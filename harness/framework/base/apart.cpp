@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <new>
 
-#include "base/compiler_limits.hpp"
 #include "base/files.hpp"
 #include "base/internal/child_process.hpp"
 #include "base/process.hpp"

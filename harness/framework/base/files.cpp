@@ -96,6 +96,29 @@ std::pair<fs::path, FileDescriptor> new_neighbour_of(const fs::path& path) {
     fail_to_write(path, EEXIST);
 }
 
+// A folder, and those around it that are missing.
+std::vector<fs::path> with_missing(fs::path folder) {
+    std::vector<fs::path> all{std::move(folder)};
+    std::error_code none;
+    for (fs::path around = all[0].parent_path(); !around.empty() && !fs::exists(around, none);
+         around = around.parent_path())
+        all.push_back(around);
+    return all;
+}
+
+// Returns 0, or the error number.
+int make_folder(const fs::path& path) {
+    constexpr int attempts = 100;  // another process that made the parent may remove it between the two steps
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        std::error_code error;
+        fs::create_directories(path.parent_path(), error);
+        if (!error && mkdir(path.c_str(), S_IRWXU) == 0) return 0;
+        const int reason = error ? error.value() : errno;
+        if (reason != ENOENT) return reason;
+    }
+    return ENOENT;
+}
+
 }  // namespace
 
 void fail_to_write(const fs::path& path, int error) {
@@ -124,33 +147,6 @@ void write_file(const fs::path& path, std::string_view bytes) {
     unlink(name.c_str());
     fail_to_write(path, error);
 }
-
-namespace {
-
-// A folder, and those around it that are missing.
-std::vector<fs::path> with_missing(fs::path folder) {
-    std::vector<fs::path> all{std::move(folder)};
-    std::error_code none;
-    for (fs::path around = all[0].parent_path(); !around.empty() && !fs::exists(around, none);
-         around = around.parent_path())
-        all.push_back(around);
-    return all;
-}
-
-// Returns 0, or the error number.
-int make_folder(const fs::path& path) {
-    constexpr int attempts = 100;  // another process that made the parent may remove it between the two steps
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        std::error_code error;
-        fs::create_directories(path.parent_path(), error);
-        if (!error && mkdir(path.c_str(), S_IRWXU) == 0) return 0;
-        const int reason = error ? error.value() : errno;
-        if (reason != ENOENT) return reason;
-    }
-    return ENOENT;
-}
-
-}  // namespace
 
 TemporaryFolder::TemporaryFolder(std::string_view purpose)
     : TemporaryFolder(

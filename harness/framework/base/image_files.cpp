@@ -45,8 +45,7 @@ std::uint8_t encoded(double linear) {
     return static_cast<std::uint8_t>(std::lround(255.0 * srgb));
 }
 
-}  // namespace
-
+// The colour of an error on a scale from 0 to 1.
 Color heat_color(double value) {
     const double t = value > 0.0 ? std::min(value, 1.0) : 0.0;
     const double lightness = 0.08 + 0.89 * t;
@@ -59,8 +58,6 @@ Color heat_color(double value) {
     }
     return {encoded(rgb[0]), encoded(rgb[1]), encoded(rgb[2])};
 }
-
-namespace {
 
 void require_texels(std::size_t found, std::uint32_t width, std::uint32_t height, int channels) {
     const std::size_t expected = std::size_t{width} * height * static_cast<std::size_t>(channels);
@@ -78,17 +75,50 @@ void append_little_endian(std::string& out, float value) {
     for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>(bits >> shift & 0xFFU);
 }
 
-std::string compressed(std::span<const std::uint8_t> texels, std::uint32_t width, std::uint32_t height,
-                       int channels) {
-    require_texels(texels.size(), width, height, channels);
-    constexpr auto largest = static_cast<std::uint32_t>(std::numeric_limits<int>::max()) / 4U;
-    if (width > largest || height > largest) throw std::invalid_argument("image too large for a PNG");
-    std::string file;
-    const int made =
-        stbi_write_png_to_func(append_bytes, &file, static_cast<int>(width), static_cast<int>(height),
-                               channels, texels.data(), channels * static_cast<int>(width));
-    if (made == 0) throw std::runtime_error("cannot compress a PNG: out of memory");
-    return file;
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail_with_file(const fs::path& file, const std::string& what) {
+    throw std::runtime_error(file.string() + ": " + what);
+}
+
+// An image without its texels, and whether these are little-endian. Reads four words, each followed by one
+// white-space character; the texels begin behind the last.
+std::pair<FloatImage, bool> read_header(std::ifstream& stream, const fs::path& file) {
+    std::string kind;
+    std::int64_t width = 0;
+    std::int64_t height = 0;
+    double scale = 0.0;
+    stream >> kind >> width >> height >> scale;
+    const int channels = kind == "Pf" ? 1 : (kind == "PF" ? 3 : 0);
+    if (channels == 0) fail_with_file(file, "not a PFM: expected it to begin with Pf or PF");
+    const auto is_side = [](std::int64_t side) { return side >= 1 && side <= 1 << 20; };
+    if (!stream || !is_side(width) || !is_side(height) || !(scale < 0.0 || scale > 0.0)) {
+        fail_with_file(file, "not a PFM: expected width, height and a scale that is not 0 behind " + kind);
+    }
+    stream.get();
+    return {{.width = static_cast<std::uint32_t>(width),
+             .height = static_cast<std::uint32_t>(height),
+             .channels = channels,
+             .texels = {}},
+            scale < 0.0};
+}
+
+void require_bytes(std::ifstream& stream, const fs::path& file, std::size_t wanted) {
+    const auto here = stream.tellg();
+    stream.seekg(0, std::ios::end);
+    const auto there = static_cast<std::size_t>(stream.tellg() - here);
+    if (there != wanted) {
+        fail_with_file(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
+                                 std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
+    }
+    stream.seekg(here);
+}
+
+void swap_bytes(std::vector<float>& texels) {
+    for (float& texel : texels) {
+        const auto bits = std::bit_cast<std::uint32_t>(texel);
+        texel = std::bit_cast<float>(bits << 24 | (bits & 0xFF00U) << 8 | (bits >> 8 & 0xFF00U) | bits >> 24);
+    }
 }
 
 }  // namespace
@@ -108,12 +138,17 @@ std::string to_pfm(std::span<const float> texels, std::uint32_t width, std::uint
     return file;
 }
 
-std::string to_png(std::span<const std::uint8_t> grey, std::uint32_t width, std::uint32_t height) {
-    return compressed(grey, width, height, 1);
-}
-
-std::string to_rgb_png(std::span<const std::uint8_t> rgb, std::uint32_t width, std::uint32_t height) {
-    return compressed(rgb, width, height, 3);
+std::string to_png(std::span<const std::uint8_t> texels, std::uint32_t width, std::uint32_t height,
+                   int channels) {
+    require_texels(texels.size(), width, height, channels);
+    constexpr auto largest = static_cast<std::uint32_t>(std::numeric_limits<int>::max()) / 4U;
+    if (width > largest || height > largest) throw std::invalid_argument("image too large for a PNG");
+    std::string file;
+    const int made =
+        stbi_write_png_to_func(append_bytes, &file, static_cast<int>(width), static_cast<int>(height),
+                               channels, texels.data(), channels * static_cast<int>(width));
+    if (made == 0) throw std::runtime_error("cannot compress a PNG: out of memory");
+    return file;
 }
 
 RgbBytes heat_rgb(std::span<const float> errors, double full) {
@@ -140,84 +175,21 @@ RgbBytes srgb_of(std::span<const float> linear) {
     return rgb;
 }
 
-std::string to_heat_png(std::span<const float> errors, std::uint32_t width, std::uint32_t height,
-                        double full) {
-    return to_rgb_png(heat_rgb(errors, full), width, height);
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void fail_with_file(const fs::path& file, const std::string& what) {
-    throw std::runtime_error(file.string() + ": " + what);
-}
-
-struct PfmHeader {
-    FloatImage image;  // without texels
-    bool little_endian = true;
-    std::size_t bytes = 0;  // of all texels
-};
-
-// Reads four words, each followed by one white-space character; the texels begin behind the last.
-PfmHeader read_header(std::ifstream& stream, const fs::path& file) {
-    std::string kind;
-    std::int64_t width = 0;
-    std::int64_t height = 0;
-    double scale = 0.0;
-    stream >> kind >> width >> height >> scale;
-    const int channels = kind == "Pf" ? 1 : (kind == "PF" ? 3 : 0);
-    if (channels == 0) fail_with_file(file, "not a PFM: expected it to begin with Pf or PF");
-    const auto is_side = [](std::int64_t side) { return side >= 1 && side <= 1 << 20; };
-    if (!stream || !is_side(width) || !is_side(height) || !(scale < 0.0 || scale > 0.0)) {
-        fail_with_file(file, "not a PFM: expected width, height and a scale that is not 0 behind " + kind);
-    }
-    stream.get();
-    PfmHeader header{.image = {.width = static_cast<std::uint32_t>(width),
-                               .height = static_cast<std::uint32_t>(height),
-                               .channels = channels,
-                               .texels = {}},
-                     .little_endian = scale < 0.0};
-    header.bytes = static_cast<std::size_t>(width * height * channels) * sizeof(float);
-    return header;
-}
-
-void require_bytes(std::ifstream& stream, const fs::path& file, std::size_t wanted) {
-    const auto here = stream.tellg();
-    stream.seekg(0, std::ios::end);
-    const auto there = static_cast<std::size_t>(stream.tellg() - here);
-    if (there != wanted) {
-        fail_with_file(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
-                                 std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
-    }
-    stream.seekg(here);
-}
-
-void swap_bytes(std::vector<float>& texels) {
-    for (float& texel : texels) {
-        const auto bits = std::bit_cast<std::uint32_t>(texel);
-        texel = std::bit_cast<float>(bits << 24 | (bits & 0xFF00U) << 8 | (bits >> 8 & 0xFF00U) | bits >> 24);
-    }
-}
-
-}  // namespace
-
 FloatImage read_pfm(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::error_code none;
     if (!stream || fs::is_directory(file, none)) fail_with_file(file, "cannot be read");
-    PfmHeader header = read_header(stream, file);
-    require_bytes(stream, file, header.bytes);
-    FloatImage image = std::move(header.image);
+    auto [image, little_endian] = read_header(stream, file);
     const std::size_t row = std::size_t{image.width} * static_cast<std::size_t>(image.channels);
+    require_bytes(stream, file, row * image.height * sizeof(float));
     image.texels.resize(row * image.height);
     for (std::size_t y = image.height; y-- > 0;) {  // rows come from the bottom
         stream.read(reinterpret_cast<char*>(image.texels.data() + y * row),
                     static_cast<std::streamsize>(row * sizeof(float)));
     }
     if (!stream) fail_with_file(file, "cannot be read to its end");
-    if (header.little_endian != (std::endian::native == std::endian::little)) swap_bytes(image.texels);
-    return image;
+    if (little_endian != (std::endian::native == std::endian::little)) swap_bytes(image.texels);
+    return std::move(image);
 }
 
 std::string deflated_base64(std::span<const unsigned char> bytes) {

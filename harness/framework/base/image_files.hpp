@@ -26,15 +26,12 @@ struct FloatImage {
 // sRGB, 8 bits.
 using Color = std::array<std::uint8_t, 3>;
 
-// The colour of an error on a scale from 0 to 1: from nearly black over violet and red to pale yellow.
-// Lightness rises evenly (in Oklab), so that the order of values is visible in grey as well. Values are
-// clamped to [0, 1]; NaN counts as 0.
-[[nodiscard]] Color heat_color(double value);
-
-// Three bytes for each pixel, as to_rgb_png() takes them.
+// Three bytes for each pixel, as to_png() takes them.
 using RgbBytes = std::vector<std::uint8_t>;
 
-// Magnitudes of errors as a heat map: see to_heat_png(). Throws std::invalid_argument for a scale not > 0.
+// Magnitudes of errors as a heat map: 0 is nearly black, then come violet and red; `full` (> 0) and more is
+// pale yellow. Lightness rises evenly (in Oklab), so that the order of values is visible in grey as well.
+// NaN, an unknown error, is grey. Throws std::invalid_argument for a scale not > 0.
 [[nodiscard]] RgbBytes heat_rgb(std::span<const float> errors, double full);
 
 // Linear red, green and blue in [0, 1], three for each pixel, as sRGB (IEC 61966-2-1). Values are clamped to
@@ -49,18 +46,9 @@ using RgbBytes = std::vector<std::uint8_t>;
 [[nodiscard]] std::string to_pfm(std::span<const float> texels, std::uint32_t width, std::uint32_t height,
                                  int channels);
 
-// PNG of 8-bit grey.
-[[nodiscard]] std::string to_png(std::span<const std::uint8_t> grey, std::uint32_t width,
-                                 std::uint32_t height);
-
-// PNG of 8-bit red, green and blue, three bytes for each pixel.
-[[nodiscard]] std::string to_rgb_png(std::span<const std::uint8_t> rgb, std::uint32_t width,
-                                     std::uint32_t height);
-
-// PNG of the magnitudes of errors as a heat map in the colours of heat_color(): 0 is nearly black, `full` (>
-// 0) and more is pale yellow. NaN, an unknown error, is grey.
-[[nodiscard]] std::string to_heat_png(std::span<const float> errors, std::uint32_t width,
-                                      std::uint32_t height, double full);
+// PNG of 8 bits: red, green and blue of each pixel, or (1 channel) grey.
+[[nodiscard]] std::string to_png(std::span<const std::uint8_t> texels, std::uint32_t width,
+                                 std::uint32_t height, int channels = 3);
 
 // Bytes compressed in the zlib format (RFC 1950), as base64; nothing of no bytes.
 [[nodiscard]] std::string deflated_base64(std::span<const unsigned char> bytes);

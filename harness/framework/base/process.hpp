@@ -5,12 +5,14 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/hidden.hpp"
 
 namespace gloam::base {
 
@@ -56,9 +58,6 @@ class WorkerProcess {
 
     // command[0]: a path, or a name to find in PATH. Throws std::system_error when it cannot be started.
     explicit WorkerProcess(const std::vector<std::string>& command);
-    ~WorkerProcess();
-    WorkerProcess(const WorkerProcess&) = delete;
-    WorkerProcess& operator=(const WorkerProcess&) = delete;
 
     // Sends a line. Returns false if the program cannot receive it.
     bool send(std::string_view line);
@@ -74,7 +73,7 @@ class WorkerProcess {
 
   private:
     struct Running;
-    std::unique_ptr<Running> running_;
+    Hidden<Running> running_;
     std::string heard_;  // received but not yet returned
 };
 
@@ -124,5 +123,21 @@ class LimitError : public std::runtime_error {
 // do not affect this process. limits.memory_bytes is added to what this process already uses. Throws
 // WorkError, LimitError, and std::system_error if no process can be created.
 [[nodiscard]] std::string run_apart(const std::function<std::string()>& work, const ProcessLimits& limits);
+
+// Of compilers of texts from elsewhere: far beyond the needs of any reasonable shader.
+inline const ProcessLimits compiler_limits{.memory_bytes = std::uint64_t{3} << 30,
+                                           .cpu = std::chrono::seconds(60),
+                                           .patience = std::chrono::minutes(5)};
+
+// Tries what a compiler is to do with a text in a copy of this process. Throws LimitError, "NAME: the
+// compiler takes more than 60 s", if the copy does not survive it.
+void try_compiler(const std::filesystem::path& name, const std::function<void()>& work);
+
+// The result of the work, which is tried first.
+template <class Work>
+auto tried(const std::filesystem::path& name, const Work& work) {
+    try_compiler(name, [&work] { (void)work(); });
+    return work();
+}
 
 }  // namespace gloam::base

@@ -37,6 +37,18 @@ bool is_plain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
 
+// The end of a string that begins at `at` with its quote: behind the quote that ends it.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+    for (++at; at < text.size() && text[at] != '"'; ++at)
+        if (text[at] == '\\') ++at;
+    return at + 1;
+}
+
+[[noreturn]] void exceed(std::string_view text, std::size_t at, const std::string& what) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    throw std::runtime_error(fmt::format("line {}: {}", line, what));
+}
+
 }  // namespace
 
 std::string shortened(std::string_view text, std::size_t most) {
@@ -108,22 +120,6 @@ std::string base64(std::span<const unsigned char> bytes) {
     while (text.size() % 4 != 0) text += '=';
     return text;
 }
-
-namespace {
-
-// The end of a string that begins at `at` with its quote: behind the quote that ends it.
-std::size_t end_of_string(std::string_view text, std::size_t at) {
-    for (++at; at < text.size() && text[at] != '"'; ++at)
-        if (text[at] == '\\') ++at;
-    return at + 1;
-}
-
-[[noreturn]] void exceed(std::string_view text, std::size_t at, const std::string& what) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw std::runtime_error(fmt::format("line {}: {}", line, what));
-}
-
-}  // namespace
 
 void require_bounded_json(std::string_view text, const JsonBounds& bounds) {
     if (text.size() > bounds.bytes)

@@ -57,9 +57,7 @@ struct WorkerProcess::Running {
 };
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command)
-    : running_(std::make_unique<Running>(command)) {}
-
-WorkerProcess::~WorkerProcess() = default;
+    : running_(make_hidden<Running>(command)) {}
 
 pid_t WorkerProcess::id() const {
     return running_->id;

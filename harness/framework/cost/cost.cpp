@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "backend/vulkan/radv.hpp"
-#include "base/compiler_limits.hpp"
+#include "base/process.hpp"
 #include "module/reflection.hpp"
 
 namespace gloam::cost {
@@ -69,36 +69,6 @@ std::string label_in(std::string_view text) {
     const std::size_t end = std::min(text.find_first_not_of("0123456789", at + 2), text.size());
     return end > at + 2 ? std::string(text.substr(at, end - at)) : std::string();
 }
-
-}  // namespace
-
-Cost counted(std::string_view assembly) {
-    Cost cost;
-    std::map<std::string, std::size_t> labels;  // and the number of instructions before them
-    std::map<std::size_t, std::size_t> loops;   // begin and end, by such numbers
-    while (!assembly.empty()) {
-        const std::string_view line = assembly.substr(0, assembly.find('\n'));
-        assembly.remove_prefix(std::min(line.size() + 1, assembly.size()));
-        const std::string_view word = first_word(line.substr(0, line.find(';')));
-        if (word.starts_with("BB")) labels.emplace(label_in(word), cost.instructions);
-        if (!is_instruction(word)) continue;
-        count(word, cost);
-        if (!begins(word, {"s_branch", "s_cbranch"})) continue;
-        const auto back = labels.find(label_in(line.substr(0, line.find(';'))));
-        if (back == labels.end()) continue;
-        std::size_t& end = loops[back->second];
-        end = std::max<std::size_t>(end, cost.instructions);
-    }
-    cost.loops = loops.size();
-    std::size_t behind = 0;  // loops may stand in each other
-    for (const auto& [begin, end] : loops) {
-        cost.in_loops += end > behind ? end - std::max(begin, behind) : 0;
-        behind = std::max(behind, end);
-    }
-    return cost;
-}
-
-namespace {
 
 // A chip, and its names in RADV, the newest last.
 struct Family {
@@ -162,6 +132,32 @@ std::string compiled(std::span<const shader::Spirv> modules, const CostOptions& 
 }
 
 }  // namespace
+
+Cost counted(std::string_view assembly) {
+    Cost cost;
+    std::map<std::string, std::size_t> labels;  // and the number of instructions before them
+    std::map<std::size_t, std::size_t> loops;   // begin and end, by such numbers
+    while (!assembly.empty()) {
+        const std::string_view line = assembly.substr(0, assembly.find('\n'));
+        assembly.remove_prefix(std::min(line.size() + 1, assembly.size()));
+        const std::string_view word = first_word(line.substr(0, line.find(';')));
+        if (word.starts_with("BB")) labels.emplace(label_in(word), cost.instructions);
+        if (!is_instruction(word)) continue;
+        count(word, cost);
+        if (!begins(word, {"s_branch", "s_cbranch"})) continue;
+        const auto back = labels.find(label_in(line.substr(0, line.find(';'))));
+        if (back == labels.end()) continue;
+        std::size_t& end = loops[back->second];
+        end = std::max<std::size_t>(end, cost.instructions);
+    }
+    cost.loops = loops.size();
+    std::size_t behind = 0;  // loops may stand in each other
+    for (const auto& [begin, end] : loops) {
+        cost.in_loops += end > behind ? end - std::max(begin, behind) : 0;
+        behind = std::max(behind, end);
+    }
+    return cost;
+}
 
 std::vector<std::string> families() {
     std::vector<std::string> names;

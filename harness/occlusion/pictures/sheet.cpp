@@ -32,7 +32,7 @@ std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t wi
     std::vector<std::uint8_t> grey;
     grey.reserve(occlusion.size());
     for (const float value : occlusion) grey.push_back(visibility_byte(value));
-    return base::to_png(grey, width, height);
+    return base::to_png(grey, width, height, 1);
 }
 
 namespace {
@@ -200,8 +200,8 @@ std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t w
             below += line;
         }
     }
-    return base::to_rgb_png(canvas.rgb, static_cast<std::uint32_t>(canvas.width),
-                            static_cast<std::uint32_t>(canvas.height));
+    return base::to_png(canvas.rgb, static_cast<std::uint32_t>(canvas.width),
+                        static_cast<std::uint32_t>(canvas.height));
 }
 
 }  // namespace gloam::pictures

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "base/compiler_limits.hpp"
+#include "base/process.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "base/compiler_limits.hpp"
+#include "base/process.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/environment.hpp"

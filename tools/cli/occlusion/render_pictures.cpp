@@ -66,7 +66,7 @@ void write_tiles(record::OutputFolder& folder, const std::string& stem, const ef
         const glm::vec3& tint = tints.at(frame.tiles[row * columns + column]);
         rgb[i] = static_cast<std::uint8_t>(static_cast<float>(rgb[i]) * tint[static_cast<int>(i % 3)]);
     }
-    folder.write(stem + "_tiles.png", base::to_rgb_png(rgb, width, height));
+    folder.write(stem + "_tiles.png", base::to_png(rgb, width, height));
 }
 
 namespace {
@@ -74,7 +74,7 @@ namespace {
 constexpr std::size_t methods_in_a_row = 4;
 
 std::string png_of(const Pictures& pictures, const base::RgbBytes& rgb) {
-    return base::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height);
+    return base::to_png(rgb, pictures.extent.width, pictures.extent.height);
 }
 
 std::vector<pictures::SheetPicture> pictures_of_one(const Rendered& run) {

@@ -11,7 +11,7 @@
 #include "audit/coverage.hpp"
 #include "audit/own_domain.hpp"
 #include "backend/backend.hpp"
-#include "base/compiler_limits.hpp"
+#include "base/process.hpp"
 #include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "judge/reproduction.hpp"

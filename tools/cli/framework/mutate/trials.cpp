@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/compiler_limits.hpp"
+#include "base/process.hpp"
 #include "base/text.hpp"
 #include "base/threads.hpp"
 #include "cli/environment.hpp"
