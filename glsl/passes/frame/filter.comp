@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The frame, last pass at full size: a mean over 3 x 3 pixels, weighted by the slices' weight and by depth.
-// One invocation for each two pixels side by side.
+// The frame, last pass at full size: a mean over 3 x 3 pixels, weighted by the slices' weight and by depth. One
+// invocation for each two pixels side by side: dispatch ceil(size / (32, 8)) groups, with GLOAM_MARKS as many as the
+// list says (tile_list.glsl). Bindings are those of descriptor set 0; 2 and 3 are read in sequences.
 //
 // Define GLOAM_OUTPUT as r16f or r8 for an output of fewer bits; the default is r32f.
-// Dispatch ceil(size / (32, 8)) groups. Descriptor set 0:
-//   0  r32ui   texels of sweep.comp; nearest, clamped to the edge
-//   1  output  written: occlusion, in [0, 1]
-// In sequences (history.glsl):
-//   2          the history of the frame before; bilinear, clamped to the edge
-//   3          level 0 of the depth of the frame before; nearest, clamped to the edge
-//   4  rgb10_a2  written: the history
-// With GLOAM_MARKS it dispatches as many groups as its list says (tile_list.glsl).
 layout(local_size_x = 16, local_size_y = 8) in;
 
 #ifndef GLOAM_OUTPUT
 #define GLOAM_OUTPUT r32f
 #endif
-layout(binding = 0) uniform highp usampler2D texel_image;
-layout(binding = 1, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;
+layout(binding = 0) uniform highp usampler2D texel_image;  // of sweep.comp; nearest, clamped to the edge
+layout(binding = 1, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;  // occlusion, in [0, 1]
 layout(binding = 2) uniform highp sampler2D before_image;
 layout(binding = 3) uniform highp sampler2D depth_before_image;
-layout(binding = 4, rgb10_a2) uniform writeonly highp image2D history_image;
+layout(binding = 4, rgb10_a2) uniform writeonly highp image2D history_image;  // written in sequences
 #ifdef GLOAM_BENT_NORMALS
 layout(binding = 5) uniform highp sampler2D bend_image;                    // of sweep.comp; as its texels
 layout(binding = 6, rgb10_a2) uniform writeonly highp image2D bent_image;  // written: (0.5 + 0.5 bent, 1)

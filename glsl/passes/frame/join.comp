@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The frame, last pass at half size: filter and upsampling in one. A pixel takes the 3 x 3 to 4 x 4 texels around it,
-// weighted by a tent, by the slices' weight and by depth. One invocation for each 2 x 2 pixels of the view.
+// weighted by a tent, by the slices' weight and by depth. One invocation for each 2 x 2 pixels of the view: dispatch
+// ceil(ceil(size / 2) / (16, 8)) groups. Bindings are those of descriptor set 0; 3 and 4 are read in sequences.
 //
 // Define GLOAM_OUTPUT as r16f or r8 for an output of fewer bits; the default is r32f.
-// Dispatch ceil(ceil(size / 2) / (16, 8)) groups. Descriptor set 0:
-//   0  r32ui   texels of sweep.comp, of every second pixel; nearest, clamped to the edge
-//   1  r16f    depth of prepare.comp; likewise
-//   2  output  written: occlusion, in [0, 1]
-// In sequences (history.glsl):
-//   3          the history of the frame before; bilinear, clamped to the edge
-//   4          level 0 of the depth of the frame before; nearest, clamped to the edge
-//   5  rgb10_a2  written: the history
 // With GLOAM_MARKS it dispatches as many groups as its list says (tile_list.glsl), and writes what filter.comp reads
 // around its tiles: at binding GLOAM_OTHER_TEXELS the texels of the view's size, behind it their bends.
 layout(local_size_x = 16, local_size_y = 8) in;
@@ -22,12 +15,12 @@ layout(local_size_x = 16, local_size_y = 8) in;
 #ifndef GLOAM_TEXELS
 #define GLOAM_TEXELS r32ui
 #endif
-layout(binding = 0) uniform highp usampler2D texel_image;
-layout(binding = 1) uniform highp sampler2D depth_image;
-layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;
+layout(binding = 0) uniform highp usampler2D texel_image;  // of sweep.comp, every second pixel; nearest, clamped
+layout(binding = 1) uniform highp sampler2D depth_image;   // of prepare.comp; likewise
+layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;  // occlusion, in [0, 1]
 layout(binding = 3) uniform highp sampler2D before_image;
 layout(binding = 4) uniform highp sampler2D depth_before_image;
-layout(binding = 5, rgb10_a2) uniform writeonly highp image2D history_image;
+layout(binding = 5, rgb10_a2) uniform writeonly highp image2D history_image;  // written in sequences
 #ifdef GLOAM_BENT_NORMALS
 layout(binding = 6) uniform highp sampler2D bend_image;                    // of sweep.comp; as its texels
 layout(binding = 7, rgb10_a2) uniform writeonly highp image2D bent_image;  // written: (0.5 + 0.5 bent, 1)

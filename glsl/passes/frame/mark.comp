@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The frame with tiles, behind the sweep of every second pixel: marks the tiles of 8 x 8 pixels that are swept in full,
-// and lists them and all others (tile_list.glsl). One invocation a tile.
-//
-// Dispatch ceil(tiles / (8, 8)) groups. Descriptor set 0:
-//   0  r32ui   texels of sweep.comp, of every second pixel; nearest, clamped to the edge
-//   1  r8      written: 1 for a tile that is swept in full, else 0
-//   2  the lists
+// and lists them and all others (tile_list.glsl). One invocation a tile: dispatch ceil(tiles / (8, 8)) groups. Bindings
+// are those of descriptor set 0.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform highp usampler2D texel_image;
-layout(binding = 1, r8) uniform highp image2D mark_image;
+layout(binding = 0) uniform highp usampler2D texel_image;  // of sweep.comp, every second pixel; nearest, clamped
+layout(binding = 1, r8) uniform highp image2D mark_image;  // written: 1 for a tile that is swept in full, else 0
 #ifndef GLOAM_TILES
 #define GLOAM_TILES 2
 #endif

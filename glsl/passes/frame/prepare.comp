@@ -2,26 +2,23 @@
 #version 450
 // The frame, first pass: depth as the engine stores it becomes eye-linear depth of 16 bits (deep views: 32), in radii,
 // with levels (gloam/sampling/depth_levels.glsl). What is no depth becomes the largest, so that no later pass tests for
-// it.
-// One invocation for each 2 x 2 pixels.
+// it. One invocation for each 2 x 2 pixels: dispatch ceil(ceil(size / 2) / (16, 8)) groups. Bindings are those of
+// descriptor set 0. Samplers take the nearest texel and clamp to the edge.
 //
 // Define GLOAM_LEVELS as r32f for deep views (parameters.glsl); the default is r16f.
-// Dispatch ceil(ceil(size / 2) / (16, 8)) groups. Descriptor set 0:
-//   0        depth as the engine stores it, in x; nearest texel, clamped to the edge
-//   1 to 5   levels  written: levels 0 to 4; negative where the frame before did not show the surface
-//   6        level 0 of the frame before, in sequences; nearest texel, clamped to the edge
 #ifndef GLOAM_LEVELS
 #define GLOAM_LEVELS r16f
 #endif
 layout(local_size_x = 16, local_size_y = 8) in;
 
-layout(binding = 0) uniform highp sampler2D stored_image;
+layout(binding = 0) uniform highp sampler2D stored_image;  // depth as the engine stores it, in x
+// Levels are negative where the frame before did not show the surface.
 layout(binding = 1, GLOAM_LEVELS) uniform writeonly highp image2D level_0;
 layout(binding = 2, GLOAM_LEVELS) uniform writeonly highp image2D level_1;
 layout(binding = 3, GLOAM_LEVELS) uniform writeonly highp image2D level_2;
 layout(binding = 4, GLOAM_LEVELS) uniform writeonly highp image2D level_3;
 layout(binding = 5, GLOAM_LEVELS) uniform writeonly highp image2D level_4;
-layout(binding = 6) uniform highp sampler2D depth_before_image;
+layout(binding = 6) uniform highp sampler2D depth_before_image;  // level 0 of the frame before, in sequences
 
 vec4 levels_before(vec2 at) {
     return textureGather(depth_before_image, at);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The frame, second pass: the horizon sweep (gloam/occlusion/sweep_pair.glsl) of each pixel, or of every second one in
-// both directions. One invocation a pixel of what it writes.
+// both directions. One invocation a pixel of what it writes: dispatch ceil(size of binding 2 / (16, 8)) groups.
+// Bindings are those of descriptor set 0; sweep.glsl says what 0 and 1 are.
 //
-// Define GLOAM_TEXELS as rg32ui for deep views (parameters.glsl); the default is r32ui.
-// Dispatch ceil(size of binding 2 / (16, 8)) groups. Descriptor set 0:
-//   0  r16f   depth of prepare.comp with its levels; nearest texel and level, clamped to the edge
-//   1         normals as the engine stores them, any format; from depth: its depth, in x
-//   2  texels  written: gloam/filter/frame_texel.glsl, and with two components the depth, for deep views
+// Define GLOAM_TEXELS as rg32ui for deep views (parameters.glsl), whose second component is the depth; the default is
+// r32ui.
 // With GLOAM_SKIPS it dispatches as many groups as its list says (tile_list.glsl). With GLOAM_MARKS, too: it then
 // sweeps what mark.comp has marked, for join.comp beside these tiles also the texels of every second pixel: at binding
 // GLOAM_OTHER_TEXELS, and behind it their bends.

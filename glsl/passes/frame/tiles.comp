@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The frame on drivers that run both sides of every branch, behind prepare.comp: lists the tiles that the sweep makes
-// (tile_list.glsl), and finds out whether the view is settled. One invocation a tile of 8 x 8 pixels.
-//
-// Dispatch ceil(tiles / (8, 1)) groups. Descriptor set 0:
-//   0  depth of prepare.comp; nearest texel, clamped to the edge
-//   1  level 0 of the depth of the frame before, in sequences; likewise
-//   2  the lists
+// (tile_list.glsl), and finds out whether the view is settled. One invocation a tile of 8 x 8 pixels: dispatch
+// ceil(tiles / (8, 1)) groups. Bindings are those of descriptor set 0.
 layout(local_size_x = 8) in;
 
-layout(binding = 0) uniform highp sampler2D depth_image;
-layout(binding = 1) uniform highp sampler2D depth_before_image;
+layout(binding = 0) uniform highp sampler2D depth_image;         // of prepare.comp; nearest texel, clamped to the edge
+layout(binding = 1) uniform highp sampler2D depth_before_image;  // likewise, of the frame before
 #ifndef GLOAM_TILES
 #define GLOAM_TILES 2
 #define GLOAM_SKIPS

@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Ambient occlusion of one frame, blended into the history (TSSAO-2 to -6, -12 to -14, BUF, ROT): one invocation a
-// pixel. The history is that of the same pixel: move it first (reproject.comp) where the view has changed. Where
-// objects move, the samples tell as well whether the neighbourhood of the pixel has changed, and the history then
-// counts less (TSSAO-9, -SI).
+// Ambient occlusion of one frame, blended into the history (TSSAO-2 to -6, -12 to -14, BUF, ROT). The history is that
+// of the same pixel: move it first (reproject.comp) where the view has changed. Where objects move, the samples tell as
+// well whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
 // Define METHOD, and change the include, for another method than the one below.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is
-// rgba32f. Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  rgba32f  view-space normal facing the eye in xyz
-//   2  rgba32f  history before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none;
-//               read when keeps_history is set
-//   3  rgba32f  history, written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
-//   4  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when
-//               watches_objects is set
-//   5  buffer   a MethodValues
-//   6  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
-//               some
-//   7  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
-//               finite where there is none; read when layers is more than 1
-//   8  r32f     occlusion: written when shows_alone is set
+// rgba32f.
 #include "passes/study/input_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool watches_objects = false;  // watch the neighbourhood through binding 4
 layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
@@ -36,8 +21,11 @@ layout(constant_id = 19) const bool rounds_up = false;        // to the next who
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+// History before and after: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none,
+// background (0, 0, 0, infinity). Read when keeps_history is set, written unless shows_alone is set.
 layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_before;
 layout(binding = 3, rgba32f) uniform writeonly highp image2D history_after;
+// Where each surface point was, in the view space of the previous frame; read when watches_objects is set.
 layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 
 #include "gloam/geometry/pixel.glsl"
@@ -46,10 +34,12 @@ layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_
 #include "gloam/temporal/invalidation.glsl"
 #include "method_values.glsl"
 
+// Depth layers 1 to 3 behind depth_image, in xyz: eye-linear, negative where seen from behind, 0 or not finite where
+// there is none; read when layers is more than 1.
 layout(binding = 7 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
 layout(binding = 5, std430) readonly buffer MethodSettings { MethodValues method_values; };
-layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;
-layout(binding = 8, r32f) uniform writeonly highp image2D shown_image;
+layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;  // of preparation/pass.glsl
+layout(binding = 8, r32f) uniform writeonly highp image2D shown_image;  // occlusion, when shows_alone is set
 
 #include "pixel_samples.glsl"
 

@@ -3,19 +3,15 @@
 // Gathers the directions of interleaved sampling (Klehm et al. 2011; CS-L). Each of the pixels that share a pattern
 // took a part of the samples (bent_normals.comp). This pass adds up a block of that size around each pixel, which holds
 // every part once. A neighbour counts as far as it lies on the same surface.
-// Run it after bent_normals.comp with the same interleave. One invocation a pixel.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   3  rgba32f  written: as bent_normals.comp without interleave
-//   4  rgba32f  what bent_normals.comp wrote: (sum of open directions, number of them)
+// Run it after bent_normals.comp with the same interleave.
 #include "directional/points.glsl"
 #include "gloam/filter/weights.glsl"
 #include "gloam/shading/directional.glsl"
 
 layout(constant_id = 0) const int interleave = 4;  // side of the blocks whose pixels share a pattern
 
-layout(binding = 3, rgba32f) uniform writeonly highp image2D bent_image;
-layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT sums_image;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D bent_image;  // as bent_normals.comp without interleave
+layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT sums_image;  // what bent_normals.comp wrote
 
 // A neighbour's height above the tangent plane is divided by this share of the radius before it is weighted.
 const float PLANE_SHARE = 0.1;

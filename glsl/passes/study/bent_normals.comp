@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Bent normals and cones (Klehm et al. 2011; CS-L): the mean direction in which each point is open, and the half
-// angle of the cone around it that stands for the open directions. One invocation a pixel.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   3  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is
-//               open: the normal and 0. Zeros at the background. With interleave above 1: (sum of open directions,
-//               number of them) for bent_gather.comp
+// angle of the cone around it that stands for the open directions.
 #include "directional/points.glsl"
 #include "gloam/shading/directional.glsl"
 
 // Side of the blocks whose pixels share a pattern (interleaved sampling): each pixel takes a part of it. 1: no sharing
 layout(constant_id = 0) const int interleave = 1;
 
+// Unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is open: the normal and
+// 0. Zeros at the background. With interleave above 1: (sum of open directions, number of them) for bent_gather.comp.
 layout(binding = 3, rgba32f) uniform writeonly highp image2D bent_image;
 
 // i: number of the sample, from 0. The pixels of a block share one sequence without rotation. Each pixel takes

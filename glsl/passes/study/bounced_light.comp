@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // One bounce of light, from the surfaces that block to the point (Ritschel, Grosch and Seidel 2009; CS-D). Run it after
-// direct_light.comp, with the same parameters. One invocation a pixel. Reads the method's setting epsilon: the least
-// distance of a sender, d_min.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   3  rgba32f  written: radiance that leaves a white surface by the bounce in xyz, 0 at the background
-//   4  rgba32f  diffuse albedo in xyz, [0, 1]
-//   5  rgba32f  the result of direct_light.comp
+// direct_light.comp, with the same parameters. Reads the method's setting epsilon: the least distance of a sender,
+// d_min.
 #include "directional/points.glsl"
 #include "gloam/shading/directional.glsl"
 
+// Radiance that leaves a white surface by the bounce, in xyz; 0 at the background.
 layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
-layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
-layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
+layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;  // diffuse, in xyz, [0, 1]
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;  // of direct_light.comp
 
 // Radiance that the surface at a blocked sample sends to the point.
 vec3 bounced(Shaded shaded, Sample s) {

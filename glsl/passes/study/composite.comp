@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The lit image: ambient light, darkened by occlusion, and direct light, which occlusion does not darken (McGuire, Mara
-// and Luebke 2012; ISSAO-2): ambient * (1 - occlusion) + direct. One invocation a pixel.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  rgba32f  light that leaves the surface by ambient light that nothing hides, in xyz, linear
-//   1  rgba32f  by direct light, in xyz, its shadows in it, the same unit; the sky at the background
-//   2  r32f     occlusion, [0, 1], as it is shown: filtered, remapped
-//   3  rgba32f  written: the sum in xyz; w is 1
-//   4  rgba32f  diffuse albedo in xyz, linear; read when multi_bounce is set
+// and Luebke 2012; ISSAO-2): ambient * (1 - occlusion) + direct.
 #include "gloam/shading/ambient.glsl"
 
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
+// Light that leaves the surface, linear: by ambient light that nothing hides; by direct light, its shadows in it, the
+// same unit, with the sky at the background.
 layout(binding = 0 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT ambient_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
-layout(binding = 2 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT occlusion_image;
-layout(binding = 3, rgba32f) uniform writeonly highp image2D lit_image;
-
-layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
+layout(binding = 2 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT occlusion_image;  // as it is shown: filtered, remapped
+layout(binding = 3, rgba32f) uniform writeonly highp image2D lit_image;  // the sum in xyz; w is 1
+layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;  // read when multi_bounce is set
 
 layout(push_constant) uniform Parameters {
     ivec2 size;         // of the images, pixels

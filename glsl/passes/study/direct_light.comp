@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Light of the sky, from the directions in which each point is open (Ritschel, Grosch and Seidel 2009; CS-D). One
-// invocation a pixel.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   3  rgba32f  written: radiance that leaves a white surface in xyz, in the unit of the sky; 0 at the background
-//   4  buffer   a Sky
+// Light of the sky, from the directions in which each point is open (Ritschel, Grosch and Seidel 2009; CS-D).
 #include "directional/points.glsl"
 #include "gloam/shading/directional.glsl"
 
+// Radiance that leaves a white surface, in xyz, in the unit of the sky; 0 at the background.
 layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
 
 // Radiance in xyz, by the direction in the world, +y up: mixed between zenith and horizon by the height.

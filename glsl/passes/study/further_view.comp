@@ -3,20 +3,13 @@
 // Ambient occlusion from a further view (CS-LAYERS, multiple views). Another camera may see surfaces that are hidden in
 // this view. The pass estimates the occlusion of each surface point a second time, in the depth buffer of another
 // camera that sees the point, and keeps the larger result.
-// Run the pass once for each further view. One invocation a pixel of this view.
+// Run the pass once for each further view.
 //
 // A point that the other camera does not see keeps its occlusion, because the thickness of what hides it there is
 // unknown.
 // Define METHOD and change the include to use another method than the one below; methods with preparation passes cannot
-// be used. Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth of this view, world units; background 0 or not finite
-//   1  rgba32f  view-space normal of this view facing its eye in xyz
-//   2  r32f     depth of the other view, likewise
-//   3  rgba32f  normal of the other view, in its view space
-//   4  r32f     occlusion, [0, 1]: read, and written where it becomes larger
-//   5  buffer   a MethodValues
+// be used.
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool orthographic = false;        // this camera; else perspective
 layout(constant_id = 1) const bool other_orthographic = false;  // the other one
@@ -25,9 +18,9 @@ layout(constant_id = 3) const uint method_steps = 4u;           // replaces Meth
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
-layout(binding = 2 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT other_depth_image;
+layout(binding = 2 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT other_depth_image;  // of the other view, in its space
 layout(binding = 3 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT other_normal_image;
-layout(binding = 4, r32f) uniform highp image2D occlusion_image;
+layout(binding = 4, r32f) uniform highp image2D occlusion_image;  // [0, 1]: written where it becomes larger
 
 layout(push_constant) uniform Parameters {
     mat4 other_from_this;   // this view space to that of the other camera

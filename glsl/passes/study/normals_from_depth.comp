@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Normals from depth, for engines that do not store them, from the four neighbours. One invocation a pixel.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  rgba32f  written: unit view-space normal facing the eye in xyz, 0 at the background; w is 0
+// Normals from depth, for engines that do not store them, from the four neighbours.
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
-layout(binding = 1, rgba32f) uniform writeonly highp image2D normal_image;
+layout(binding = 1, rgba32f) uniform writeonly highp image2D normal_image;  // unit, 0 at the background; w is 0
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;       // elements [0][0] and [1][1] of the projection, y down

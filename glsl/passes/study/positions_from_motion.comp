@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Where surface points were in the frame before, from motion vectors. A motion vector says where a point was
-// in the image; how far it was from the eye follows from the camera, as if the point itself stood still. One invocation
-// a pixel.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
-//   1           motion vectors in xy, in units of motion_unit; any format. Not finite: the point was not in the image
-//   2  rgba32f  written: xyz: where each surface point was, in the view space of the previous frame; 0 where that is
-//               unknown, and at the background
+// in the image; how far it was from the eye follows from the camera, as if the point itself stood still.
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool orthographic = false;           // this frame's camera; else perspective
 layout(constant_id = 1) const bool previous_orthographic = false;  // the previous frame's
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+// In xy, in units of motion_unit, any format. Not finite: the point was not in the image.
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT motion_image;
+// In the view space of the previous frame; 0 where that is unknown, and at the background.
 layout(binding = 2, rgba32f) uniform writeonly highp image2D previous_position_image;
 
 layout(push_constant) uniform Parameters {

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Maps the occlusion to the displayed value (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel.
+// Maps the occlusion to the displayed value (CS-REMAP): visibility v becomes (b (v + a))^c.
 // Only for display: the history must not contain the result. a = 0, b = 1, c = 1 change nothing: the pass then only
 // converts to the format of the output.
 //
 // Define GLOAM_OUTPUT as r16f or r8 for an output of fewer bits; the default is r32f.
 // Define GLOAM_SOURCE as r32f if binding 1 is not a history.
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  source   occlusion in x: the history, or the filter's result
-//   2  output   written: mapped occlusion, in [0, 1]; background as it is
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 #ifndef GLOAM_SOURCE
 #define GLOAM_SOURCE rgba32f
 #endif
-layout(binding = 1 GLOAM_FORMAT(GLOAM_SOURCE)) uniform GLOAM_INPUT source_image;
+layout(binding = 1 GLOAM_FORMAT(GLOAM_SOURCE)) uniform GLOAM_INPUT source_image;  // history, or the filter's result
 #ifndef GLOAM_OUTPUT
 #define GLOAM_OUTPUT r32f
 #endif
-layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D mapped_image;
+layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D mapped_image;  // in [0, 1]; background as it is
 
 layout(push_constant) uniform Parameters {
     ivec2 size;     // of the images, pixels

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF): one invocation a pixel.
-// What was hidden, outside the image or another surface has no history.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
-//   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
-//               set
-//   2  rgba32f  history of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
-//   3  rgba32f  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
-//               0, depth) for none, infinity behind that camera
+// Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF). What was hidden, outside
+// the image or another surface has no history.
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
 // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
@@ -20,7 +11,10 @@ layout(constant_id = 3) const bool orthographic = false;           // this frame
 layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+// Where each surface point was, in the view space of the previous frame; read when moving_objects is set.
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
+// (occlusion, samples accumulated, samples of the sequence used, depth) of the previous frame, and of this frame's
+// pixels, with the depth the point had in the previous camera: (0, 0, 0, depth) for none, infinity behind that camera.
 layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_history;
 layout(binding = 3, rgba32f) uniform writeonly highp image2D history;
 

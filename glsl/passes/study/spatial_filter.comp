@@ -3,23 +3,16 @@
 // Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display: the
 // history must not contain the result. A file of the folder filters says how: by convergence (TSSAO-10), by normal and
 // depth (CS-BLUR), by distance and depth (ISSAO-7), or as SAO.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  rgba32f  history: occlusion in x, accumulated samples in y, depth in w
-//   1  r32f     written: filtered occlusion
-//   2  rgba32f  view-space normal in xyz; read by the filter geometry alone
-//   3  r32f     what this pass has written along x; read when along_y is set
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool along_y = false;       // the second of the two passes
 layout(constant_id = 1) const bool orthographic = false;  // else perspective
 layout(constant_id = 2) const int filter_half_width = 2;  // taps on each side: 2 is 5 x 5
 
-layout(binding = 0 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_image;
+layout(binding = 0 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_image;  // as ambient_occlusion.comp wrote it
 layout(binding = 1, r32f) uniform writeonly highp image2D filtered_image;
-layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
-layout(binding = 3 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT along_x_image;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;  // read by the filter geometry alone
+layout(binding = 3 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT along_x_image;  // what this pass has written along x
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down

@@ -2,13 +2,7 @@
 #version 450
 // A mean over 3 x 3 pixels that are about as deep, as an engine without this library has it: the denoising after
 // plain_slices.comp. For comparison only, as that.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f  eye-linear depth, world units; background +infinity
-//   1  r32f  occlusion
-//   2  r32f  written: the mean
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT occlusion_image;

@@ -6,19 +6,13 @@
 //
 // A tap's horizon moves towards the tangent plane with its distance, linearly over the radius. Each pixel turns its
 // slices and shifts its taps by noise.
-//
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background +infinity
-//   1  rgba32f  view-space normal in xyz, unit
-//   2  r32f     written: occlusion
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int slices = 9;
 layout(constant_id = 1) const int steps = 3;  // taps on each side of a slice
 
-layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
-layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;   // background +infinity
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;  // unit
 layout(binding = 2, r32f) uniform writeonly highp image2D occlusion_image;
 
 layout(push_constant) uniform Parameters {

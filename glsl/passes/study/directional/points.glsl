@@ -4,15 +4,8 @@
 
 // The bindings and the samples of the passes that estimate in which directions a point is open. The samples are those
 // of Ritschel et al. (2009): points of the half ball around the normal, uniform in direction and radius. A sample is
-// blocked or open as in the method hemisphere.
-//
-// Descriptor set 0 of each of them:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  rgba32f  view-space normal facing the eye in xyz
-//   2  buffer   a MethodValues
-//   3 and on    as the pass says
+// blocked or open as in the method hemisphere. Bindings from 3 on are as the pass says.
 #include "passes/study/input_image.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;

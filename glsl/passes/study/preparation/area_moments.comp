@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Mean and variance of the surfaces in blocks of growing size, for volumetric_area.glsl. Each run computes one level
-// from the level before, with one invocation for each of its texels. Bindings and constants: pass.glsl.
-//
-// Writes a texel of each of the three values of gloam/gather/pixels.glsl: (mean position, pixels with a surface),
-// variances, covariances.
+// from the level before, with one invocation for each of its texels. Writes a texel of each of the three values of
+// gloam/gather/pixels.glsl: (mean position, pixels with a surface), variances, covariances.
 
 #include "passes/study/preparation/pass.glsl"
-
 #include "gloam/methods/volumetric_area.glsl"
 
 // A texel of the level before; without a surface outside it.

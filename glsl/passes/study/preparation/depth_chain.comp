@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The depth chain of SAO, all levels in one pass: each texel copies one pixel of the full image, so no level depends on
-// another. One invocation for each texel of level 1. Bindings and constants: pass.glsl.
-//
-// Writes the depth in x, unchanged from the full image.
+// another. One invocation for each texel of level 1. Writes the depth in x, unchanged from the full image.
 
 #include "passes/study/preparation/pass.glsl"
-
 #include "gloam/methods/sao_chain.glsl"
 
 void main() {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Visibility of each pixel's disc, for disc_proxy_two (Bunnell, GPU Gems 2): one invocation a pixel. Bindings and
-// constants: pass.glsl. Reads intensity: factor of the sum.
-//
-// Writes 1 minus the occlusion by all discs in x; 1 at the background and where the radius is too small to see.
+// Visibility of each pixel's disc, for disc_proxy_two (Bunnell, GPU Gems 2). Reads intensity: factor of
+// the sum. Writes 1 minus the occlusion by all discs in x; 1 at the background and where the radius is too small.
 
 #include "passes/study/preparation/pass.glsl"
-
 #include "gloam/methods/disc_proxy_two.glsl"
 
 vec3 gloam_fetch_normal(ivec2 pixel) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Occlusion along the first of two directions, for separable.glsl (Huang et al. 2011): one invocation a pixel.
-// Bindings and constants: pass.glsl.
-//
-// Writes the occlusion in x, 0 at the background.
+// Occlusion along the first of two directions, for separable.glsl (Huang et al. 2011). Writes the occlusion in
+// x, 0 at the background.
 
 #include "passes/study/preparation/pass.glsl"
-
 #include "gloam/methods/separable.glsl"
 
 float prepared(ivec2 pixel) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Occlusion at half the resolution, for dual_resolution.glsl (Bavoil and Sainz 2009): one invocation for each 2 x 2
-// pixels. Bindings and constants: pass.glsl.
-//
-// Writes (occlusion of the pixel at the upper left of the four, its normal): occlusion 0 at the background.
+// pixels. Writes (occlusion of the pixel at the upper left of the four, its normal): occlusion 0 at the background.
 
 #include "passes/study/preparation/pass.glsl"
-
 #include "gloam/methods/dual_resolution.glsl"
 
 // Distance in pixels up to which a pixel of the frame reads its neighbourhood of 3 x 3 half-resolution pixels.

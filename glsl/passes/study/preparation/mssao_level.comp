@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The occlusion of one level of MSSAO (CS-F), combined with that of the coarser levels, which earlier runs have
-// written. One invocation for each texel. Bindings and constants: pass.glsl.
-//
-// Writes (largest occlusion of the levels so far, their mean, their number) into the pyramid's results.
+// written. One invocation for each texel. Writes (largest occlusion of the levels so far, their mean, their number)
+// into the pyramid's results.
 
 #include "passes/study/preparation/pass.glsl"
-
 #include "gloam/methods/mssao.glsl"
 
 // The pixel at the middle of a texel. Its history determines which samples come next.

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // The surfaces of one level of MSSAO's pyramid, computed from the level before (CS-F). One invocation for each texel.
-// Bindings and constants: pass.glsl. Reads range: the largest difference in depth between pixels of one surface, world
-// units.
-//
-// Writes the position and the normal of the pyramid's texel (gloam/gather/pixels.glsl), zeros for background.
+// Reads range: the largest difference in depth between pixels of one surface, world units. Writes the position and the
+// normal of the pyramid's texel (gloam/gather/pixels.glsl), zeros for background.
 
 #include "passes/study/preparation/pass.glsl"
-
 #include "gloam/filter/resolution.glsl"
 #include "gloam/geometry/vector.glsl"
 #include "gloam/methods/mssao.glsl"

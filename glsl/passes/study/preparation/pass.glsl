@@ -4,25 +4,15 @@
 
 // The common part of the preparation passes. They run before ambient_occlusion.comp, in the order of their method's
 // list. Each writes a part of one image, which the method reads by gloam_fetch_prepared. The image keeps nothing from
-// frame to frame.
+// frame to frame. history_before and layer_image are those of ambient_occlusion.comp, of which the first are pixels of
+// this frame.
 //
-// Define GLOAM_PREPARED as r32f for the passes whose image has one
-// channel (first_direction.comp, depth_chain.comp, disc_visibility.comp); the default is rgba32f.
-// Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  rgba32f  view-space normal facing the eye in xyz
-//   2  rgba32f  history before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence
-//               used, depth)
-//   3  prepared the prepared image, written
-//   4  buffer   a MethodValues
-//   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is
-//               more than 1
-//   6  prepared the image of binding 3: read by passes that build on others, where earlier passes have written
+// Define GLOAM_PREPARED as r32f for the passes whose image has one channel (first_direction.comp, depth_chain.comp,
+// disc_visibility.comp); the default is rgba32f.
 #include "passes/study/input_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
-layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
@@ -34,7 +24,7 @@ layout(binding = 3, GLOAM_PREPARED) uniform writeonly highp image2D prepared_ima
 
 layout(binding = 4, std430) readonly buffer MethodSettings { MethodValues method_values; };
 layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
-layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT earlier_image;
+layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT earlier_image;  // that of binding 3
 
 #include "passes/study/pixel_samples.glsl"
 
