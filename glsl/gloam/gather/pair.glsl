@@ -15,29 +15,11 @@
 // Background counts as a surface this many radii behind the shaded point.
 const float GLOAM_PAIR_FAR = 1e4;
 
-// Height of a tap's surface over an aimed position, along the view vector (gloam_height_at).
-// tap: of the unit disc, y as in the image. position, normal: of the shaded point, unit normal. facing: view . normal,
-// at least 1e-4.
-// Returns a length in world units. Error: 3e-7 of the offset over the facing, but for taps within rounding of a pixel's
-// border.
-float gloam_pair_height(GloamFootprint footprint, vec2 tap, vec3 aim, vec3 position, vec3 normal, float facing,
-                        float radius) {
-    ivec2 pixel = gloam_footprint_pixel(footprint, tap);
-    float depth = gloam_fetch_depth(pixel);
-    float known = gloam_tap_sees(depth) ? depth : GLOAM_PAIR_FAR * radius - position.z;
-    return gloam_height_at(gloam_footprint_position(footprint, pixel, known) - position, aim, normal, facing);
-}
-
-// Two opposite line samples of volumetric obscurance (CS-3.5). If one of them is unusable, the other one replaces it.
-
-// The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
-// shader has it.
-const float GLOAM_LEAST_SOLID = 0.35;
-
-// The data of the shaded point for volumetric obscurance, the same for all its pairs.
+// The data of the shaded point, the same for all its pairs.
 struct GloamLinePoint {
     vec3 position;  // view space, world units
     vec3 normal;    // unit
+    vec3 view;      // from the point to the eye, unit
     float facing;   // cosine between the normal and the direction to the eye, at least 1e-4
     vec2 upright;   // gloam_upright
     GloamFootprint footprint;
@@ -47,9 +29,28 @@ struct GloamLinePoint {
 // position: of the surface, view space, world units. normal: unit. radius: of influence, world units.
 // Error of the facing: 1e-6.
 GloamLinePoint gloam_line_point(vec3 position, vec3 normal, float radius, GloamCamera camera) {
-    float facing = max(dot(gloam_toward_eye(position, camera.orthographic), normal), 1e-4);
-    return GloamLinePoint(position, normal, facing, gloam_upright(camera), gloam_footprint(position, radius, camera));
+    vec3 view = gloam_toward_eye(position, camera.orthographic);
+    return GloamLinePoint(position, normal, view, max(dot(view, normal), 1e-4), gloam_upright(camera),
+                          gloam_footprint(position, radius, camera));
 }
+
+// Height of a tap's surface over an aimed position, along the view vector (gloam_height_at).
+// tap: of the unit disc, y as in the image.
+// Returns a length in world units. Error: 3e-7 of the offset over the facing, but for taps within rounding of a pixel's
+// border.
+float gloam_pair_height(GloamLinePoint point, vec2 tap, vec3 aim, float radius) {
+    ivec2 pixel = gloam_footprint_pixel(point.footprint, tap);
+    float depth = gloam_fetch_depth(pixel);
+    float known = gloam_tap_sees(depth) ? depth : GLOAM_PAIR_FAR * radius - point.position.z;
+    vec3 offset = gloam_footprint_position(point.footprint, pixel, known) - point.position;
+    return gloam_height_at(offset, aim, point.normal, point.facing);
+}
+
+// Two opposite line samples of volumetric obscurance (CS-3.5). If one of them is unusable, the other one replaces it.
+
+// The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
+// shader has it.
+const float GLOAM_LEAST_SOLID = 0.35;
 
 // What a pair of chords contributes.
 struct GloamPairShare {
@@ -64,10 +65,8 @@ struct GloamPairShare {
 GloamPairShare gloam_line_pair_share(GloamLinePoint point, vec2 tap, GloamKernel kernel) {
     vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
     float half_height = gloam_chord_half_height(tap, kernel.radius);
-    float first = gloam_pair_height(point.footprint, tap, aim, point.position, point.normal, point.facing,
-                                    kernel.radius);
-    float second = gloam_pair_height(point.footprint, -tap, -aim, point.position, point.normal, point.facing,
-                                     kernel.radius);
+    float first = gloam_pair_height(point, tap, aim, kernel.radius);
+    float second = gloam_pair_height(point, -tap, -aim, kernel.radius);
     vec2 ratios = vec2(gloam_line_ratio(first, half_height), gloam_line_ratio(second, half_height));
     vec2 solid = gloam_line_pair(ratios, GLOAM_LEAST_SOLID, 1.0);
     return GloamPairShare(half_height * (solid.x + solid.y), 2.0 * half_height);

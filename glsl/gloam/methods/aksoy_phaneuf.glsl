@@ -2,18 +2,8 @@
 #ifndef GLOAM_METHODS_AKSOY_PHANEUF_GLSL
 #define GLOAM_METHODS_AKSOY_PHANEUF_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/blocked.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/rotation.glsl"
-
-// Surface points under a disc, each counting by its distance if it lies in front of the tangent plane (Aksoy and
-// Phaneuf 2011; CS-J).
 
 // occlusion by the distance of surface points (METHOD-aksoy_phaneuf): `mean of 1 - |v| / R where v . n > beta` [Aksoy
 // and Phaneuf 2011, CS-J].

@@ -2,14 +2,8 @@
 #ifndef GLOAM_METHODS_ALCHEMY_GLSL
 #define GLOAM_METHODS_ALCHEMY_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/blocked.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10): surface points under a disc. Each counts 2 sigma
 // (v . n - bias) / (v . v + epsilon^2). Its falloff is 0 for touching geometry, rises up to the distance sigma, and

@@ -2,16 +2,10 @@
 #ifndef GLOAM_METHODS_ANGLE_GLSL
 #define GLOAM_METHODS_ANGLE_GLSL
 
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/gather/pair.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
-#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/angle_based.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Angles between opposite samples, as in Unreal Engine 4 (Mittring 2012; CS-P). The difference between the angle and
 // half a turn is blocked. The result is neither cosine-weighted nor uniform.
@@ -27,18 +21,17 @@ struct GloamAngle {
 GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAngle settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
-    vec3 view = gloam_toward_eye(position, camera.orthographic);
-    float facing = max(dot(view, n), 1e-4);
-    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    GloamLinePoint point = gloam_line_point(position, n, kernel.radius, camera);
     vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < kernel.count; i += 2u) {
         vec2 tap = gloam_turn_disc(gloam_disc_point((kernel.first + i) / 2u + 1u).xy, turn);
-        vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
-        float first = gloam_pair_height(footprint, tap, aim, position, n, facing, kernel.radius);
-        float second = gloam_pair_height(footprint, -tap, -aim, position, n, facing, kernel.radius);
-        vec3 cosines = gloam_angle_pair(aim + first * view, second * view - aim, n, view, settings.range);
+        vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
+        float first = gloam_pair_height(point, tap, aim, kernel.radius);
+        float second = gloam_pair_height(point, -tap, -aim, kernel.radius);
+        vec3 cosines = gloam_angle_pair(aim + first * point.view, second * point.view - aim, n, point.view,
+                                        settings.range);
         vec2 biased = clamp(cosines.xy - settings.angle_bias, -1.0, 1.0);
         vec2 sines = sqrt(max((1.0 - biased) * (1.0 + biased), GLOAM_LEAST_SQUARE));
         float angles = gloam_unit_angle(vec2(biased.x, sines.x)) + gloam_unit_angle(vec2(biased.y, sines.y));

@@ -2,15 +2,9 @@
 #ifndef GLOAM_METHODS_BITMASK_GLSL
 #define GLOAM_METHODS_BITMASK_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/gtao.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 
 // Visibility bitmask (Therrien et al. 2023). A sample covers the sectors of a slice between its front and its back,
 // so light passes behind thin things. Sectors are equal parts of the cosine-weighted half plane. Each slice takes

@@ -2,15 +2,9 @@
 #ifndef GLOAM_METHODS_CURVATURE_GLSL
 #define GLOAM_METHODS_CURVATURE_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/geometry/surface.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/curvature.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/halton.glsl"
 
 // Curvature (after Hattori et al. 2012; CS-K). It finds the two principal curvatures of the surface from the change
 // of position and normal across the pixel, at the scale of the radius. The result is the occlusion of the quadric

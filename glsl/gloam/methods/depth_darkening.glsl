@@ -3,13 +3,8 @@
 #define GLOAM_METHODS_DEPTH_DARKENING_GLSL
 
 #include "gloam/filter/weights.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/gather/pair.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Depth darkening (Luft, Colditz and Deussen 2006; CS-R) by samples: the unsharp mask of the depth, lambda max(D - G
 // * D, 0). G is a Gaussian whose deviation is half the radius, cut off at the radius. It darkens surfaces behind
@@ -28,17 +23,15 @@ GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera came
                                     GloamDepthDarkening settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
-    vec3 view = gloam_toward_eye(position, camera.orthographic);
-    float facing = max(dot(view, n), 1e-4);
-    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    GloamLinePoint point = gloam_line_point(position, n, kernel.radius, camera);
     vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < kernel.count; i += 2u) {
         vec2 tap = gloam_turn_disc(gloam_disc_point((kernel.first + i) / 2u + 1u).xy, turn);
-        vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
-        float first = gloam_pair_height(footprint, tap, aim, position, n, facing, kernel.radius);
-        float second = gloam_pair_height(footprint, -tap, -aim, position, n, facing, kernel.radius);
+        vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
+        float first = gloam_pair_height(point, tap, aim, kernel.radius);
+        float second = gloam_pair_height(point, -tap, -aim, kernel.radius);
         float weight = gloam_gaussian(dot(tap, tap), 0.5);
         float nearer =
             0.5 * (clamp(first, -settings.range, settings.range) + clamp(second, -settings.range, settings.range)) -

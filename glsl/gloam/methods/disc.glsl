@@ -2,14 +2,8 @@
 #ifndef GLOAM_METHODS_DISC_GLSL
 #define GLOAM_METHODS_DISC_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/blocked.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Crease shading by the surface points under a disc (TSSAO-2, -12 and -4 with the kernel of TSSAO-13; Fox and Compton
 // 2008): the mean over the disc's pixels of cos(s - p, n) min(1, epsilon / |s - p|). It measures how concave the

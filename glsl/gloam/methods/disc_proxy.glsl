@@ -3,13 +3,7 @@
 #define GLOAM_METHODS_DISC_PROXY_GLSL
 
 #include "gloam/gather/disc_piece.glsl"
-#include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/rotation.glsl"
+#include "gloam/gather/method.glsl"
 
 // Discs in the place of pixels (Bunnell, GPU Gems 2, applied to visible surfaces; CS-S). Each pixel within the radius
 // is a disc with the area and normal of the surface there. It blocks A / (A + pi D^2) times both cosines. This is the

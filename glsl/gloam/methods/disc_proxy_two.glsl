@@ -2,10 +2,7 @@
 #ifndef GLOAM_METHODS_DISC_PROXY_TWO_GLSL
 #define GLOAM_METHODS_DISC_PROXY_TWO_GLSL
 
-#include "gloam/gather/fetch.glsl"
 #include "gloam/methods/disc_proxy.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 
 // disc_proxy in two passes (Bunnell, GPU Gems 2; CS-S). The first pass is disc_proxy for every pixel
 // (preparation/disc_visibility.comp). In the second, here, each disc blocks in proportion to its own visibility. A

@@ -5,8 +5,6 @@
 #include "gloam/filter/dual_resolution.glsl"
 #include "gloam/filter/resolution.glsl"
 #include "gloam/filter/weights.glsl"
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
 #include "gloam/gather/further_depths.glsl"
 #include "gloam/methods/hbao.glsl"
 #include "gloam/occlusion/layers.glsl"
@@ -35,8 +33,7 @@ const float GLOAM_DUAL_NORMAL_POWER = 8.0;
 // Sum of weights, of 1, below which the small image says too little about the pixel.
 const float GLOAM_DUAL_LEAST_WEIGHT = 0.25;
 
-// The interpolated small image with one of its pixels added.
-// share: weight by position, [0, 1].
+// The interpolated small image with one of its pixels added. share: weight by position, [0, 1].
 GloamWeightedMean gloam_dual_add(GloamWeightedMean mean, ivec2 small, float share, vec3 position, vec3 normal,
                                  GloamFootprint footprint, float radius) {
     if (!(share > 0.0)) return mean;

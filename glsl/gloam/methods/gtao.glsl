@@ -2,14 +2,9 @@
 #ifndef GLOAM_METHODS_GTAO_GLSL
 #define GLOAM_METHODS_GTAO_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/gtao.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 
 // Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye and the closed
 // integral between them, weighted by the cosine. A sample loses weight with its distance by the linear falloff, which

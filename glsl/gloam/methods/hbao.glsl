@@ -2,14 +2,9 @@
 #ifndef GLOAM_METHODS_HBAO_GLSL
 #define GLOAM_METHODS_HBAO_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 
 // Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): horizons above the image plane. Every
 // direction of the hemisphere counts the same, and each rise of the horizon is weighted by 1 - |v|^2 / R^2. Steps are

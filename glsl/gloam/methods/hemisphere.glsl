@@ -2,16 +2,10 @@
 #ifndef GLOAM_METHODS_HEMISPHERE_GLSL
 #define GLOAM_METHODS_HEMISPHERE_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
 #include "gloam/gather/further_depths.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/blocked.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/occlusion/crytek.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
-#include "gloam/sampling/hemisphere.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Ambient occlusion by points in the half ball above the surface (TSSAO-2, -3 and -4 with the kernel of TSSAO-14;
 // Ritschel et al. 2009). Directions are cosine-weighted and radii uniform, so samples need neither cosine nor

@@ -3,11 +3,9 @@
 #define GLOAM_METHODS_ISSAO_GLSL
 
 #include "gloam/gather/disc.glsl"
-#include "gloam/gather/fetch.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/gather/pixels.glsl"
-#include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 
 // ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
 // image of a disc across the view ray (ISSAO-P). Radii are uniform (ISSAO-1, polar reading). Each point counts phi (v

@@ -4,17 +4,12 @@
 
 #include "gloam/filter/resolution.glsl"
 #include "gloam/filter/weights.glsl"
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/gather/pixels.glsl"
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
 #include "gloam/occlusion/estimator.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): surface points under small discs at several
 // resolutions, each disc twice as wide as the one before. Passes prepare the coarser resolutions

@@ -2,18 +2,7 @@
 #ifndef GLOAM_METHODS_POISSON_GLSL
 #define GLOAM_METHODS_POISSON_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/hemisphere.glsl"
-#include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/slice_sample.glsl"
-#include "gloam/sampling/unit_interval.glsl"
+#include "gloam/gather/method.glsl"
 
 // Poisson rays (Sourimant et al. 2011; CS-J). Points of a Poisson disc, lifted to the half ball, are cosine-weighted
 // directions. Each is marched until something blocks it within the radius. There is no falloff. After all points of

@@ -2,16 +2,9 @@
 #ifndef GLOAM_METHODS_SAO_GLSL
 #define GLOAM_METHODS_SAO_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/blocked.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/depth_mip.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near the
 // pixel. Far points are read from a depth chain (mip_distance 16). Each frame rotates the spiral by another angle.

@@ -2,7 +2,6 @@
 #ifndef GLOAM_METHODS_SAO_CHAIN_GLSL
 #define GLOAM_METHODS_SAO_CHAIN_GLSL
 
-#include "gloam/gather/fetch.glsl"
 #include "gloam/methods/sao.glsl"
 
 // SAO with its depth chain in an image (preparation/depth_chain.comp), as in the paper. Far taps read neighbouring

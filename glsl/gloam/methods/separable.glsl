@@ -3,9 +3,7 @@
 #define GLOAM_METHODS_SEPARABLE_GLSL
 
 #include "gloam/filter/weights.glsl"
-#include "gloam/gather/fetch.glsl"
 #include "gloam/methods/gtao.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/separable.glsl"
 
 // Separable ambient occlusion (Huang et al. 2011) of horizon slices, cosine-weighted (gtao), in two perpendicular

@@ -2,24 +2,16 @@
 #ifndef GLOAM_METHODS_SPHERE_PROXY_GLSL
 #define GLOAM_METHODS_SPHERE_PROXY_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/geometry/vector.glsl"
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/falloff.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"
 #include "gloam/occlusion/proxies.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/rotation.glsl"
 
-// Balls in the place of pixels. The density of taps is 1 / distance from the pixel, because a piece counts by the
-// inverse square of its distance. They are weighted so that their mean is the sum over all pixels of the disc but the
-// shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where many pieces lie
-// behind one another it is too large.
+// The density of taps is 1 / distance from the pixel, because a piece counts by the inverse square of its distance.
+// They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity.
+// Pieces behind one another all count. The sum is clamped; where many pieces lie behind one another it is too large.
 
 // Balls in the place of pixels (Shanmugam and Arikan 2007; CS-H). Each pixel within the radius is a ball as wide as
 // itself, which blocks (r / D)^2 cos. This is exact for one ball above the horizon. Balls behind other balls count

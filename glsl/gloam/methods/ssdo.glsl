@@ -2,17 +2,9 @@
 #ifndef GLOAM_METHODS_SSDO_GLSL
 #define GLOAM_METHODS_SSDO_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
 #include "gloam/gather/further_depths.glsl"
-#include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/occlusion/layers.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/hemisphere.glsl"
-#include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 
 // The direct part of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere:
 // the light that does not arrive. Each direction has one point at a uniform distance. Directions are uniform and

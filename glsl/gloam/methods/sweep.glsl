@@ -2,15 +2,9 @@
 #ifndef GLOAM_METHODS_SWEEP_GLSL
 #define GLOAM_METHODS_SWEEP_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/sweep.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 
 // The horizon sweep: slices through the eye in which each direction counts with the falloff at the distance of the
 // first surface along it, weighted by the cosine (gloam/occlusion/sweep.glsl). The result is divided by the integral

@@ -2,12 +2,8 @@
 #ifndef GLOAM_METHODS_UNREAL_GLSL
 #define GLOAM_METHODS_UNREAL_GLSL
 
-#include "gloam/gather/fetch.glsl"
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/occlusion/angle_based.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 
 // The later shader of Unreal Engine 4 (CS-P). Along both sides of mirrored directions of the image it takes the
 // largest sat(epsilon (v . n) / (v . v)) of the steps. A side leaves (1 - occ)^2 open, and the result is the mean

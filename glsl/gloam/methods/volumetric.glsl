@@ -2,16 +2,9 @@
 #ifndef GLOAM_METHODS_VOLUMETRIC_GLSL
 #define GLOAM_METHODS_VOLUMETRIC_GLSL
 
-#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/gather/pair.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/volumetric.glsl"
-#include "gloam/sampling/count.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/hemisphere.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid part of a ball around the
 // point. A plane gives 1/2, and a = 0.5 of the remap subtracts it. A surface belongs to another object if it lies in
@@ -110,19 +103,17 @@ GloamEstimate gloam_volumetric_spiral(vec3 position, vec3 normal, GloamCamera ca
 GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
-    vec3 view = gloam_toward_eye(position, camera.orthographic);
-    float facing = max(dot(view, n), 1e-4);
-    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    GloamLinePoint point = gloam_line_point(position, n, kernel.radius, camera);
     vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
-    mat3 toward_eye = gloam_tangent_frame(view);  // its third column the view vector
+    mat3 toward_eye = gloam_tangent_frame(point.view);  // its third column the view vector
     vec3 facing_eye = n * toward_eye;
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < kernel.count; i += 2u) {
         vec2 tap = gloam_turn_disc(gloam_disc_point((kernel.first + i) / 2u + 1u).xy, turn);
-        vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
-        float first = gloam_pair_height(footprint, tap, aim, position, n, facing, kernel.radius);
-        float second = gloam_pair_height(footprint, -tap, -aim, position, n, facing, kernel.radius);
+        vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
+        float first = gloam_pair_height(point, tap, aim, kernel.radius);
+        float second = gloam_pair_height(point, -tap, -aim, kernel.radius);
         // Turned before the heights are added: a far background would round the place of the chord.
         vec3 one = aim * toward_eye + vec3(0.0, 0.0, first);
         vec3 other = vec3(0.0, 0.0, second) - aim * toward_eye;

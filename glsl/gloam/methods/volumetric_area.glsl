@@ -2,17 +2,12 @@
 #ifndef GLOAM_METHODS_VOLUMETRIC_AREA_GLSL
 #define GLOAM_METHODS_VOLUMETRIC_AREA_GLSL
 
-#include "gloam/gather/fetch.glsl"
+#include "gloam/gather/method.glsl"
 #include "gloam/gather/pair.glsl"
 #include "gloam/gather/pixels.glsl"
 #include "gloam/geometry/surface.glsl"
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/sincos.glsl"
-#include "gloam/sampling/count.glsl"
 #include "gloam/sampling/depth_mip.glsl"
-#include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // Volumetric obscurance by area samples (Loos and Sloan 2010, reconstructed): the ball of volumetric, but a sample is
 // a block of pixels. A pass prepares the mean and the variance of each block (preparation/area_moments.comp). The
