@@ -6,12 +6,8 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/background.glsl"
 
-// Bilateral smoothing of occlusion by distance in the image and difference of depth (ISSAO-7, after Tomasi and
-// Manduchi 1998).
-
 // bilateral smoothing of occlusion (ISSAO-7): `(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s`
 // [ISSAO, eq 7; Tomasi and Manduchi 1998].
-// Over the window.
 // pixel: x, inside the image. half_width: pixels on each side, along x and y, at most 16. (h, h) is the window of the
 // full bilateral filter (ISSAO-7); (h, 0) and (0, h) are the two passes of the usual approximation. size: of the image;
 // neighbours outside are skipped. sigma_d, sigma_r: see gloam_bilateral_weight.

@@ -24,8 +24,7 @@ vec3 gloam_fetch_position(ivec2 pixel);
 // sigma: world units, see gloam_filter_sigma.
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used. The pixel's own value (taken
 // into [0, 1], 0 for NaN) where the window has shrunk to nothing (no neighbour is read), at background, and where K <
-// 1e-8: nothing near has converged.
-// Error: 8e-7.
+// 1e-8: nothing near has converged. Error: 8e-7.
 float gloam_convergence_filter(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, float c_adaptive, float sigma) {
     vec2 own = gloam_fetch_occlusion_convergence(pixel);
     float reach = float(max(half_width, 0)) * gloam_shrink(own.y, c_adaptive);

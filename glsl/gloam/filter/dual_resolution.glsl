@@ -4,16 +4,12 @@
 
 #include "gloam/gather/fetch.glsl"
 
-// Where occlusion of half the resolution is not sufficient (Bavoil and Sainz 2009): it is computed there first, and
-// again at full resolution where neighbours differ.
-
 // where occlusion of half the resolution does not do (CS-E-dual): `max - min > tolerance over 3 x 3` [derived, after
 // Bavoil and Sainz 2009].
 // pixel: of the small image, inside it. size: of the small image, pixels; neighbours outside are left out. tolerance:
 // 0.05 or so.
-// Returns whether to compute the pixels beneath in full; true for a NaN tolerance, and where a neighbour is NaN or
-// not in [0, 1].
-// Error: none, but for a range within rounding of the tolerance.
+// Returns whether to compute the pixels beneath in full; true for a NaN tolerance, and where a neighbour is NaN or not
+// in [0, 1]. Error: none, but for a range within rounding of the tolerance.
 bool gloam_dual_resolution_disagrees(ivec2 pixel, ivec2 size, float tolerance) {
     float low = 1.0;
     float high = 0.0;

@@ -33,8 +33,7 @@ uint gloam_frame_code(float depth, float occlusion, float weight) {
 }
 
 // pixel of 32 bits (FRAME-texel-of): `the inverse of FRAME-texel` [gloam].
-// code: its lower 16 bits are a half float from 2^-14.
-// Bit 24 adds at most 1/255 to the weight. Error: none.
+// code: its lower 16 bits are a half float from 2^-14. Bit 24 adds at most 1/255 to the weight. Error: none.
 GloamFrameTexel gloam_frame_texel(uint code) {
 #ifdef GLOAM_PACKS_HALF
     return GloamFrameTexel(unpackHalf2x16(code).x, float(code >> 16u & 0xFFu), float(code >> 24u), code >> 24u & 1u);

@@ -6,9 +6,6 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// By paper: TSSAO-10 and 11 all down to `convergence_weight`; ISSAO-7 `bilateral_weight`; the comparative study
-// (CS 5.3) `geometry_weight`; SAO `sao_blur_weight`.
-
 // scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO, eq 10].
 // For gloam_gaussian_scaled, a factor that all neighbours of a pixel share. It is not squared, because the square could
 // overflow or underflow.
@@ -26,10 +23,9 @@ float gloam_gaussian_scale(float sigma) {
 // It is exp(-d^2 / (2 sigma^2)), by its distance in the world.
 // squared_distance: d^2, world units squared, of which the sign does not count. scale: of gloam_gaussian_scale, 1 /
 // world units.
-// Returns a weight in [0, 1], not below 1e-30 unless 0. 0 for infinity or NaN in either, else 1 for distance 0 or
-// scale 0.
-// Error: 3e-7; 5e-7 by any device that keeps Vulkan's rules for exp2(), 3 + 2 x ULP of a weight of 2^-x: the smallest
-// weights hold to 3e-5 of themselves.
+// Returns a weight in [0, 1], not below 1e-30 unless 0. 0 for infinity or NaN in either, else 1 for distance 0 or scale
+// 0. Error: 3e-7; 5e-7 by any device that keeps Vulkan's rules for exp2(), 3 + 2 x ULP of a weight of 2^-x: the
+// smallest weights hold to 3e-5 of themselves.
 float gloam_gaussian_scaled(float squared_distance, float scale) {
     // In this order: the square of the scale may be beyond the largest float, or subnormal.
     GLOAM_PRECISE float x = abs(squared_distance) * scale * scale;
@@ -53,8 +49,7 @@ float gloam_gaussian(float squared_distance, float sigma) {
 // sigma_pixels: about a quarter of the filter's width (1.25 for 5 x 5). Orthographic: pass depth 1 and half the
 // height of the view.
 // Returns sigma in world units, in [0, FLT_MAX]; 0 for background depth, for any other argument that is not positive or
-// NaN, and where infinite ones leave the quotient unknown.
-// Error: 4 ULP.
+// NaN, and where infinite ones leave the quotient unknown. Error: 4 ULP.
 float gloam_filter_sigma(float depth, float tan_half_fovy, float height, float sigma_pixels) {
     if (gloam_is_background(depth) || !(tan_half_fovy > 0.0 && height >= GLOAM_SMALLEST && sigma_pixels > 0.0))
         return 0.0;
@@ -81,8 +76,7 @@ GloamWeightedMean gloam_weighted_mean_empty() {
 // one more value in a weighted mean (TSSAO-10-add): `(sum + w AO, K + w)` [TSSAO, the quotient of eq 10].
 // mean: what was added so far. value: occlusion in [0, 1]. weight: >= 0.
 // Returns the mean with the value; unchanged for a value outside [0, 1] or NaN and for a weight that is not positive
-// and finite.
-// Error: 1.5 ULP for each addition.
+// and finite. Error: 1.5 ULP for each addition.
 GloamWeightedMean gloam_weighted_mean_add(GloamWeightedMean mean, float value, float weight) {
     if (!(value >= 0.0 && value <= 1.0 && weight > 0.0 && weight <= GLOAM_LARGEST)) return mean;
     return GloamWeightedMean(mean.sum + weight * value, mean.weight + weight, min(mean.low, value),
@@ -91,7 +85,6 @@ GloamWeightedMean gloam_weighted_mean_add(GloamWeightedMean mean, float value, f
 
 // weighted mean, or what stands in for it (TSSAO-10-mean): `sum / K, the fallback for K < 1e-8` [TSSAO,
 // the quotient of eq 10].
-// The mean of the values added.
 // mean: of weights below 1e30. fallback: what to return where the weights sum to less than 1e-8; taken to the nearer
 // end outside [0, 1], NaN to 0.
 // Returns the mean, between the smallest and the largest value, both included. Error: 2.5 ULP of the quotient.
@@ -170,8 +163,7 @@ float gloam_geometry_weight(vec3 normal, vec3 other, float depth_difference, flo
 // tap: r, number of the tap, -4 to 4. key_difference: of the tap's depth key to the centre's. slope: per unit of key,
 // >= 0: 2000 times the edge sharpness; negative counts as 0.
 // Returns a weight in [0, 0.445]; 0 for a tap outside its range, and off the centre where slope |key difference| is
-// NaN.
-// Error: 2e-7, and that of slope |key difference| times 0.445.
+// NaN. Error: 2e-7, and that of slope |key difference| times 0.445.
 float gloam_sao_blur_weight(int tap, float key_difference, float slope) {
     if (tap == 0) return 0.153170;
     if (tap > 4 || tap < -4) return 0.0;

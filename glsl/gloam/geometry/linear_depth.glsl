@@ -13,10 +13,9 @@
 
 // quotient that is a depth, or the background (DEPTH-quotient): `a / b; +infinity unless positive and finite`
 // [convention].
-// The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or
-// huge denominator (a far plane at infinity), result not positive, not finite, NaN.
 // numerator, denominator: any floats.
-// Returns numerator / denominator, or +infinity. Error: at most 2.5 ulp.
+// Returns numerator / denominator, or the background depth +infinity where that is no depth: zero, subnormal or huge
+// denominator (a far plane at infinity), result not positive, not finite, NaN. Error: at most 2.5 ulp.
 float gloam_depth_quotient(float numerator, float denominator) {
     if (!(abs(denominator) >= GLOAM_SMALLEST && abs(denominator) <= GLOAM_LARGEST_DIVISOR))
         return gloam_background_depth();
@@ -31,8 +30,7 @@ float gloam_depth_quotient(float numerator, float denominator) {
 // p22, p32: projection elements: far / (near - far), far near / (near - far); reversed near / (far - near),
 // far near / (far - near); reversed with infinite far plane 0, near.
 // Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive
-// finite d.
-// Error: at most 3 ulp.
+// finite d. Error: at most 3 ulp.
 float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
     return gloam_depth_quotient(p32, b + p22);
 }
@@ -43,9 +41,8 @@ float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
 // b: depth-buffer value in [0, 1] (window depth).
 // p22, p32: projection elements: -(far + near) / (far - near), -2 far near / (far - near); both negated when reversed;
 // infinite far plane -1, -2 near.
-// Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive
-// finite d.
-// Error: at most 3.5 ulp, for |p22| >= 1 (every projection with 0 < near < far).
+// Returns d as gloam_linear_depth_perspective_vk does. Error: at most 3.5 ulp, for |p22| >= 1 (every projection with
+// 0 < near < far).
 // No method or pass here calls it: it is OpenGL's projection; the passes read depth buffers of the range [0, 1].
 float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
     // In this order: the sum of both constants would round away what the depth adds.

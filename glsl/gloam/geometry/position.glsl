@@ -40,9 +40,7 @@ vec3 gloam_view_position_perspective(vec2 ndc, float depth, vec2 p00_p11) {
 
 // view-space position under a pixel, orthographic (POSITION-orthographic): `(ndc.x / P00, ndc.y / P11, -d)` [inverse of
 // the projection].
-// ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
-// Returns the position in world units; the zero vector, which is read as background everywhere, for background depth
-// and wherever the position would not be finite. Error: at most 2.5 ulp in each component.
+// ndc, depth, p00_p11 and the result: as for gloam_view_position_perspective. Error: at most 2.5 ulp in each component.
 vec3 gloam_view_position_orthographic(vec2 ndc, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 position = vec3(ndc / p00_p11, -depth);
@@ -61,10 +59,7 @@ vec2 gloam_ndc_perspective(vec3 view_position, vec2 p00_p11) {
 }
 
 // normalised device coordinates of a position, orthographic (NDC-orthographic): `(P00 x, P11 y)` [the projection].
-// view_position: world units. p00_p11: projection elements.
-// Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position
-// that is not in front of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
-// Error: at most 1 ulp.
+// view_position, p00_p11 and what it returns: as for gloam_ndc_perspective. Error: at most 1 ulp.
 vec2 gloam_ndc_orthographic(vec3 view_position, vec2 p00_p11) {
     if (gloam_is_background(-view_position.z)) return vec2(2.0);
     vec2 ndc = p00_p11 * view_position.xy;

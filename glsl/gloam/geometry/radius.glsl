@@ -17,7 +17,6 @@ float gloam_positive_length(float x) {
 }
 
 // projected radius of a world length (RADIUS-uv): `R (|P00|, |P11|) / (2 d)` [the projection].
-// In perspective.
 // radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
 // elements.
 // Returns the half-axes in texture coordinates, at most FLT_MAX; (0, 0) for background depth. Error: at most 3 ulp.
@@ -28,9 +27,7 @@ vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
 }
 
 // projected radius of a world length (RADIUS-uv-orthographic): `R (|P00|, |P11|) / 2` [the projection].
-// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
-// elements.
-// Returns the half-axes in texture coordinates, at most FLT_MAX; (0, 0) for background depth. Error: at most 1 ulp.
+// radius, depth, p00_p11 and what it returns: as for gloam_projected_radius_uv. Error: at most 1 ulp.
 vec2 gloam_projected_radius_uv_orthographic(float radius, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec2(0.0);
     vec2 axes = 0.5 * abs(p00_p11) * gloam_positive_length(radius);

@@ -70,8 +70,7 @@ GloamSliceAxes gloam_slice_axes(GloamSlice slice, vec3 normal) {
 }
 
 // offset moved into a slice along the tangent plane (SLICE-into): `v - (v . a) u, u . n = 0, u . a = 1` [definition].
-// Its height over the tangent plane stays. What is seen at a pixel's centre lies beside the slice; dropping its part
-// across the slice would lift the points of a tilted plane above that plane.
+// Its height over the tangent plane stays (GloamSliceAxes).
 // offset: s - p, view space, world units. axis: unit, across the slice. normal: of the surface, unit.
 // Returns offset - (offset . axis) u, where u lies in the tangent plane and u . axis = 1; the offset less its part
 // along the axis where the slice is within 2 degrees of the tangent plane; the zero vector where it is not finite.

@@ -52,11 +52,9 @@ vec3 gloam_normal_from_neighbors(vec3 center, vec3 left, vec3 right, vec3 up, ve
 
 // normal from a position and its four neighbours (NORMAL-orthographic): `cross product of the one-sided differences of
 // smaller |dz|; n.z >= 0` [definition; one-sided differences as in Bavoil and Sainz 2009].
-// The same for an orthographic view, in which every surface is seen along -z: the normal is turned to n.z >= 0.
-// center, left, right, up, down: as for gloam_normal_from_neighbors.
-// Returns a unit vector n with n.z >= 0; (0, 0, 1) where too few neighbours are usable or the differences are
-// parallel; the zero vector where the centre is background. Error: 4e-6 for differences at 0.02 radians or more to
-// each other and coordinates of 1e-30 to 1e6.
+// For an orthographic view, in which every surface is seen along -z.
+// center, left, right, up, down and what it returns: as for gloam_normal_from_neighbors, but n.z >= 0. Error: 4e-6 for
+// differences at 0.02 radians or more to each other and coordinates of 1e-30 to 1e6.
 vec3 gloam_normal_from_neighbors_orthographic(vec3 center, vec3 left, vec3 right, vec3 up, vec3 down) {
     if (gloam_is_background(-center.z)) return vec3(0.0);
     return gloam_facing_normal(gloam_neighbor_direction(center, left, right),
@@ -116,8 +114,7 @@ GloamSurfaceMoments gloam_moments_of(vec3 point) {
 
 // moments of two groups of surface points (MOMENTS-add): `m = m_a + t d;  C = (1 - t) C_a + t C_b + t (1 - t) d d^T,  d
 // = m_b - m_a,  t = w_b / w` [Chan, Golub and LeVeque 1979].
-// Of all pixels of two groups (Chan, Golub and LeVeque 1979): the mean of both, and as variance the mean of both plus
-// what the means lie apart. Sums of squares would lose the variance in the digits of the distance from the eye.
+// Sums of squares would lose the variance in the digits of the distance from the eye.
 // a, b: finite; weights of at least 2^-10, or 0: then the rest is not read.
 // Returns the moments of both; those of the other for a weight of 0. Error: 4 ULP of the weight, 3e-7 of the
 // larger mean, 1e-6 of the larger of the variances and the squared distance of the means.

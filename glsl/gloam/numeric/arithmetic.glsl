@@ -14,8 +14,7 @@ float gloam_sqrt(float x) {
 }
 
 // the smaller over the larger of two lengths (RATIO): `a / b, 0 <= a <= b` [definition].
-// At any scale.
-// smaller, larger: 0 <= smaller <= larger; a subnormal larger length is read as the smallest normal number.
+// smaller, larger: 0 <= smaller <= larger, at any scale; a subnormal larger one is read as the smallest normal number.
 // Returns a ratio in [0, 1]; 0 for a finite over an infinite length, 1 for two infinite ones. Error: 2.5 ulp.
 float gloam_length_ratio(float smaller, float larger) {
     if (larger > GLOAM_LARGEST) return smaller > GLOAM_LARGEST ? 1.0 : 0.0;

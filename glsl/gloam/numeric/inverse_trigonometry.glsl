@@ -20,8 +20,7 @@ float gloam_acos_cubic(float x) {
 // angle of a unit vector of the upper half plane (ANGLE-unit): `atan2(y, x), y >= 0, x^2 + y^2 = 1` [minimax
 // polynomial].
 // From the x axis: acos(x) and atan(y, x) in one, without a root and without a quotient, because both the cosine and
-// the sine are known. It is as exact near the axes as between them, where acos loses half the digits. The coefficients
-// are those of a minimax polynomial; Sollya's fpminimax finds as good ones.
+// the sine are known. It is as exact near the axes as between them, where acos loses half the digits.
 // direction: (cosine, sine), unit, sine >= 0.
 // Returns radians in [0, pi] (pi as a float). Error: 4e-7.
 float gloam_unit_angle(vec2 direction) {

@@ -9,14 +9,12 @@
 // Angle-based occlusion of opposite pairs of samples, as in Unreal Engine 4 (Mittring 2012; CS-P): the angle between
 // both samples of a pair, over pi, is what is open. Neither cosine-weighted nor uniform: a groove of 45 degrees is
 // 0.829 open (0.854 and 0.75 would be).
-// By paper: Mittring 2012 (CS 3.2.15) `lifted_cosine` to `angle_pair`; the pass of Unreal Engine 4 has the rest.
 
 // cosine of a sample's angle to the view vector, no lower than the tangent plane (CS-P-lifted): `view . s, s lifted to
 // s - (s . n) n where s . n < 0` [Mittring 2012; Aalund and Baerentzen 2013].
 // offset: v = s - p, view space, world units. normal: n, unit. view: from the point to the eye, unit.
 // Returns a cosine in [-1, 1]; 0 (a sample in the image plane) for a zero or non-finite offset, one along -n within
-// 1e-3, and NaN.
-// Error: 5e-7; 1e-6 over the distance of v / |v| from -n below the tangent plane.
+// 1e-3, and NaN. Error: 5e-7; 1e-6 over the distance of v / |v| from -n below the tangent plane.
 float gloam_lifted_cosine(vec3 offset, vec3 normal, vec3 view) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float above = dot(direction, normal);

@@ -9,7 +9,6 @@
 // Crytek's screen-space ambient occlusion (Mittring 2007; CS-3.1): points of a whole ball around the surface against
 // the depth buffer, without falloff. On a plane half of the ball lies in the ground, so the mean is 1/2 (1/4 open in
 // an inner corner, 3/4 on an edge): the offset 0.5 of gloam_remap undoes it.
-// By paper: Crytek all but Filion and McNaughton's (CS 5.2.2) `contribution_filion`.
 
 // Crytek's contribution of a sample point (CS-A): `1 - V', V' = 1 if s_d > s_z, else 0` [Mittring 2007; Aalund and
 // Baerentzen 2013, eq 3.1].

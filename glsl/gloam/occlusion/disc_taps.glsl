@@ -8,9 +8,6 @@
 #include "gloam/occlusion/falloff.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// By paper: Fox and Compton (TSSAO-12) `..._fox_compton`, `..._unscaled`; ISSAO-3 to 6 `..._issao...`; Alchemy
-// (CS-3.10) `..._alchemy`; SAO `..._sao`; Aksoy and Phaneuf `..._phaneuf`, `two_radii_sum`; MSSAO `..._mssao...`.
-
 // Contribution of the surface patch seen at a tap, after Fox and Compton's crease shading: no visibility test, the
 // patch itself is what blocks.
 
@@ -48,8 +45,7 @@ float gloam_contribution_fox_compton_unscaled(vec3 offset, vec3 normal, float ep
 // reconstructed].
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units.
 // Returns a contribution in [0, 1], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v| >= R and
-// NaN.
-// Error: 4e-7; a point within 4 ULP of the radius may fall to either side.
+// NaN. Error: 4e-7; a point within 4 ULP of the radius may fall to either side.
 float gloam_contribution_issao_basic(vec3 offset, vec3 normal, float radius) {
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
     return reach < radius ? gloam_sample_cosine(offset, normal) : 0.0;
@@ -71,9 +67,8 @@ float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
 // ISSAO's contribution of a direction (ISSAO-4): `Q(|v|) max(v . n / |v|, 0) for |v| < R` [ISSAO, eq 4, reconstructed].
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi, mu: see
 // gloam_issao_attenuation.
-// Returns a contribution in [0, phi / mu], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v|
-// >= R and NaN.
-// Error: 2e-7 of phi / mu; a point within 4 ULP of the radius may fall to either side.
+// Returns a contribution in [0, phi / mu], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v| >=
+// R and NaN. Error: 2e-7 of phi / mu; a point within 4 ULP of the radius may fall to either side.
 float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius, float phi, float mu) {
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
     if (!(reach < radius)) return 0.0;
@@ -138,9 +133,6 @@ float gloam_contribution_sao(vec3 offset, vec3 normal, float radius, float bias,
     return scale * window * window * window * (above / (squared + epsilon));
 }
 
-// Poisson-disc occlusion after Aksoy and Phaneuf 2011: surface points under the taps of a disc, at a fine and at a
-// broad radius.
-
 // contribution of a surface point in front of the tangent plane (CS-J): `max(1 - |v| / R, 0) if v . n > bias, else 0`
 // [Aksoy and Phaneuf 2011, corrected].
 // (In print points BEHIND the plane occlude; they cannot.)
@@ -160,9 +152,6 @@ float gloam_contribution_aksoy_phaneuf(vec3 offset, vec3 normal, float radius, f
 float gloam_two_radii_sum(float fine, float broad) {
     return min(gloam_unit_interval(fine) + gloam_unit_interval(broad), 1.0);
 }
-
-// Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): a small kernel at each of several resolutions, where
-// the coarser kernels cover more of the world, and the combination of their results.
 
 // contribution of a surface point at one level (CS-F): `(1 - min(1, (d / d_max)^2)) max(n . v / |v|, 0)` [Hoang and Low
 // 2012 (MSSAO)].

@@ -48,9 +48,7 @@ float gloam_contribution_ritschel(float blocked, float falloff, float cosine) {
 
 // contribution of a sample point, uniform directions (TSSAO-3-uniform): `C = 2 V D max(cos, 0)` [TSSAO,
 // eq 3 normalised for density 1 / (2 pi)].
-// Directions have the density 1 / (2 pi).
-// blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
-// normal.
+// blocked, falloff, cosine: as for gloam_contribution_ritschel.
 // Returns a contribution in [0, 2] whose mean is the occlusion: clamp the mean, not the contribution. Error: 1.5 ULP.
 // No method or pass here calls it: it is TSSAO, eq 3, for uniform directions; the methods draw by the cosine.
 float gloam_contribution_uniform_directions(float blocked, float falloff, float cosine) {

@@ -50,8 +50,7 @@ const float GLOAM_FARTHEST = 1e18;
 // position: view space, world units. normal: view space, of a length in [1e-15, 1e15]. radius: world units.
 // Returns false for background depth, for a normal of another length or NaN, for a radius that is not in [1e-18, 1e18],
 // and for an image without pixels. Also where the position or an element of the camera is not finite or beyond 1e18, or
-// an element is below 1e-18.
-// Error: none, but for a normal within rounding of the limits.
+// an element is below 1e-18. Error: none, but for a normal within rounding of the limits.
 bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera camera) {
     vec2 p = abs(camera.p00_p11);
     float squared = dot(normal, normal);

@@ -12,7 +12,6 @@
 // the integral in closed form. Each slice's amount is divided, in the end, by what its own half plane would hold: a
 // bare plane is then open exactly, at any tilt and with any number of slices. Divided by the number of slices alone
 // it reads 0.50 to 1.41 when tilted by 60 degrees.
-// By paper: GTAO `gtao_...`, `slice_fraction_cosine`; bitmasks (Therrien et al. 2023) `bit...`.
 
 // higher of the horizon so far and a sample's (GTAO-horizon): `max(c, c_0 + (1 - |v| / R) (v . view / |v| - c_0)) for
 // |v| < R` [Jimenez et al. 2016].

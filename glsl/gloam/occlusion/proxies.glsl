@@ -10,11 +10,8 @@
 // A ball that replaces the surface at a tap (Shanmugam and Arikan 2007; mixture sampling, Song 2010). Its radius r is
 // half the width of the tap's pixel in the world: gloam_filter_sigma with half a pixel. Overlapping balls count twice,
 // so clamp the sum.
-// By paper: Shanmugam and Arikan (CS 3.2.3) `sphere_...`, `..._sphere...`; Song (CS 3.2.8) `above_horizon`; Bunnell
-// (CS 3.2.1) `disc_...`, `..._disc_proxy_cosine`.
 
 // part of the half space that a ball takes up (CS-H-fraction): `1 - sqrt(1 - (r / D)^2)` [solid angle of a ball].
-// By solid angle, seen from outside.
 // radius: r, distance_to: D of the centre, world units, same unit.
 // Returns a fraction in [0, 1]; 1 for D <= r, 0 for an r not positive and for NaN. Error: 3e-7.
 float gloam_sphere_fraction(float radius, float distance_to) {
@@ -42,7 +39,6 @@ float gloam_contribution_sphere(vec3 offset, vec3 normal, float radius) {
 
 // contribution of a ball, cosine-weighted (CS-H-cosine): `(r / D)^2 max(n . v / D, 0)` [derived: exact for a ball above
 // the tangent plane].
-// Exact for a ball above the tangent plane.
 // offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, >
 // 0.
 // Returns a contribution in [0, 1]; 1 and 0 as gloam_contribution_sphere. Error: 5e-7, but within rounding of D = r.
@@ -74,8 +70,7 @@ float gloam_above_horizon(vec3 offset, float tan_horizon) {
 // how a disc shares the squared distance to its rim (CS-S-share): `(A, pi D^2) / (A + pi D^2)` [derived].
 // area: A, world units squared, >= 0. distance_to: D of the centre, world units, >= 0.
 // Returns (a, 1 - a), each in [0, 1]; (0, 1) for an area not positive or NaN, and for a distance that is negative or
-// NaN.
-// Error: 4e-7.
+// NaN. Error: 4e-7.
 vec2 gloam_disc_share(float area, float distance_to) {
     float radius = gloam_sqrt(area * 0.318309886);
     if (!(radius > 0.0 && distance_to >= 0.0)) return vec2(0.0, 1.0);

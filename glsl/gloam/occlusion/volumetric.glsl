@@ -13,7 +13,6 @@
 // The volume is the mean of the parts weighted by chord, calculated by gloam_weighted_mean_add. The published shader
 // uses the plain mean, which is too large in grooves (0.647 instead of 0.625 at 45 degrees), and starts it with (0.5,
 // 1), a prior for few samples.
-// By paper: Loos and Sloan (CS 3.2.9) all but Szirmay-Kalos' `tangent_sphere_...`.
 
 // half the chord of the sphere at a tap (CS-I-chord): `h = r (1 - |xi|^2)^(1/2)` [Loos and Sloan 2010; Aalund and
 // Baerentzen 2013, eq 3.5].
@@ -94,7 +93,6 @@ float gloam_area_occlusion(float height, float half_width, float half_height) {
 
 // balls of two radii as one occlusion (CS-I-two-balls): `clamp(q_fine + q_broad - 1/2, 0, 1)` [after Loos and Sloan
 // 2010].
-// What both hold beyond the half that a plane fills, added.
 // fine, broad: solid share of each, [0, 1].
 // Returns clamp(fine + broad - 1/2, 0, 1); what is not finite counts as 1/2. Error: 1.2e-7.
 float gloam_two_balls(float fine, float broad) {

@@ -4,8 +4,6 @@
 
 #include "gloam/numeric/constants.glsl"
 
-// By paper: ISSAO 4.1 `count_by_radius`; the comparative study (CS 5.2.5) `count_by_distance`.
-
 // number of samples by the projected size of the kernel (ISSAO-LOD): `clamp(round(most r / r_ref), least, most)`
 // [ISSAO, in prose].
 // Given in prose only: fewer samples far away. A half is rounded up.

@@ -13,8 +13,7 @@ const float GLOAM_FARTHEST_LEVEL_DEPTH = 65504.0;
 // Of a buffer of the range [0, 1] (gloam/geometry/linear_depth.glsl), perspective, d is P32 / (P22 + b); orthographic,
 // (P32 - b) / P22. What is eye-linear has (0, 1) and (1, 0). The radius belongs to the numerator.
 // stored: b. far: the value of the background in the buffer, 1 or, reversed, 0; where there is none, infinity.
-// Returns a depth in (0, 65504]; 65504 for background and NaN.
-// Error: 3 ulp, of inputs within 4 ulp; b from 1e-30.
+// Returns a depth in (0, 65504]; 65504 for background and NaN. Error: 3 ulp, of inputs within 4 ulp; b from 1e-30.
 float gloam_level_depth(float stored, vec2 numerator, vec2 divisor, float far) {
     float depth = (numerator.x + numerator.y * stored) / (divisor.x + divisor.y * stored);
     return stored != far && depth > 0.0 && depth < GLOAM_FARTHEST_LEVEL_DEPTH ? depth : GLOAM_FARTHEST_LEVEL_DEPTH;

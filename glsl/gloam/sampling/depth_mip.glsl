@@ -37,8 +37,7 @@ ivec2 gloam_depth_mip_size(ivec2 size, int level) {
 // and Luebke 2012 (Scalable Ambient Obscurance)].
 // tap: pixel of the full image. size: of the full image, pixels. level: 0 to 30; outside, the nearer end.
 // Returns tap >> level kept inside the level: the last column and row of an image of odd size stand in the level's
-// last.
-// Error: none.
+// last. Error: none.
 ivec2 gloam_depth_mip_pixel(ivec2 tap, ivec2 size, int level) {
     return clamp(tap >> clamp(level, 0, 30), ivec2(0), gloam_depth_mip_size(size, level) - 1);
 }

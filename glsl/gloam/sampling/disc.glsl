@@ -7,9 +7,6 @@
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// By paper: TSSAO-13 `disc_sample`, `disc_point`; SAO and Toy Story 3 `spiral_point`; ISSAO-1 `issao_offset_...`;
-// Sourimant et al. 2011 `poisson_disc`.
-
 // point of the unit circle at a part of a turn (CIRCLE): `(cos 2 pi t, sin 2 pi t)` [definition].
 // turn: t in [0, 1], counter-clockwise; taken to the nearer end outside, 0 for NaN.
 // Returns a vector of length 1. Error: 2e-7.
@@ -19,7 +16,6 @@ vec2 gloam_circle_point(float turn) {
 
 // uniform point of the disc (TSSAO-13): `a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)` [TSSAO,
 // eq 13; Fox and Compton's kernel].
-// The Fox-Compton kernel.
 // zeta: uniform point of [0, 1)^2 (a Halton point). Outside, zeta_x counts modulo 1 and zeta_y is taken to the nearer
 // end; NaN counts as 0, an infinite zeta_x too.
 // Returns a point of the unit disc of density 1 / pi; scale it by the projected radius. zeta_y = 0 gives the centre.

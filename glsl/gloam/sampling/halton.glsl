@@ -22,7 +22,6 @@ float gloam_radical_inverse_base2(uint index) {
 }
 
 // radical inverse in any base (HALTON): `Phi_b(i) = sum of a_m b^(-m-1), i = sum of a_m b^m` [Halton 1960].
-// The digits a_m of the index mirrored at the point.
 // index: number of the sample; only its 24 low bits count (index modulo 2^24).
 // base: 2 to 2^24, taken to the nearer end outside; the Halton bases are primes.
 // Returns a number in [0, 1). Error: at most 3 ulp.

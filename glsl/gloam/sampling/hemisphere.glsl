@@ -8,16 +8,11 @@
 #include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/halton.glsl"
 
-// By paper: TSSAO-14 `hemisphere_cosine...`, `hemisphere_uniform...`; Filion `hemisphere_flip`; Crytek
-// `reflect_sample`; Sourimant et al. 2011 (CS 3.2.10) `poisson_accepts`, `hemisphere_lift`.
-
 // point of the half ball: cosine-weighted direction, uniform radius (TSSAO-14): `a = 2 pi zeta_x, r = zeta_y; s = r
 // (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z))` [TSSAO, eq 14 corrected; Ritschel's kernel].
-// The Ritschel kernel, its misprint mended.
 // zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
-// Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density cos / pi,
-// so an average over samples carries no further cosine. zeta_y = 0 gives the zero vector, which has no direction:
-// skip it.
+// Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density cos / pi, so
+// an average over samples carries no further cosine. zeta_y = 0 gives the zero vector, which has no direction: skip it.
 // Error: 3e-7.
 vec3 gloam_hemisphere_cosine(vec3 zeta) {
     float radius = gloam_unit_interval(zeta.y);
@@ -28,9 +23,8 @@ vec3 gloam_hemisphere_cosine(vec3 zeta) {
 // point of the half ball: uniform direction, uniform radius (TSSAO-14-uniform): `a = 2 pi zeta_x, r = zeta_y; s = r
 // (cos a sqrt(1 - zeta_z^2), sin a sqrt(1 - zeta_z^2), zeta_z)` [TSSAO, variant of eq 14].
 // zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
-// Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density 1 / (2
-// pi), so an average over samples carries the cosine and a factor 2. zeta_y = 0 gives the zero vector: skip it.
-// Error: 3e-7.
+// Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density 1 / (2 pi),
+// so an average over samples carries the cosine and a factor 2. zeta_y = 0 gives the zero vector: skip it. Error: 3e-7.
 vec3 gloam_hemisphere_uniform(vec3 zeta) {
     float radius = gloam_unit_interval(zeta.y);
     float cosine = gloam_unit_interval(zeta.z);
@@ -39,7 +33,6 @@ vec3 gloam_hemisphere_uniform(vec3 zeta) {
 
 // point of a sample: hemisphere_cosine (POINTS-hemisphere-cosine): `TSSAO-14 of the Halton point` [TSSAO, eqs 13 and
 // 14].
-// Before it is rotated: what all pixels share of a sample.
 // index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error:
 // 1.2e-6 where the third coordinate of the Halton point is below 0.998; up to 5e-4 beyond, where the square root
 // magnifies the error of that coordinate.
@@ -49,7 +42,6 @@ vec3 gloam_hemisphere_cosine_point(uint index) {
 
 // point of a sample: hemisphere_uniform (POINTS-hemisphere-uniform): `TSSAO-14-uniform of the Halton point` [TSSAO, eqs
 // 13 and 14].
-// Before it is rotated: what all pixels share of a sample.
 // index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error:
 // 2e-6 where the third coordinate of the Halton point is below 0.998; up to 5e-4 beyond, where the square root
 // magnifies the error of that coordinate.
@@ -87,7 +79,6 @@ mat3 gloam_tangent_frame(vec3 n) {
 }
 
 // sample reflected at a random plane (REFLECT): `s - 2 (s . n) n, n = normalize(2 t - 1)` [Mittring 2007].
-// Mittring's kernel rotation.
 // s: sample point in any space, in units of the kernel radius (length below 1e19).
 // encoded: texel of a random texture, each channel in [0, 1], that stands for the direction 2 encoded - 1 of any
 // length.
@@ -108,8 +99,7 @@ vec3 gloam_reflect_sample(vec3 s, vec3 encoded) {
 // candidate, other: points of the unit disc (coordinates below 1e18).
 // min_distance: smallest allowed distance, in [0, 2]; a negative one is met by every pair of points.
 // Returns whether the candidate may stand beside the other point; false if anything is NaN. Differences below 1e-19
-// count as 0.
-// Error: none, but for distances within rounding of min_distance.
+// count as 0. Error: none, but for distances within rounding of min_distance.
 // No method or pass here calls it: it is the condition of the comparative study; the methods take a finished pattern.
 bool gloam_poisson_accepts(vec2 candidate, vec2 other, float min_distance) {
     vec2 offset = candidate - other;

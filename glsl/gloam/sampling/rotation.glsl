@@ -4,8 +4,6 @@
 
 #include "gloam/numeric/sincos.glsl"
 
-// By paper: TSSAO `turn_...`, `rotate_...`; Alchemy and SAO `hash_...`; gloam's own `lattice_rotation`.
-
 // What rotates many samples by one angle turns them by its cosine and sine, computed once: not every driver moves
 // them out of a loop.
 

@@ -6,9 +6,6 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// By paper: ISSAO-2 (CS-2.2) `ambient_light`; GTAO `multi_bounce`; the comparative study (CS 4.1.12) `remap`; Luft et
-// al. 2006 (CS 3.2.2) `depth_darkening`.
-
 // ambient light that arrives (ISSAO-2): `I_a = I_0 (1 - A_0)` [ISSAO, eq 2, reconstructed].
 // incident: I_0, any unit. occlusion: A_0 in [0, 1], taken to the nearer end outside, NaN to 0.
 // Returns light in the unit of I_0. Error: 1.5 ULP.
@@ -37,10 +34,9 @@ vec3 gloam_multi_bounce(float occlusion, vec3 albedo) {
 // ao: v, visibility in [0, 1], 1 = open. a: offset; 0.5 undoes the self-occlusion of methods that sample a whole
 // sphere, else 0.
 // b: brightness, 1. c: contrast, 1 (larger is darker).
-// Returns visibility in [0, 1]. A base b (v + a) of 0 or less gives 0, but 1 for c < 0, where the power is infinite.
-// c = 0 gives 1 whatever the base. NaN in any argument gives 1. c = 1 gives the base itself.
-// Error: 2e-6 for |c| up to 16; by any device that keeps Vulkan's rules for pow(), 6e-6, most where the base is just
-// below 1.
+// Returns visibility in [0, 1]. A base b (v + a) of 0 or less gives 0, but 1 for c < 0, where the power is infinite. c
+// = 0 gives 1 whatever the base. NaN in any argument gives 1. c = 1 gives the base itself. Error: 2e-6 for |c| up to
+// 16; by any device that keeps Vulkan's rules for pow(), 6e-6, most where the base is just below 1.
 float gloam_remap(float ao, float a, float b, float c) {
     float base = b * (ao + a);
     if (!(base > 0.0)) return base <= 0.0 && c > 0.0 ? 0.0 : 1.0;

@@ -8,8 +8,6 @@
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// By paper: bent normals and cones (CS 3.2.12) `bent_...`, `cone_angle`; SSDO (CS 3.2.5) `ssdo_...`.
-
 // Bent normal (Klehm et al. 2011): the mean of the directions in which the point is open, from the samples of any
 // estimator that has directions.
 

@@ -5,8 +5,6 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// By paper: TSSAO, eqs 5 and 6, adaptive samples, c_rot; Gears of War 2 (CS 3.2.7) has `temporal_smooth`.
-
 // weight of a history value, if it can be one (TSSAO-5-weight): `min(w', w_max) if 0 <= AO' <= 1, else 0` [TSSAO,
 // edges of eq 5].
 // history: AO_(f-1). weight: w_(f-1), in samples. weight_max: w_max, in samples.
@@ -31,9 +29,8 @@ float gloam_history_weight(float history, float weight, float weight_max) {
 // weight_max: w_max in samples, 500 to 1500, at most 2^24 - k for exact counts; 0, negative or NaN keeps no history.
 // Returns (AO, new weight). An unusable history (outside [0, 1], NaN) has weight 0. Weight 0 gives C exactly. k = 0,
 // negative, infinite or NaN, and an infinite or NaN C leave the history as it is; with weight 0 that is (0, 0).
-// Subnormal numbers are read as 0.
-// Error: 1e-7; of the weight 0.5 ULP. Over any number of frames errors add up to no more than
-// 1e-7 (w_max + k) / k.
+// Subnormal numbers are read as 0. Error: 1e-7; of the weight 0.5 ULP. Over any number of frames errors add up to no
+// more than 1e-7 (w_max + k) / k.
 vec2 gloam_blend(float history, float weight, float contribution, float k, float weight_max) {
     float w = gloam_history_weight(history, weight, weight_max);
     float old = w > 0.0 && history >= GLOAM_SMALLEST ? history : 0.0;

@@ -21,8 +21,7 @@ vec3 gloam_frame_before(vec2 pixel, float depth, mat4x3 m, bool orthographic) {
 // max d_i` [gloam; TSSAO, eq 8].
 // It has moved, or it was hidden, or it is background that something has left.
 // depth: d, that it had in that frame. before: d_i > 0, of the four pixels around. far: f; depth from there on is that
-// of background. tolerance: t, in [0, 1).
-// A difference within rounding of the tolerance may fall to either side.
+// of background. tolerance: t, in [0, 1). A difference within rounding of the tolerance may fall to either side.
 bool gloam_frame_moved(float depth, vec4 before, float far, float tolerance) {
     float least = min(min(before.x, before.y), min(before.z, before.w));
     float most = max(max(before.x, before.y), max(before.z, before.w));

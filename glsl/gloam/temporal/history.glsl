@@ -108,9 +108,8 @@ vec4 gloam_bilinear_weights(vec2 fraction) {
 // depth edges].
 // bilinear: weights as above; each read inside [0, 1], NaN as 0. valid: which texels passed their test
 // (gloam_depth_consistent).
-// Returns weights in [0, 1] of sum 1, 0 for invalid texels; all 0 where no valid texel has a weight that is not zero
-// or subnormal.
-// Error: 3 ULP each.
+// Returns weights in [0, 1] of sum 1, 0 for invalid texels; all 0 where no valid texel has a weight that is not zero or
+// subnormal. Error: 3 ULP each.
 vec4 gloam_validated_weights(vec4 bilinear, bvec4 valid) {
     vec4 w = vec4(valid.x ? gloam_unit_interval(bilinear.x) : 0.0, valid.y ? gloam_unit_interval(bilinear.y) : 0.0,
                   valid.z ? gloam_unit_interval(bilinear.z) : 0.0, valid.w ? gloam_unit_interval(bilinear.w) : 0.0);

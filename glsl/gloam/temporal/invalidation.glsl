@@ -74,7 +74,6 @@ float gloam_probe_change(vec3 now, vec3 before, vec3 normal, float reach) {
 
 // smooth invalidation by clamping the weight (TSSAO-SI-a): `w := min(w, w_small)` [TSSAO, notes on
 // smooth invalidation].
-// Form (a).
 // weight: w, accumulated samples. weight_small: w_small, 32 to 64 samples.
 // Returns the weight, >= 0; 0 for a negative or NaN argument. Error: none.
 float gloam_invalidate_clamp(float weight, float weight_small) {
@@ -99,7 +98,6 @@ float gloam_confidence(float change, float factor) {
 
 // smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO, smooth invalidation factor,
 // reconstructed].
-// Form (b).
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
 // Returns the weight, >= 0; 0 for a negative, infinite or NaN weight. Error: 0.5 ULP.
 float gloam_invalidate_confidence(float weight, float confidence) {
