@@ -81,14 +81,14 @@ bool preserves_specials(const Spirv& module) {
 std::vector<float> float_constants(const Spirv& module) {
     constexpr std::uint32_t width = 32;
     std::uint32_t type = 0;
-    std::vector<float> found;
+    std::set<float> numbers;
     for (const Instruction& one : instructions(module)) {
         if (one.opcode == SpvOpTypeFloat && one.word(2) == width) type = one.word(1);
         if (one.opcode != SpvOpConstant || one.word(1) != type) continue;
         const auto number = std::bit_cast<float>(one.word(3));
-        if (std::isfinite(number) && std::ranges::find(found, number) == found.end()) found.push_back(number);
+        if (std::isfinite(number)) numbers.insert(number + 0.0F);  // -0 as 0, whichever comes first
     }
-    return found;
+    return {numbers.begin(), numbers.end()};
 }
 
 std::string literal_string(const Instruction& instruction, std::size_t index) {

@@ -61,7 +61,7 @@ struct Instruction {
 // Whether a module declares SignedZeroInfNanPreserve.
 [[nodiscard]] bool preserves_specials(const Spirv& module);
 
-// The float32 constants of a module that are finite, each once, in their order.
+// The finite float32 constants of a module, each once, ascending: whatever order its text declares them in.
 [[nodiscard]] std::vector<float> float_constants(const Spirv& module);
 
 // Throws std::runtime_error with the validator's message if the module is not valid for Vulkan 1.2.
