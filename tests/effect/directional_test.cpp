@@ -48,7 +48,7 @@ TEST_F(Directions, InterleavedPixelsShareOnePattern) {
         return most;
     };
     EXPECT_GT(off(directional_.bent_normals(view, few)), 0.1F);
-    const BentNormals shared = directional_.bent_normals(view, few, {.interleave = 4});
+    const BentNormals shared = directional_.bent_normals(view, few, 4);
     EXPECT_LT(off(shared), 1e-6F);
     // One pixel with the same points, but for its turn around the normal.
     const BentNormals alone = directional_.bent_normals(view, all);
@@ -61,7 +61,7 @@ TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
     const float diagonal = std::sqrt(0.5F);
     for (const auto& [interleave, unit] : {std::pair(1, 1.0F), {4, 1.0F}, {4, 0.02F}}) {
         const scene::GBuffer view = step(unit * (3.0F - high), unit * 3.0F, double{unit} * close);
-        const BentNormals bent = directional_.bent_normals(view, many(unit), {.interleave = interleave});
+        const BentNormals bent = directional_.bent_normals(view, many(unit), interleave);
         EXPECT_LT(degrees_between(bent.direction[beside], {diagonal, 0, diagonal}), 10.0) << interleave;
         EXPECT_LT(degrees_between(bent.direction[beside - 1], {0, 0, 1}), 0.5) << "on top";
         EXPECT_NEAR(bent.half_angle[beside], std::acos(std::sqrt(2.0) - 1.0), 0.1) << interleave;
@@ -193,7 +193,7 @@ TEST_F(Directions, KeepTheirPixels) {
         scene::GBuffer view = drawn("corner", {64, 36}, {.color = true, .guard = guard});
         change(view);
         const DirectionalLight light = directional_.light(view, few, clear_sky);
-        const BentNormals directions = directional_.bent_normals(view, few, {.interleave = interleave});
+        const BentNormals directions = directional_.bent_normals(view, few, interleave);
         EXPECT_NEAR(light.direct.at(pixel).x, direct, 1e-3) << what << pixel;
         EXPECT_NEAR(light.bounced.at(pixel).x, bounced, 1e-3) << what << pixel;
         EXPECT_NEAR(directions.direction.at(pixel).x, bent, 1e-3) << what << pixel;
@@ -204,7 +204,7 @@ TEST_F(Directions, KeepTheirPixels) {
 TEST_F(Directions, OfWrongImagesAndOptionsAreRefused) {
     scene::GBuffer view = step(3.0F, 3.0F);
     for (const int sides : {0, 9, -1})
-        EXPECT_THROW((void)directional_.bent_normals(view, many(), {.interleave = sides}),
+        EXPECT_THROW((void)directional_.bent_normals(view, many(), sides),
                      std::invalid_argument);
     view.color.resize(7);
     EXPECT_THROW((void)directional_.light(view, many(), clear_sky), std::invalid_argument);

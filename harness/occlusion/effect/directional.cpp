@@ -84,18 +84,16 @@ struct Directional::Impl {
 Directional::Directional(const gpu::Device& device, const scene::PassLibrary& passes)
     : impl_(base::make_hidden<Impl>(device, passes)) {}
 
-BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings,
-                                      const BentOptions& options) {
-    if (options.interleave < 1 || options.interleave > most_interleave) {
+BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings, int interleave) {
+    if (interleave < 1 || interleave > most_interleave)
         throw std::invalid_argument(
-            fmt::format("interleave {}: expected 1 to {}", options.interleave, most_interleave));
-    }
-    const auto interleave = static_cast<std::uint32_t>(options.interleave);
+            fmt::format("interleave {}: expected 1 to {}", interleave, most_interleave));
+    const auto side = static_cast<std::uint32_t>(interleave);
     impl_->take(view, settings);
     gpu::Image& bent = impl_->resources.image("bent", view.extent, rgba32f);
     gpu::Image& gathered = impl_->resources.image("gathered", view.extent, rgba32f);
-    impl_->shade("bent_normals", "bent", {}, view, settings, interleave);
-    if (interleave > 1) impl_->shade("bent_gather", "gathered", {"bent"}, view, settings, interleave);
+    impl_->shade("bent_normals", "bent", {}, view, settings, side);
+    if (interleave > 1) impl_->shade("bent_gather", "gathered", {"bent"}, view, settings, side);
     const std::vector<float> texels = (interleave > 1 ? gathered : bent).download();
     return {.extent = scene::frame_of(view),
             .direction = scene::cropped(view, vectors_of(texels)),

@@ -20,13 +20,6 @@ struct BentNormals {
     std::vector<float> half_angle;  // of the cone that represents them, radians in [0, pi / 2]
 };
 
-// Interleaved sampling (Klehm et al. 2011). The pixels of a block with `interleave` pixels on a side share
-// one pattern of interleave^2 times as many samples. Each pixel takes a part of it, then gathers the parts of
-// the block around it from the pixels on its own surface. Range: 1 to 8; 1: no sharing.
-struct BentOptions {
-    int interleave = 1;
-};
-
 // Radiance of the sky by direction in the world, with +y up: mixed from horizon to zenith by the height. Any
 // unit, >= 0, finite.
 struct Sky {
@@ -56,10 +49,13 @@ class Directional {
     Directional(const gpu::Device& device, const scene::PassLibrary& passes);
 
     // Both throw std::invalid_argument for settings out of range and for images of another size;
-    // bent_normals() also for options out of range. Missing normals are reconstructed from depth. Each call
-    // takes its samples anew: there is no history.
+    // bent_normals() also for an interleave out of range. Missing normals are reconstructed from depth. Each
+    // call takes its samples anew: there is no history. interleave, 1 to 8: the pixels of a block with so
+    // many on a side share one pattern of interleave^2 times as many samples (Klehm et al. 2011). Each takes
+    // a part of it, then gathers the parts of the block around it from the pixels on its own surface. 1: no
+    // sharing.
     [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings,
-                                           const BentOptions& options = {});
+                                           int interleave = 1);
 
     [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,
                                          const Sky& sky);

@@ -34,10 +34,6 @@ void fill(gpu::Buffer& buffer, const std::vector<std::byte>& contents) {
     std::ranges::copy(contents, buffer.bytes().begin());
 }
 
-void clear(gpu::Buffer& buffer) {
-    std::ranges::fill(buffer.bytes(), std::byte{0});
-}
-
 // All that a source says, as one text.
 std::string key_of(const PassSource& source) {
     std::string key = source.unrolls ? source.file + ", unrolled" : source.file;
@@ -81,6 +77,21 @@ gpu::ComputePipeline pipeline_of(const gpu::Device& device, const PassSource& so
              .constants = source.constants}};
 }
 
+void require_size(const char* what, std::size_t found, gpu::Extent extent) {
+    if (found == pixels_of(extent)) return;
+    throw std::invalid_argument(
+        fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
+}
+
+// Texels of which each channel is a layer.
+std::vector<float> texels_of(std::span<const std::vector<float>> layers) {
+    std::vector<float> texels(4 * layers.front().size(), 0.0F);
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        for (std::size_t i = 0; i < layers[l].size(); ++i) texels[4 * i + l] = layers[l][i];
+    }
+    return texels;
+}
+
 }  // namespace
 
 shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& library, bool storage_inputs) {
@@ -121,7 +132,7 @@ gpu::Buffer& Resources::buffer(const std::string& name, std::size_t bytes) {
     const auto found = buffers_.find(name);
     if (found != buffers_.end() && found->second.size() == bytes) return found->second;
     gpu::Buffer made(*device_, bytes);
-    clear(made);
+    std::ranges::fill(made.bytes(), std::byte{0});
     return buffers_.insert_or_assign(name, std::move(made)).first->second;
 }
 
@@ -254,25 +265,6 @@ void Executor::run(std::string name, PassSource source, std::vector<std::string>
             [this](const PassSource& one) { return interface_of(one); }, groups),
         resources, watcher);
 }
-
-namespace {
-
-void require_size(const char* what, std::size_t found, gpu::Extent extent) {
-    if (found == pixels_of(extent)) return;
-    throw std::invalid_argument(
-        fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
-}
-
-// Texels of which each channel is a layer.
-std::vector<float> texels_of(std::span<const std::vector<float>> layers) {
-    std::vector<float> texels(4 * layers.front().size(), 0.0F);
-    for (std::size_t l = 0; l < layers.size(); ++l) {
-        for (std::size_t i = 0; i < layers[l].size(); ++i) texels[4 * i + l] = layers[l][i];
-    }
-    return texels;
-}
-
-}  // namespace
 
 void require_guard(const scene::GBuffer& view, const Settings& settings) {
     const gpu::Extent none;

@@ -16,9 +16,8 @@ namespace gloam::effect {
 const std::vector<MethodInfo>& methods() {
     static const std::vector<MethodInfo> all = [] {
         std::vector<MethodInfo> methods;
-        for (const auto& family :
-             {point_methods(), tap_methods(), issao_methods(), volumetric_methods(), pair_methods(),
-              hbao_methods(), slice_methods(), ray_methods(), surface_methods(), proxy_methods()})
+        for (const auto& family : {point_methods(), tap_methods(), volumetric_methods(), slice_methods(),
+                                   ray_methods(), surface_methods()})
             methods.insert(methods.end(), family.begin(), family.end());
         return methods;
     }();

@@ -96,10 +96,8 @@ struct MethodInfo {
     std::string falloff;                // with the distance of the blocker: "linear", "none", ...
     std::string own_settings;           // GLSL struct; none: the function takes no settings of its own
     std::vector<MethodMember> members;  // of the struct, in its order
-    std::string points;  // shared samples: glsl/gloam/sampling/NAME_point.glsl; empty: nothing is shared
     SampleUnit unit = SampleUnit::one;
     double on_a_plane = 0.0;     // its result on a bare plane
-    bool takes_fewer = false;    // than asked for, if several samples fall into one pixel
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1

@@ -90,6 +90,46 @@ bool near_image(const glm::dvec2& place, gpu::Extent extent) {
     return place.x > -1.0 && place.y > -1.0 && place.x < extent.width + 1.0 && place.y < extent.height + 1.0;
 }
 
+constexpr int always = 1 << 20;  // frames
+
+using numeric::infinity;
+
+// Squared distances along one line: the lower envelope of parabolas at the positions where `square` is
+// finite.
+void transform_line(std::vector<double>& square) {
+    const std::size_t count = square.size();
+    std::vector<std::size_t> place(count);
+    std::vector<double> from(count + 1);
+    std::size_t parabolas = 0;
+    for (std::size_t q = 0; q < count; ++q) {
+        if (!std::isfinite(square[q])) continue;
+        const auto height = [&](std::size_t p) {
+            return square[p] + static_cast<double>(p) * static_cast<double>(p);
+        };
+        double start = -infinity;
+        while (parabolas > 0) {
+            const std::size_t p = place[parabolas - 1];
+            start = (height(q) - height(p)) / (2.0 * static_cast<double>(q - p));
+            if (start > from[parabolas - 1]) break;
+            --parabolas;
+            start = -infinity;
+        }
+        place[parabolas] = q;
+        from[parabolas] = start;
+        ++parabolas;
+    }
+    if (parabolas == 0) return;
+    from[parabolas] = infinity;
+    std::vector<double> result(count);
+    std::size_t k = 0;
+    for (std::size_t q = 0; q < count; ++q) {
+        while (from[k + 1] < static_cast<double>(q)) ++k;
+        const double step = static_cast<double>(q) - static_cast<double>(place[k]);
+        result[q] = step * step + square[place[k]];
+    }
+    square = result;
+}
+
 }  // namespace
 
 HistoryMap::HistoryMap(const scene::GBuffer& view, const scene::GBuffer& previous)
@@ -148,12 +188,6 @@ std::optional<double> mean_change(const HistoryMap& history, std::span<const flo
     return count == 0 ? std::nullopt : std::optional(sum / static_cast<double>(count));
 }
 
-namespace {
-
-constexpr int always = 1 << 20;  // frames
-
-}  // namespace
-
 void PixelClasses::advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history) {
     const std::size_t pixels = view.depth.size();
     if (history && classes_.size() != pixels)
@@ -198,48 +232,6 @@ Mask PixelClasses::mask(PixelClass one) const {
     std::ranges::transform(classes_, found.begin(), [one](PixelClass of) { return of == one ? 1 : 0; });
     return found;
 }
-
-namespace {
-
-using numeric::infinity;
-
-// Squared distances along one line: the lower envelope of parabolas at the positions where `square` is
-// finite.
-void transform_line(std::vector<double>& square) {
-    const std::size_t count = square.size();
-    std::vector<std::size_t> place(count);
-    std::vector<double> from(count + 1);
-    std::size_t parabolas = 0;
-    for (std::size_t q = 0; q < count; ++q) {
-        if (!std::isfinite(square[q])) continue;
-        const auto height = [&](std::size_t p) {
-            return square[p] + static_cast<double>(p) * static_cast<double>(p);
-        };
-        double start = -infinity;
-        while (parabolas > 0) {
-            const std::size_t p = place[parabolas - 1];
-            start = (height(q) - height(p)) / (2.0 * static_cast<double>(q - p));
-            if (start > from[parabolas - 1]) break;
-            --parabolas;
-            start = -infinity;
-        }
-        place[parabolas] = q;
-        from[parabolas] = start;
-        ++parabolas;
-    }
-    if (parabolas == 0) return;
-    from[parabolas] = infinity;
-    std::vector<double> result(count);
-    std::size_t k = 0;
-    for (std::size_t q = 0; q < count; ++q) {
-        while (from[k + 1] < static_cast<double>(q)) ++k;
-        const double step = static_cast<double>(q) - static_cast<double>(place[k]);
-        result[q] = step * step + square[place[k]];
-    }
-    square = result;
-}
-
-}  // namespace
 
 std::vector<float> distance_to(const Mask& mask, gpu::Extent extent) {
     const std::size_t width = extent.width;

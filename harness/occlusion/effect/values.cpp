@@ -67,7 +67,8 @@ void add_view(const Moment& m, Values& all) {
     all.set("size", vector_of_size(m.view.extent));
     all.set("unorm_normals", encoding.unorm);
     all.set("view_from_world", glm::mat3x4(glm::mat3(camera.view)));
-    all.set("watches_objects", m.watches());
+    all.set("watches_objects",
+            m.moves_history() && m.has_positions && m.settings.invalidation != Invalidation::none);
     all.set("world_from_view", glm::mat3x4(glm::transpose(glm::mat3(camera.view))));
     all.set("world_normals", encoding.world);
 }

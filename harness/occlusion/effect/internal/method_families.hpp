@@ -8,14 +8,10 @@ namespace gloam::effect {
 
 [[nodiscard]] std::vector<MethodInfo> point_methods();
 [[nodiscard]] std::vector<MethodInfo> tap_methods();
-[[nodiscard]] std::vector<MethodInfo> issao_methods();
 [[nodiscard]] std::vector<MethodInfo> volumetric_methods();
-[[nodiscard]] std::vector<MethodInfo> pair_methods();
-[[nodiscard]] std::vector<MethodInfo> hbao_methods();
 [[nodiscard]] std::vector<MethodInfo> slice_methods();
 [[nodiscard]] std::vector<MethodInfo> ray_methods();
 [[nodiscard]] std::vector<MethodInfo> surface_methods();
-[[nodiscard]] std::vector<MethodInfo> proxy_methods();
 
 // Settings of a published configuration. The number of samples is the same before and after convergence.
 [[nodiscard]] Settings configuration(const MethodInfo& method, std::uint32_t samples);

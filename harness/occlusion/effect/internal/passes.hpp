@@ -53,10 +53,6 @@ struct Moment {
 
     // Whether the history is moved to the view.
     [[nodiscard]] bool moves_history() const { return moved && settings.history; }
-    // Whether the samples watch for objects that move.
-    [[nodiscard]] bool watches() const {
-        return moves_history() && has_positions && settings.invalidation != Invalidation::none;
-    }
 };
 
 // The shaders, with their definitions.

@@ -2,7 +2,6 @@
 #include "effect/internal/method_families.hpp"
 
 namespace gloam::effect {
-
 namespace {
 
 using enum Measure;
@@ -47,38 +46,6 @@ std::vector<Preset> filion_presets(const MethodInfo& method) {
              studied(configuration(method, 80)), points_printed()}};
 }
 
-}  // namespace
-
-std::vector<MethodInfo> point_methods() {
-    return {
-        {.name = "hemisphere",
-         .description = "occlusion by points in the half ball (TSSAO-3, TSSAO-14)",
-         .falloff = "linear",
-         .own_settings = "GloamHemisphere",
-         .members = {{"range"}, {"layers"}},
-         .points = "hemisphere_cosine",
-         .presets = tssao_presets},
-        {.name = "crytek",
-         .family = "hemisphere",
-         .description = "points of a whole ball (Mittring 2007)",
-         .measure = volume,
-         .falloff = "none",
-         .points = "hemisphere_uniform",
-         .on_a_plane = 0.5,
-         .adapt = [](Settings& s) { s.remap_a = 0.5F, s.bias = 0.0F; },
-         .presets = crytek_presets},
-        {.name = "filion",
-         .family = "hemisphere",
-         .description = "points of the half ball, uniform (Filion and McNaughton 2008)",
-         .measure = uniform,
-         .falloff = "linear",
-         .points = "hemisphere_uniform",
-         .presets = filion_presets},
-    };
-}
-
-namespace {
-
 // The number of samples of the study's published shaders, which its text does not print.
 Printed shader_printed(Printed more = {}) {
     more.insert(more.end(), {{"samples", "of the published shader, not in print"},
@@ -117,13 +84,37 @@ std::vector<Preset> angle_presets(const MethodInfo& method) {
 
 }  // namespace
 
+std::vector<MethodInfo> point_methods() {
+    return {
+        {.name = "hemisphere",
+         .description = "occlusion by points in the half ball (TSSAO-3, TSSAO-14)",
+         .falloff = "linear",
+         .own_settings = "GloamHemisphere",
+         .members = {{"range"}, {"layers"}},
+         .presets = tssao_presets},
+        {.name = "crytek",
+         .family = "hemisphere",
+         .description = "points of a whole ball (Mittring 2007)",
+         .measure = volume,
+         .falloff = "none",
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F, s.bias = 0.0F; },
+         .presets = crytek_presets},
+        {.name = "filion",
+         .family = "hemisphere",
+         .description = "points of the half ball, uniform (Filion and McNaughton 2008)",
+         .measure = uniform,
+         .falloff = "linear",
+         .presets = filion_presets},
+    };
+}
+
 std::vector<MethodInfo> volumetric_methods() {
     return {
         {.name = "volumetric",
          .description = "solid share of a ball, by paired lines (Loos and Sloan 2010)",
          .measure = volume,
          .falloff = "none",
-         .points = "disc",
          .unit = SampleUnit::pair,
          .on_a_plane = 0.5,
          .adapt = [](Settings& s) { s.remap_a = 0.5F; },
@@ -133,7 +124,6 @@ std::vector<MethodInfo> volumetric_methods() {
          .description = "volumetric in a ball of a quarter of the radius and in the whole one",
          .measure = volume,
          .falloff = "none",
-         .points = "disc",
          .unit = SampleUnit::cross,
          .on_a_plane = 0.5,
          .adapt = [](Settings& s) { s.remap_a = 0.5F; }},
@@ -146,17 +136,11 @@ std::vector<MethodInfo> volumetric_methods() {
          .on_a_plane = 0.5,
          .adapt = [](Settings& s) { s.remap_a = 0.5F; },
          .presets = spiral_presets},
-    };
-}
-
-std::vector<MethodInfo> pair_methods() {
-    return {
         {.name = "tangent_sphere",
          .family = "volumetric",
          .description = "solid share of the ball on the surface, by lines (Szirmay-Kalos et al. 2009)",
          .measure = volume,
          .falloff = "none",
-         .points = "disc",
          .unit = SampleUnit::pair},
         {.name = "angle",
          .description = "angles between opposite samples, as in Unreal Engine 4 (Mittring 2012)",
@@ -164,7 +148,6 @@ std::vector<MethodInfo> pair_methods() {
          .falloff = "none",
          .own_settings = "GloamAngle",
          .members = {{"range"}, {"angle_bias"}},
-         .points = "disc",
          .unit = SampleUnit::pair,
          .adapt = [](Settings& s) { s.own.angle_bias = 0.08F; },
          .presets = angle_presets},
@@ -174,7 +157,6 @@ std::vector<MethodInfo> pair_methods() {
          .falloff = "none",
          .own_settings = "GloamDepthDarkening",
          .members = {{"range"}, {"intensity"}},
-         .points = "disc",
          .unit = SampleUnit::pair},
     };
 }

@@ -58,7 +58,7 @@ std::vector<Preset> gtao_presets(const MethodInfo& method) {
 
 }  // namespace
 
-std::vector<MethodInfo> hbao_methods() {
+std::vector<MethodInfo> slice_methods() {
     return {
         {.name = "hbao",
          .description = "horizons above the image plane, all directions alike (after Bavoil and Sainz 2008): "
@@ -67,7 +67,6 @@ std::vector<MethodInfo> hbao_methods() {
          .falloff = "quadratic",
          .own_settings = "GloamHbao",
          .members = {{"angle_bias"}, {"contrast", "intensity"}, {"steps"}},
-         .points = "halton",
          .unit = SampleUnit::slice,
          .adapt = adapt_hbao},
         {.name = "hbao_study",
@@ -77,21 +76,14 @@ std::vector<MethodInfo> hbao_methods() {
          .falloff = "quadratic",
          .own_settings = "GloamHbaoStudy",
          .members = {{"angle_bias"}, {"contrast", "intensity"}, {"steps"}},
-         .points = "halton",
          .unit = SampleUnit::slice,
          .adapt = adapt_hbao,
          .presets = hbao_study_presets},
-    };
-}
-
-std::vector<MethodInfo> slice_methods() {
-    return {
         {.name = "gtao",
          .description = "horizon slices, cosine-weighted, divided by their weights (Jimenez et al. 2016)",
          .falloff = "linear",
          .own_settings = "GloamGtao",
          .members = {{"steps"}},
-         .points = "halton",
          .unit = SampleUnit::slice,
          .presets = gtao_presets},
         {.name = "sweep",
@@ -102,7 +94,6 @@ std::vector<MethodInfo> slice_methods() {
          .members = {{"steps"},
                      {"feature_thickness"},
                      {.name = "falloff", .constant = "GLOAM_FALLOFF_LINEAR"}},
-         .points = "halton",
          .unit = SampleUnit::slice},
         {.name = "dual_resolution",
          .description = "hbao at half the resolution, in full where that disagrees (Bavoil and Sainz 2009)",
@@ -110,7 +101,6 @@ std::vector<MethodInfo> slice_methods() {
          .falloff = "quadratic",
          .own_settings = "GloamDualResolution",
          .members = {{"angle_bias"}, {"contrast", "intensity"}, {"steps"}, {"disagreement"}, {"layers"}},
-         .points = "halton",
          .unit = SampleUnit::slice,
          .adapt = adapt_hbao,
          .prepare = half_resolution},
@@ -120,7 +110,6 @@ std::vector<MethodInfo> slice_methods() {
          .falloff = "linear",
          .own_settings = "GloamSeparable",
          .members = {{"sigma", "epsilon"}},
-         .points = "halton",
          .unit = SampleUnit::cross,
          .adapt = [](Settings& s) { s.own.epsilon = 0.1F; },
          .prepare = first_direction},
@@ -129,7 +118,6 @@ std::vector<MethodInfo> slice_methods() {
          .falloff = "linear",
          .own_settings = "GloamBitmask",
          .members = {{"thickness"}, {"steps"}},
-         .points = "halton",
          .unit = SampleUnit::slice},
     };
 }
