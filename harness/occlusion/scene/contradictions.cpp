@@ -48,8 +48,7 @@ std::string values_of_no_depth_buffer(const GBuffer& view, const std::vector<flo
     const auto outside = std::ranges::find_if(stored, [](float b) { return b < 0.0F || b > 1.0F; });
     if (outside != stored.end()) {
         return fmt::format(
-            "depth {} at {}, expected depth-buffer values from 0 to 1; --depth linear reads eye-linear "
-            "depth",
+            "depth {} at {}, expected depth-buffer values from 0 to 1; --depth linear reads eye-linear depth",
             *outside, pixel_text(view, static_cast<std::size_t>(outside - stored.begin())));
     }
     const bool reversed = planes_of(view.camera.proj_vk).reversed_z;
@@ -68,8 +67,7 @@ std::string values_of_no_linear_depth(const GBuffer& view, const Surface& surfac
     if (depths.size() == view.depth.size() && depths.back() == 1.0 && depths.front() < 1.0 &&
         depths[depths.size() / 2] > typical)
         return "no depth exceeds 1, and most lie just below it: these are values of a depth buffer, which "
-               "--depth "
-               "buffer reads; expected eye-linear depth";
+               "--depth buffer reads; expected eye-linear depth";
     constexpr double rounding = 1e-3;
     const Planes planes = planes_of(view.camera.proj_vk);
     const double outside = surface.share([&](std::size_t i) {
@@ -78,8 +76,8 @@ std::string values_of_no_linear_depth(const GBuffer& view, const Surface& surfac
     });
     if (outside <= most) return "";
     return fmt::format(
-        "{} of the surface lies outside of the projection's planes, {:g} and {:g}: expected eye-linear "
-        "depth in world units",
+        "{} of the surface lies outside of the projection's planes, {:g} and {:g}: expected eye-linear depth "
+        "in world units",
         percent(outside), planes.near, planes.far);
 }
 
@@ -159,8 +157,7 @@ std::string distances_to_the_eye(const GBuffer& view, const Surface& surface) {
     if (judged < too_few_pixels || share < least || radial < 4 * linear) return "";
     return fmt::format(
         "by {} of the normals the depth is the distance to the eye: expected eye-linear depth, the distance "
-        "along "
-        "-z",
+        "along -z",
         percent(share));
 }
 
@@ -175,8 +172,8 @@ std::string directions_that_differ(const GBuffer& view, const Surface& surface) 
         [&](std::size_t i) { return glm::dot(glm::dvec3(view.normal[i]), to_eye(i)) < grazing; });
     if (away > most) {
         return fmt::format(
-            "{} of the normals face away from the eye: expected normals in view space, which looks down "
-            "-z, or in the space that --normals names",
+            "{} of the normals face away from the eye: expected normals in view space, which looks down -z, "
+            "or in the space that --normals names",
             percent(away));
     }
     std::size_t judged = 0;
@@ -260,9 +257,8 @@ std::string too_coarse_steps(const GBuffer& view, double radius) {
     const Planes planes = planes_of(view.camera.proj_vk);
     return fmt::format(
         "at {} of the surface one step of the stored depth is more than a tenth of the radius, {:g}: near "
-        "{:g} and "
-        "far {:g} leave too few steps; expected a farther near plane, reversed Z in floats, or depth of more "
-        "bits",
+        "{:g} and far {:g} leave too few steps; expected a farther near plane, reversed Z in floats, or "
+        "depth of more bits",
         percent(coarse), radius, planes.near, planes.far);
 }
 

@@ -59,6 +59,33 @@ GBuffer in_window(GBuffer view, const glm::ivec4& more) {
     return view;
 }
 
+// Whether two matrices agree within rounding: of rotations, or of lengths in single precision.
+bool agree(const glm::mat4& a, const glm::mat4& b) {
+    for (int i = 0; i < 16; ++i) {
+        const float x = a[i / 4][i % 4];
+        const float y = b[i / 4][i % 4];
+        if (!(std::abs(x - y) <= 1e-4F * (1.0F + std::abs(y)))) return false;
+    }
+    return true;
+}
+
+// Position of a view's point in the previous frame, from its motion. now, then: of the two views.
+glm::vec3 earlier(const GBuffer& view, const PixelPositions& now, const PixelPositions& then,
+                  std::size_t pixel) {
+    const double depth = view.depth[pixel];
+    if (!is_surface(view.depth[pixel])) return glm::vec3(0);
+    const glm::dmat4 change(*view.camera.previous_from_current);
+    const glm::dvec3 if_still(change * glm::dvec4(now.at(pixel, depth), 1.0));
+    const double before = view.previous_depth.empty() ? -if_still.z : double{view.previous_depth[pixel]};
+    if (!std::isfinite(before) || (!(before > 0.0) && !then.orthographic())) return glm::vec3(0);
+    const glm::vec3& motion = view.motion[pixel];
+    const glm::vec3 moved = then.at(pixel, before, -glm::dvec2(motion));
+    // Invalid motion: the point was outside the previous image, or its position is unknown.
+    if (motion.z > 0.5F || !then.contains(then.pixel_of(moved))) return moved;
+    const bool left = if_still.z < 0.0 && !then.contains(then.pixel_of(if_still));
+    return left ? glm::vec3(if_still) : glm::vec3(0);
+}
+
 }  // namespace
 
 gpu::Extent guard_border(gpu::Extent frame, double guard) {
@@ -115,37 +142,6 @@ GBuffer centred(GBuffer view) {
     if (lack == Border{}) return view;
     return in_window(std::move(view), {lack.left, lack.top, lack.right, lack.bottom});
 }
-
-namespace {
-
-// Whether two matrices agree within rounding: of rotations, or of lengths in single precision.
-bool agree(const glm::mat4& a, const glm::mat4& b) {
-    for (int i = 0; i < 16; ++i) {
-        const float x = a[i / 4][i % 4];
-        const float y = b[i / 4][i % 4];
-        if (!(std::abs(x - y) <= 1e-4F * (1.0F + std::abs(y)))) return false;
-    }
-    return true;
-}
-
-// Position of a view's point in the previous frame, from its motion. now, then: of the two views.
-glm::vec3 earlier(const GBuffer& view, const PixelPositions& now, const PixelPositions& then,
-                  std::size_t pixel) {
-    const double depth = view.depth[pixel];
-    if (!is_surface(view.depth[pixel])) return glm::vec3(0);
-    const glm::dmat4 change(*view.camera.previous_from_current);
-    const glm::dvec3 if_still(change * glm::dvec4(now.at(pixel, depth), 1.0));
-    const double before = view.previous_depth.empty() ? -if_still.z : double{view.previous_depth[pixel]};
-    if (!std::isfinite(before) || (!(before > 0.0) && !then.orthographic())) return glm::vec3(0);
-    const glm::vec3& motion = view.motion[pixel];
-    const glm::vec3 moved = then.at(pixel, before, -glm::dvec2(motion));
-    // Invalid motion: the point was outside the previous image, or its position is unknown.
-    if (motion.z > 0.5F || !then.contains(then.pixel_of(moved))) return moved;
-    const bool left = if_still.z < 0.0 && !then.contains(then.pixel_of(if_still));
-    return left ? glm::vec3(if_still) : glm::vec3(0);
-}
-
-}  // namespace
 
 std::string cut_between(const GBuffer& previous, const GBuffer& view) {
     if (previous.extent != view.extent || previous.border != view.border) return "the size has changed";

@@ -31,25 +31,6 @@ base::ProcessLimits limits_for(const fs::path& file) {
     return {.memory_bytes = memory + memory_for_byte * bytes, .cpu = cpu, .patience = 20 * cpu};
 }
 
-}  // namespace
-
-Mesh read_mesh(const fs::path& file) {
-    const auto read = [&] {
-        const Mesh mesh = load_mesh(file);
-        return bytes_of(mesh.positions, mesh.normals, mesh.indices);
-    };
-    try {
-        Mesh mesh;
-        read_bytes(base::run_apart(read, limits_for(file)), mesh.positions, mesh.normals, mesh.indices);
-        return mesh;
-    } catch (const base::LimitError& error) {
-        throw std::runtime_error(
-            fmt::format("mesh {}: cannot be read: its reader {}", file.string(), error.what()));
-    }
-}
-
-namespace {
-
 // Throws without the file's name; load_mesh() adds it.
 template <class... Values>
 [[noreturn]] void refuse(fmt::format_string<Values...> what, Values&&... values) {
@@ -229,6 +210,21 @@ Mesh loaded(const fs::path& file) {
 }
 
 }  // namespace
+
+Mesh read_mesh(const fs::path& file) {
+    const auto read = [&] {
+        const Mesh mesh = load_mesh(file);
+        return bytes_of(mesh.positions, mesh.normals, mesh.indices);
+    };
+    try {
+        Mesh mesh;
+        read_bytes(base::run_apart(read, limits_for(file)), mesh.positions, mesh.normals, mesh.indices);
+        return mesh;
+    } catch (const base::LimitError& error) {
+        throw std::runtime_error(
+            fmt::format("mesh {}: cannot be read: its reader {}", file.string(), error.what()));
+    }
+}
 
 Mesh load_mesh(const fs::path& file) {
     try {

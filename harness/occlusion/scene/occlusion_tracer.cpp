@@ -21,16 +21,6 @@ double falloff_weight(Falloff falloff, double distance, double radius) {
     return falloff == Falloff::linear ? 1.0 - x : 1.0 - x * x;
 }
 
-}  // namespace
-
-std::optional<Falloff> falloff_named(std::string_view name) {
-    if (name == "linear") return Falloff::linear;
-    if (name == "quadratic") return Falloff::quadratic;
-    return name == "step" ? std::optional(Falloff::step) : std::nullopt;
-}
-
-namespace {
-
 constexpr std::uint32_t reversed(std::uint32_t x) {
     x = (x & 0x55555555U) << 1 | (x >> 1 & 0x55555555U);
     x = (x & 0x33333333U) << 2 | (x >> 2 & 0x33333333U);
@@ -63,23 +53,6 @@ double unit_open(std::uint32_t bits) {
     return (static_cast<double>(bits) + 0.5) * 0x1p-32;
 }
 
-}  // namespace
-
-std::vector<glm::uvec2> sobol_points(std::size_t count) {
-    std::vector<glm::uvec2> points;
-    for (std::uint32_t i = 0; i < count; ++i) points.emplace_back(i, reversed(sobol_second(i)));
-    return points;
-}
-
-glm::dvec2 scrambled(const glm::uvec2& point, std::uint64_t seed) {
-    const auto first = static_cast<std::uint32_t>(seed);
-    const auto second = static_cast<std::uint32_t>(seed >> 32);
-    return {unit_open(reversed(laine_karras(point.x, first))),
-            unit_open(reversed(laine_karras(point.y, second)))};
-}
-
-namespace {
-
 // Number of independent scramblings; their means give the standard error.
 constexpr int parts = 16;
 
@@ -107,6 +80,25 @@ glm::dvec3 direction_of(const glm::dvec2& u, Weighting weighting) {
 }
 
 }  // namespace
+
+std::optional<Falloff> falloff_named(std::string_view name) {
+    if (name == "linear") return Falloff::linear;
+    if (name == "quadratic") return Falloff::quadratic;
+    return name == "step" ? std::optional(Falloff::step) : std::nullopt;
+}
+
+std::vector<glm::uvec2> sobol_points(std::size_t count) {
+    std::vector<glm::uvec2> points;
+    for (std::uint32_t i = 0; i < count; ++i) points.emplace_back(i, reversed(sobol_second(i)));
+    return points;
+}
+
+glm::dvec2 scrambled(const glm::uvec2& point, std::uint64_t seed) {
+    const auto first = static_cast<std::uint32_t>(seed);
+    const auto second = static_cast<std::uint32_t>(seed >> 32);
+    return {unit_open(reversed(laine_karras(point.x, first))),
+            unit_open(reversed(laine_karras(point.y, second)))};
+}
 
 void validate(const RaySettings& settings) {
     const auto fail = [](const std::string& what) { throw std::invalid_argument("truth: " + what); };

@@ -71,41 +71,6 @@ glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, std::s
     return {0, 0, 1};  // a surface of a single pixel: facing the viewer
 }
 
-}  // namespace
-
-Mesh depth_field(const GBuffer& view, double thickness) {
-    if (std::ranges::none_of(view.depth, is_surface))
-        throw std::invalid_argument("depth field: no geometry in the view");
-    const PixelPositions positions(view);
-    Mesh mesh;
-    for (std::size_t pixel = 0; pixel < view.depth.size(); ++pixel) {
-        const bool surface = is_surface(view.depth[pixel]);
-        mesh.positions.emplace_back(surface ? positions.at(pixel, double{view.depth[pixel]}) : glm::dvec3(0));
-        mesh.normals.push_back(!surface              ? glm::vec3(0)
-                               : view.normal.empty() ? normal_at(view, positions, pixel)
-                                                     : view.normal[pixel]);
-    }
-    const std::uint32_t width = view.extent.width;
-    const glm::ivec2 right(1, 0);
-    const glm::ivec2 down(0, 1);
-    for (std::uint32_t y = 0; y + 1 < view.extent.height; ++y) {
-        for (std::uint32_t x = 0; x + 1 < width; ++x) {
-            const glm::ivec2 at(x, y);
-            if (!connected(view, thickness, at, right) || !connected(view, thickness, at, down) ||
-                !connected(view, thickness, at + down, right) ||
-                !connected(view, thickness, at + right, down))
-                continue;
-            const std::uint32_t corner = y * width + x;
-            const std::uint32_t below = corner + width;
-            mesh.indices.insert(mesh.indices.end(),
-                                {corner, below, corner + 1, corner + 1, below, below + 1});
-        }
-    }
-    return mesh;
-}
-
-namespace {
-
 // A point of the G-buffer, unchanged. reach: the largest coordinate of the triangles around it.
 Receiver as_it_is(const glm::dvec3& at, const glm::dvec3& normal, double reach) {
     return {.position = at, .normal = normal, .facet = normal, .clearance = 16.0 * 0x1p-24 * reach};
@@ -219,7 +184,54 @@ TracedTruth kept(const fs::path& folder, const base::Hash& hash, std::size_t pix
     return truth;
 }
 
+// The scene as an object saw it in the frame before: the object (from 1, 0: the mesh) is where it is in this
+// frame, and all else stands to it as it stood then.
+Scene seen_from(const Scene& scene, std::size_t object, int frame) {
+    glm::dmat4 along(1.0);
+    if (object > 0) {
+        const auto& transform = scene.objects[object - 1].transform;
+        along = transform(frame) * glm::inverse(transform(frame - 1));
+    }
+    Scene seen = scene;
+    for (MovingObject& other : seen.objects)
+        other.transform = [along, then = other.transform](int number) { return along * then(number - 1); };
+    if (object == 0) return seen;
+    seen.objects.push_back({std::exchange(seen.mesh, {}), [along](int) { return along; }});
+    return seen;
+}
+
 }  // namespace
+
+Mesh depth_field(const GBuffer& view, double thickness) {
+    if (std::ranges::none_of(view.depth, is_surface))
+        throw std::invalid_argument("depth field: no geometry in the view");
+    const PixelPositions positions(view);
+    Mesh mesh;
+    for (std::size_t pixel = 0; pixel < view.depth.size(); ++pixel) {
+        const bool surface = is_surface(view.depth[pixel]);
+        mesh.positions.emplace_back(surface ? positions.at(pixel, double{view.depth[pixel]}) : glm::dvec3(0));
+        mesh.normals.push_back(!surface              ? glm::vec3(0)
+                               : view.normal.empty() ? normal_at(view, positions, pixel)
+                                                     : view.normal[pixel]);
+    }
+    const std::uint32_t width = view.extent.width;
+    const glm::ivec2 right(1, 0);
+    const glm::ivec2 down(0, 1);
+    for (std::uint32_t y = 0; y + 1 < view.extent.height; ++y) {
+        for (std::uint32_t x = 0; x + 1 < width; ++x) {
+            const glm::ivec2 at(x, y);
+            if (!connected(view, thickness, at, right) || !connected(view, thickness, at, down) ||
+                !connected(view, thickness, at + down, right) ||
+                !connected(view, thickness, at + right, down))
+                continue;
+            const std::uint32_t corner = y * width + x;
+            const std::uint32_t below = corner + width;
+            mesh.indices.insert(mesh.indices.end(),
+                                {corner, below, corner + 1, corner + 1, below, below + 1});
+        }
+    }
+    return mesh;
+}
 
 TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
                            const TruthSettings& settings) {
@@ -257,26 +269,6 @@ TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings) {
         });
     });
 }
-
-namespace {
-
-// The scene as an object saw it in the frame before: the object (from 1, 0: the mesh) is where it is in this
-// frame, and all else stands to it as it stood then.
-Scene seen_from(const Scene& scene, std::size_t object, int frame) {
-    glm::dmat4 along(1.0);
-    if (object > 0) {
-        const auto& transform = scene.objects[object - 1].transform;
-        along = transform(frame) * glm::inverse(transform(frame - 1));
-    }
-    Scene seen = scene;
-    for (MovingObject& other : seen.objects)
-        other.transform = [along, then = other.transform](int number) { return along * then(number - 1); };
-    if (object == 0) return seen;
-    seen.objects.push_back({std::exchange(seen.mesh, {}), [along](int) { return along; }});
-    return seen;
-}
-
-}  // namespace
 
 std::vector<float> trace_before(const Scene& scene, int frame, const GBuffer& view,
                                 const TruthSettings& settings) {

@@ -102,39 +102,6 @@ void add_clutter(Parts& room, numeric::Random& random, const glm::dvec3& low, co
     }
 }
 
-}  // namespace
-
-Scene make_interior(const Row& row) {
-    numeric::Random random = random_of(row);
-    const double w = row.value("half_width", 2.5);
-    const double d = row.value("half_depth", 2.5);
-    const bool roofed = row.value("roofed", true);
-    Parts room;
-    if (roofed) {
-        room.add(inside_out(make_box({-w, 0, -d}, {w, 2.6, d}, room.cell)));
-    } else {
-        room.box({-w, -0.1, -d}, {w, 0, d});
-        add_box(room, {0, 1.3, -d}, {2 * w, 2.6, 0.1});
-    }
-    for (double x = -w + 0.7; x < w - 0.6; x += 1.25)
-        room.add(placed(make_shelf(random, 1.1, random.uniform(1.3, 2.1)).mesh, 1.0, {x, 0, -d + 0.21}));
-    for (double x = -w + 0.7; x < w - 0.5; x += 1.3) {
-        for (double z = -d + 1.1; z < d - 0.5; z += 1.3) {
-            if (random.unit() > row.value("fullness", 0.6)) continue;
-            const double turn = random.uniform(0.0, full_turn);
-            const double dx = random.uniform(-0.15, 0.15);
-            room.add(turned(make_furniture(random).mesh, upright_turn(turn), {x + dx, 0, z}));
-        }
-    }
-    room.add(make_table(1.4, 0.8, 0.74).mesh);
-    add_clutter(room, random, {-0.6, 0.74, -0.3}, {0.6, 0.74, 0.3});
-    Scene scene{.mesh = std::move(room.mesh)};
-    if (roofed) scene.lamp = glm::dvec3(0.3, 2.2, 0.4);
-    return scene;
-}
-
-namespace {
-
 // A pillar with a base and a capital.
 void add_pillar(Parts& hall, const glm::dvec3& foot, double height) {
     hall.box(foot - glm::dvec3(0.4, 0, 0.4), foot + glm::dvec3(0.4, 0.3, 0.4));
@@ -165,35 +132,6 @@ void add_niches(Parts& hall, double side, double length, double height) {
     for (double z = -length; z < 0.0; z += 2.4)
         hall.box({std::min(side, side + inwards), 0, z}, {std::max(side, side + inwards), height, z + 1.2});
 }
-
-}  // namespace
-
-Scene make_hall(const Row& row) {
-    const double w = row.value("half_width", 4.0);
-    const double length = row.value("length", 14.0);
-    const double height = row.value("height", 4.5);
-    const double pillars = row.value("pillars", 2.2);
-    Parts parts{.cell = 2.0};
-    parts.add(inside_out(make_box({-w, 0, -length}, {w, height, 2.0}, parts.cell)));
-    for (const double side : {-w, w}) add_niches(parts, side, length, height);
-    for (double z = -length + 1.2; z < 1.0; z += 2.4) {
-        parts.box({-w, height - 0.4, z - 0.2}, {w, height, z + 0.2});
-        for (const double x : {-pillars, pillars}) add_pillar(parts, {x, 0, z}, height - 0.4);
-    }
-    add_stairs(parts, {0, 0, -0.5 * length}, 1.6, 9);
-    for (const double x : {-0.85, 0.85})
-        add_railing(parts, {x, 0.1, -0.5 * length}, {x, 1.6, -0.5 * length - 2.7}, 10);
-    numeric::Random random = random_of(row);
-    for (int i = 0; i < 12; ++i) {
-        const double radius = random.uniform(0.1, 0.35);
-        const double x = random.uniform(-w + 0.9, w - 0.9);
-        const double z = random.uniform(-length + 1.0, -0.5);
-        parts.sphere({x, radius, z}, radius, 24);
-    }
-    return {.mesh = std::move(parts.mesh), .lamp = glm::dvec3(0.2, height - 0.8, -1.5)};
-}
-
-namespace {
 
 // A toothed wheel that stands upright, its axis along z.
 void add_gear(Parts& parts, const glm::dvec3& center, double radius, int teeth) {
@@ -237,6 +175,60 @@ glm::dvec3 scattered(numeric::Random& random, double x, double y, double z) {
 }
 
 }  // namespace
+
+Scene make_interior(const Row& row) {
+    numeric::Random random = random_of(row);
+    const double w = row.value("half_width", 2.5);
+    const double d = row.value("half_depth", 2.5);
+    const bool roofed = row.value("roofed", true);
+    Parts room;
+    if (roofed) {
+        room.add(inside_out(make_box({-w, 0, -d}, {w, 2.6, d}, room.cell)));
+    } else {
+        room.box({-w, -0.1, -d}, {w, 0, d});
+        add_box(room, {0, 1.3, -d}, {2 * w, 2.6, 0.1});
+    }
+    for (double x = -w + 0.7; x < w - 0.6; x += 1.25)
+        room.add(placed(make_shelf(random, 1.1, random.uniform(1.3, 2.1)).mesh, 1.0, {x, 0, -d + 0.21}));
+    for (double x = -w + 0.7; x < w - 0.5; x += 1.3) {
+        for (double z = -d + 1.1; z < d - 0.5; z += 1.3) {
+            if (random.unit() > row.value("fullness", 0.6)) continue;
+            const double turn = random.uniform(0.0, full_turn);
+            const double dx = random.uniform(-0.15, 0.15);
+            room.add(turned(make_furniture(random).mesh, upright_turn(turn), {x + dx, 0, z}));
+        }
+    }
+    room.add(make_table(1.4, 0.8, 0.74).mesh);
+    add_clutter(room, random, {-0.6, 0.74, -0.3}, {0.6, 0.74, 0.3});
+    Scene scene{.mesh = std::move(room.mesh)};
+    if (roofed) scene.lamp = glm::dvec3(0.3, 2.2, 0.4);
+    return scene;
+}
+
+Scene make_hall(const Row& row) {
+    const double w = row.value("half_width", 4.0);
+    const double length = row.value("length", 14.0);
+    const double height = row.value("height", 4.5);
+    const double pillars = row.value("pillars", 2.2);
+    Parts parts{.cell = 2.0};
+    parts.add(inside_out(make_box({-w, 0, -length}, {w, height, 2.0}, parts.cell)));
+    for (const double side : {-w, w}) add_niches(parts, side, length, height);
+    for (double z = -length + 1.2; z < 1.0; z += 2.4) {
+        parts.box({-w, height - 0.4, z - 0.2}, {w, height, z + 0.2});
+        for (const double x : {-pillars, pillars}) add_pillar(parts, {x, 0, z}, height - 0.4);
+    }
+    add_stairs(parts, {0, 0, -0.5 * length}, 1.6, 9);
+    for (const double x : {-0.85, 0.85})
+        add_railing(parts, {x, 0.1, -0.5 * length}, {x, 1.6, -0.5 * length - 2.7}, 10);
+    numeric::Random random = random_of(row);
+    for (int i = 0; i < 12; ++i) {
+        const double radius = random.uniform(0.1, 0.35);
+        const double x = random.uniform(-w + 0.9, w - 0.9);
+        const double z = random.uniform(-length + 1.0, -0.5);
+        parts.sphere({x, radius, z}, radius, 24);
+    }
+    return {.mesh = std::move(parts.mesh), .lamp = glm::dvec3(0.2, height - 0.8, -1.5)};
+}
 
 Scene make_machine(const Row& row) {
     numeric::Random random = random_of(row);

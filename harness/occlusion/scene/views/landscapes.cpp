@@ -80,35 +80,6 @@ void add_tree(Parts& parts, numeric::Random& random, const glm::dvec3& foot, int
     add_crown(parts, random, top + glm::dvec3(0, 0.15 * height, 0), 0.35 * height, leaves / 4, leaf);
 }
 
-}  // namespace
-
-Scene make_foliage(const Row& row) {
-    numeric::Random random = random_of(row);
-    const double half = row.value("half_side", 3.0);
-    const int leaves = row.value("leaves", 400);
-    const double leaf = row.value("leaf", 0.12);
-    const double blade = row.value("blade", 0.2);
-    Parts parts{.mesh = make_parallelogram({-30, 0, -30}, {0, 0, 60}, {60, 0, 0}, 2.0)};
-    const auto anywhere = [&](double y = 0.0) {
-        const double x = random.uniform(-half, half);
-        return glm::dvec3(x, y, random.uniform(-half, half));
-    };
-    for (int i = 0; i < row.value("trees", 0); ++i) add_tree(parts, random, anywhere(), leaves, leaf);
-    for (int i = 0; i < row.value("bushes", 0); ++i) {
-        const double radius = random.uniform(0.25, 0.45);
-        add_crown(parts, random, anywhere(0.8 * radius), radius, leaves, leaf);
-    }
-    for (int i = 0; i < row.value("blades", 0); ++i) {
-        const glm::dvec3 foot = anywhere();
-        const double around = random.uniform(0.0, full_turn);
-        const glm::dvec3 up = glm::normalize(glm::dvec3(0.4 * std::cos(around), 1.0, 0.4 * std::sin(around)));
-        parts.add(make_leaf(random, foot, up, random.uniform(0.6, 1.4) * blade, 0.08 * blade));
-    }
-    return {.mesh = std::move(parts.mesh)};
-}
-
-namespace {
-
 // The shape of a blade or a leaf that leans towards the azimuth `heading`.
 struct Blade {
     double heading;
@@ -135,35 +106,6 @@ Mesh make_blade(const glm::dvec3& foot, const Blade& blade) {
             return blade.length / steps * (std::cos(lean) * glm::dvec3(0, 1, 0) + std::sin(lean) * ahead);
         });
 }
-
-}  // namespace
-
-Scene make_grass(const Row& row) {
-    numeric::Random random = random_of(row);
-    Scene scene{.mesh = make_parallelogram({-20, 0, -36}, {0, 0, 40}, {40, 0, 0}, 1.0)};
-    const auto anywhere = [&] {
-        const double x = random.uniform(-2.0, 2.0);
-        return glm::dvec3(x, 0, random.uniform(-4.0, 0.0));
-    };
-    for (int i = 0; i < 5000; ++i) {
-        const glm::dvec3 foot = anywhere();
-        Blade blade{.heading = random.uniform(0.0, full_turn), .width = 0.007};
-        blade.length = random.uniform(0.12, 0.3);
-        blade.lean = random.uniform(0.0, 0.3);
-        blade.bend = random.uniform(0.1, 1.1);
-        append(scene.mesh, make_blade(foot, blade));
-    }
-    for (int i = 0; i < 40; ++i) {
-        const glm::dvec3 foot = anywhere();
-        const double first = random.uniform(0.0, full_turn);
-        for (int k = 0; k < 7; ++k)
-            append(scene.mesh, make_blade(foot, {first + full_turn * k / 7, random.uniform(0.18, 0.28), 0.09,
-                                                 0.5, 1.0, 0.45}));
-    }
-    return scene;
-}
-
-namespace {
 
 // A random value in [-1, 1] for whole coordinates.
 double lattice_value(double x, double z, std::uint64_t seed) {
@@ -230,6 +172,56 @@ Mesh make_height_field(double half, int cells, const std::function<double(double
 }
 
 }  // namespace
+
+Scene make_foliage(const Row& row) {
+    numeric::Random random = random_of(row);
+    const double half = row.value("half_side", 3.0);
+    const int leaves = row.value("leaves", 400);
+    const double leaf = row.value("leaf", 0.12);
+    const double blade = row.value("blade", 0.2);
+    Parts parts{.mesh = make_parallelogram({-30, 0, -30}, {0, 0, 60}, {60, 0, 0}, 2.0)};
+    const auto anywhere = [&](double y = 0.0) {
+        const double x = random.uniform(-half, half);
+        return glm::dvec3(x, y, random.uniform(-half, half));
+    };
+    for (int i = 0; i < row.value("trees", 0); ++i) add_tree(parts, random, anywhere(), leaves, leaf);
+    for (int i = 0; i < row.value("bushes", 0); ++i) {
+        const double radius = random.uniform(0.25, 0.45);
+        add_crown(parts, random, anywhere(0.8 * radius), radius, leaves, leaf);
+    }
+    for (int i = 0; i < row.value("blades", 0); ++i) {
+        const glm::dvec3 foot = anywhere();
+        const double around = random.uniform(0.0, full_turn);
+        const glm::dvec3 up = glm::normalize(glm::dvec3(0.4 * std::cos(around), 1.0, 0.4 * std::sin(around)));
+        parts.add(make_leaf(random, foot, up, random.uniform(0.6, 1.4) * blade, 0.08 * blade));
+    }
+    return {.mesh = std::move(parts.mesh)};
+}
+
+Scene make_grass(const Row& row) {
+    numeric::Random random = random_of(row);
+    Scene scene{.mesh = make_parallelogram({-20, 0, -36}, {0, 0, 40}, {40, 0, 0}, 1.0)};
+    const auto anywhere = [&] {
+        const double x = random.uniform(-2.0, 2.0);
+        return glm::dvec3(x, 0, random.uniform(-4.0, 0.0));
+    };
+    for (int i = 0; i < 5000; ++i) {
+        const glm::dvec3 foot = anywhere();
+        Blade blade{.heading = random.uniform(0.0, full_turn), .width = 0.007};
+        blade.length = random.uniform(0.12, 0.3);
+        blade.lean = random.uniform(0.0, 0.3);
+        blade.bend = random.uniform(0.1, 1.1);
+        append(scene.mesh, make_blade(foot, blade));
+    }
+    for (int i = 0; i < 40; ++i) {
+        const glm::dvec3 foot = anywhere();
+        const double first = random.uniform(0.0, full_turn);
+        for (int k = 0; k < 7; ++k)
+            append(scene.mesh, make_blade(foot, {first + full_turn * k / 7, random.uniform(0.18, 0.28), 0.09,
+                                                 0.5, 1.0, 0.45}));
+    }
+    return scene;
+}
 
 std::function<double(double x, double z)> height_of(const Row& terrain) {
     const double size = terrain.value("size", 12.0);
