@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -19,8 +18,6 @@
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/framework/check.hpp"
-#include "cli/framework/check/checker.hpp"
-#include "cli/framework/cost.hpp"
 #include "cli/occlusion/names.hpp"
 
 namespace {
@@ -65,56 +62,28 @@ int fail(const std::exception& error) {
     return could_not_run;
 }
 
-// The command whose arguments are wrong, with --help.
-std::string help_of(const CLI::App& app) {
-    std::string words = "gloam";
-    for (const CLI::App* command = &app; !command->get_subcommands().empty();) {
-        command = command->get_subcommands().front();
-        words += " " + command->get_name();
-    }
-    return words + " --help";
+int show_first_steps() {
+    fmt::print("{}", first_steps);
+    return 0;
 }
 
 int run(int argc, char** argv) {
-    int status = 0;
-    std::vector<std::string> arguments =
-        gloam::cli::with_numbers_apart(gloam::cli::with_own_experiment({argv + 1, argv + argc}));
-    std::vector<std::string> tested = gloam::cli::take_command(arguments);
-    CLI::App app("gloam: GLSL ambient occlusion, measured", "gloam");
-    app.require_subcommand(0, 1);
-    app.failure_message(CLI::FailureMessage::simple);
-    app.set_version_flag("--version", [] { return gloam::cli::versions(); });
-    gloam::cli::add_demo(app, status);
-    gloam::cli::add_devices(app);
-    gloam::cli::add_list(app);
-    gloam::cli::add_check(app, gloam::cli::subjects_named, status);
-    gloam::cli::add_check_worker(app, gloam::cli::subjects_named);
-    gloam::cli::add_audit(app, gloam::cli::equations_named, status);
-    gloam::cli::add_explain(app, gloam::cli::equations_named);
-    gloam::cli::add_cost(app, gloam::cli::equations_named, gloam::cli::frame_of, status);
-    gloam::cli::add_mutate(app, std::move(tested), status);
-    gloam::cli::add_report(app, status);
-    gloam::cli::add_render(app, status);
-    gloam::cli::add_bench(app, status);
-    gloam::cli::add_stress(app, status);
-    gloam::cli::add_pack(app);
-    gloam::cli::add_help_examples(app);
-    gloam::cli::refuse_meaningless_values(app);
-    try {
-        std::ranges::reverse(arguments);  // the order in which CLI11 takes them
-        app.parse(std::move(arguments));
-        if (app.get_subcommands().empty()) fmt::print("{}", first_steps);
-    } catch (const CLI::CallForHelp& help) {
-        return app.exit(help);
-    } catch (const CLI::CallForVersion& version) {
-        return app.exit(version);
-    } catch (const CLI::CallForAllHelp& help) {
-        return app.exit(help);
-    } catch (const CLI::ParseError& error) {
-        complain(fmt::format("{} ({} tells more)", error.what(), help_of(app)));
-        return could_not_run;
-    }
-    return status;
+    using namespace gloam::cli;
+    const Command program{
+        .name = "gloam",
+        .about = "gloam: GLSL ambient occlusion, measured",
+        .run = show_first_steps,
+        .examples =
+            "  gloam demo                                  pictures, a check, a page\n"
+            "  gloam check --device all --html check.html  every equation on every Vulkan device\n"
+            "  gloam render mesh.obj                       a mesh in light, with and without\n"
+            "  gloam COMMAND --help                        the options of a command\n",
+        .commands = {demo_command(), devices_command(), list_command(), check_command(subjects_named),
+                     check_worker_command(subjects_named), audit_command(equations_named),
+                     explain_command(equations_named), cost_command(equations_named, frame_of),
+                     mutate_command(), report_command(), render_command(), bench_command(), stress_command(),
+                     pack_command()}};
+    return run_command(program, {argv + 1, argv + argc});
 }
 
 int status_of(int argc, char** argv) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
 
-#include <CLI/CLI.hpp>
-#include <utility>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "module/compile.hpp"
@@ -16,104 +22,213 @@ std::string versions() {
 
 namespace {
 
-// Examples by command; the program itself has the empty name.
-constexpr std::pair<const char*, const char*> examples[]{
-    {"",
-     "  gloam demo                                  pictures, a check, a page\n"
-     "  gloam check --device all --html check.html  every equation on every Vulkan device\n"
-     "  gloam render mesh.obj                       a mesh in light, with and without\n"
-     "  gloam COMMAND --help                        the options of a command\n"},
-    {"demo", "  gloam demo --out first-look\n"},
-    {"devices", "  gloam devices --json\n"},
-    {"list",
-     "  gloam list methods\n"
-     "  gloam list settings --json\n"
-     "  gloam list presets balanced          the settings that it changes\n"},
-    {"check",
-     "  gloam check                                          every equation on the default device\n"
-     "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
-     "  gloam check --device all --variant all --html r.html every device, every compiler setting\n"
-     "  gloam check --quiet --junit results.xml              for continuous integration\n"
-     "  gloam check --failures failures                      each failure ready to report\n"
-     "  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own\n"},
-    {"report",
-     "  gloam report a.json b.json\n"
-     "  gloam report a.json b.json --html all.html\n"
-     "  gloam report now.json --since last-week.json\n"},
-    {"render",
-     "  gloam render mesh.obj --frames 8\n"
-     "  gloam render mesh.obj --up z --orbit 40,25\n"
-     "  gloam render columns --method all --truth\n"
-     "  gloam render --gbuffer FOLDER --radius 0.5\n"},
-    {"bench",
-     "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
-     "  gloam bench --from results.json --error 0.05\n"},
-    {"audit",
-     "  gloam audit tone.glsl                              every function, in the domain that it prints "
-     "first\n"
-     "  gloam audit tone.glsl curve --range x=0:16 --html audit.html\n"
-     "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst inputs\n"},
-    {"cost",
-     "  gloam cost tone.glsl curve --below 40              a function; status 1 above 40 vector "
-     "instructions\n"
-     "  gloam cost blur.comp --define RADIUS=3             a whole compute shader\n"
-     "  gloam cost --preset balanced --family NAVI31       the passes of a frame\n"},
-    {"mutate",
-     "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
-     "  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests\n\n"
-     "COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the "
-     "fault.\n"
-     "GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the "
-     "files) with\n"
-     "the fault, GLOAM_SHADERS_OF that folder, and GLOAM_SHADERS_CHANGED the changed file below it. "
-     "gloam and tests\n"
-     "that use its framework read the copy by themselves.\n"},
-    {"explain", "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"},
-    {"stress",
-     "  gloam stress --brief                           seconds instead of minutes\n"
-     "  gloam stress --only worst-inputs --equation 'TSSAO-*'\n"},
-    {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"}};
+// The type of a value: of an option that may have none, of a list, of another.
+template <class T>
+struct ValueOf {
+    using Type = T;
+};
+template <class T>
+struct ValueOf<std::optional<T>> {
+    using Type = T;
+};
+template <class T>
+struct ValueOf<std::vector<T>> {
+    using Type = T;
+};
 
-}  // namespace
-
-void add_help_examples(CLI::App& app) {
-    for (const auto& [name, text] : examples)
-        (*name == '\0' ? app : *app.get_subcommand(name)).footer(std::string("Examples:\n") + text);
+// Whether help shows what an option has before.
+template <class T>
+bool is_shown(const T& value) {
+    if constexpr (std::is_arithmetic_v<T>)
+        return value != T{} && std::isfinite(static_cast<double>(value));
+    else if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::filesystem::path>)
+        return !value.empty();
+    else
+        return false;
 }
-
-namespace {
 
 std::string refuse_empty(const std::string& text) {
     return text.empty() ? "expected a value, found an empty text" : "";
 }
 
 std::string refuse_nan(const std::string& text) {
-    const bool is_nan = CLI::detail::to_lower(text).find("nan") != std::string::npos;
-    return is_nan ? "expected a number, found " + text : "";
+    return base::lower(text).find("nan") == std::string::npos ? "" : "expected a number, found " + text;
 }
 
 std::string refuse_negative(const std::string& text) {
     return text.starts_with('-') ? "expected a count, 0 or more, found " + text : "";
 }
 
-void make_strict(CLI::Option& option) {
-    const bool takes_value = option.get_items_expected_max() > 0 && option.get_type_size_max() > 0;
-    if (!takes_value) return;  // a flag
-    // CLI11 names the type "FLOAT" or "UINT", and appends the descriptions of the option's own checks.
-    const std::string type = option.get_type_name();
-    const auto add = [&option](std::string (*refuse)(const std::string&)) {
-        option.check(CLI::Validator(refuse, ""));
-    };
-    if (type.starts_with("UINT")) add(refuse_negative);
-    if (type.starts_with("FLOAT")) add(refuse_nan);
-    if (option.get_items_expected_min() > 0) add(refuse_empty);
+// The blank is put before them by adapt().
+std::string without_blank(const std::string& word) {
+    return word.starts_with(" -") ? word.substr(1) : word;
+}
+
+// Adds the checks of an option's words, and those of what CLI11 accepts and nobody intends.
+template <class Value>
+void check_words(CLI::Option& option, const Rules& rules) {
+    if constexpr (std::is_arithmetic_v<Value>)
+        if (rules.range)
+            option.check(
+                CLI::Range(static_cast<Value>((*rules.range)[0]), static_cast<Value>((*rules.range)[1])));
+    if (rules.positive) option.check(CLI::PositiveNumber);
+    if (!rules.one_of.empty()) option.check(CLI::IsMember(rules.one_of));
+    if (rules.folder) option.check(CLI::ExistingDirectory);
+    if (std::is_unsigned_v<Value>) option.check(CLI::Validator(refuse_negative, ""));
+    if (std::is_floating_point_v<Value>) option.check(CLI::Validator(refuse_nan, ""));
+    if (rules.may_lack.empty()) option.check(CLI::Validator(refuse_empty, ""));
+    if (rules.numbers) option.transform(without_blank);
+}
+
+CLI::Option* added(CLI::App& app, const Option& row, bool* target) {
+    return app.add_flag(row.names, *target, row.help);
+}
+
+CLI::Option* added(CLI::App& app, const Option& row, const std::function<void()>& target) {
+    return app.add_flag_callback(row.names, target, row.help);
+}
+
+CLI::Option* added(CLI::App& app, const Option& row, const std::function<void(const std::string&)>& target) {
+    CLI::Option* option = app.add_option_function<std::vector<std::string>>(
+        row.names,
+        [target](const std::vector<std::string>& words) { target(words.empty() ? "" : words.front()); },
+        row.help);
+    option->expected(row.rules.may_lack.empty() ? 1 : 0, 1);
+    if (!row.rules.may_lack.empty()) option->type_name(row.rules.may_lack);
+    check_words<std::string>(*option, row.rules);
+    return option;
+}
+
+template <class T>
+CLI::Option* added(CLI::App& app, const Option& row, T* target) {
+    CLI::Option* option = app.add_option(row.names, *target, row.help);
+    check_words<typename ValueOf<T>::Type>(*option, row.rules);
+    if (is_shown(*target)) option->capture_default_str();
+    return option;
+}
+
+CLI::Option& add(CLI::App& app, const Option& row) {
+    const Rules& rules = row.rules;
+    CLI::Option& option =
+        *std::visit([&](const auto& target) { return added(app, row, target); }, row.target);
+    option.required(rules.required);
+    if (rules.repeated) option.allow_extra_args(false);
+    if (rules.commas) option.delimiter(',');
+    if (rules.words > 0) option.expected(rules.words);
+    if (!rules.shown.empty()) option.default_str(rules.shown);
+    return option;
+}
+
+void add(CLI::App& app, const Command& command) {
+    std::vector<CLI::Option*> added;
+    for (const Option& row : command.options) added.push_back(&add(app, row));
+    for (std::size_t i = 0; i < added.size(); ++i) {
+        const Rules& rules = command.options[i].rules;
+        for (const std::string& name : rules.needs) added[i]->needs(app.get_option(name));
+        for (const std::string& name : rules.excludes) added[i]->excludes(app.get_option(name));
+    }
+    if (!command.examples.empty()) app.footer("Examples:\n" + command.examples);
+    for (const Command& one : command.commands) {
+        CLI::App* further = app.require_subcommand(0, 1)->add_subcommand(one.name, one.about);
+        if (one.about.empty()) further->group("");
+        add(*further, one);
+    }
+}
+
+// What CLI11 has no means for: words behind "--" of which none is an option's, a file in the place of a
+// command, and numbers below 0, which get a blank.
+void adapt(const Command& command, std::vector<std::string>& words) {
+    const auto dashes = std::ranges::find(words, "--");
+    if (command.behind_dashes != nullptr && dashes != words.end()) {
+        command.behind_dashes->assign(dashes + 1, words.end());
+        words.erase(dashes, words.end());
+    }
+    for (const Command& one : command.commands)
+        if (one.name.starts_with("FILE.") && words.size() > 1 && words[1].ends_with(one.name.substr(4)))
+            words.insert(words.begin() + 1, one.name);
+    if (std::ranges::any_of(command.options, [](const Option& row) { return row.rules.numbers; }))
+        for (std::string& word : words)
+            if (word.starts_with('-') && base::number_from<double>(word)) word.insert(0, " ");
 }
 
 }  // namespace
 
-void refuse_meaningless_values(CLI::App& app) {
-    for (CLI::Option* option : app.get_options()) make_strict(*option);
-    for (CLI::App* command : app.get_subcommands({})) refuse_meaningless_values(*command);
+int run_command(const Command& program, std::vector<std::string> words) {
+    for (const Command& one : program.commands)
+        if (!words.empty() && words.front() == one.name) adapt(one, words);
+    CLI::App app(program.about, program.name);
+    app.failure_message(CLI::FailureMessage::simple);
+    app.set_version_flag("--version", versions);
+    add(app, program);
+    const Command* chosen = &program;
+    std::string name = program.name;
+    const auto choose = [&] {
+        for (CLI::App* at = &app; !at->get_subcommands().empty(); name += " " + chosen->name) {
+            at = at->get_subcommands().front();
+            chosen = &*std::ranges::find(chosen->commands, at->get_name(), &Command::name);
+        }
+    };
+    try {
+        std::ranges::reverse(words);  // the order in which CLI11 takes them
+        app.parse(std::move(words));
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        choose();
+        throw std::invalid_argument(fmt::format("{} ({} --help tells more)", error.what(), name));
+    }
+    choose();
+    for (const Option& row : chosen->options)
+        if (row.before) row.before();
+    return chosen->run();
+}
+
+Rules between(double low, double high) {
+    return {.range = {{low, high}}};
+}
+
+Rules one_of(std::vector<std::string> words) {
+    return {.one_of = std::move(words)};
+}
+
+Rules needs(std::string other, Rules rules) {
+    rules.needs.push_back(std::move(other));
+    return rules;
+}
+
+Rules excludes(std::string other, Rules rules) {
+    rules.excludes.push_back(std::move(other));
+    return rules;
+}
+
+Option::Option(std::string names, Target target, Rules rules, std::string help, std::function<void()> before)
+    : names(std::move(names)),
+      target(std::move(target)),
+      rules(std::move(rules)),
+      help(std::move(help)),
+      before(std::move(before)) {}
+
+Option::Option(std::string names, Target target, std::string help)
+    : Option(std::move(names), std::move(target), {}, std::move(help)) {}
+
+Option include_option(std::vector<std::string>& further) {
+    return {"--include",
+            &further,
+            {.folder = true, .repeated = true},
+            "folder in which and below which your own file's includes may also lie; may be repeated"};
+}
+
+Option define_option(std::vector<std::string>& defines) {
+    return {"--define", &defines, repeated,
+            "NAME or NAME=VALUE: a macro that holds before your own file begins; may be repeated"};
+}
+
+Option device_option(std::string& device) {
+    return {"--device", &device, "name or index of the device (gloam devices)"};
+}
+
+Option validation_option(bool& validation) {
+    return {"--validation", &validation, "Vulkan validation layers on; any message is an error"};
 }
 
 }  // namespace gloam::cli

@@ -2,7 +2,6 @@
 #include "cli/environment.hpp"
 
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdlib>
 #include <stdexcept>
@@ -49,21 +48,6 @@ std::vector<fs::path> include_roots_of(const fs::path& file, const std::vector<s
     for (const std::string& folder : further) roots.push_back(fs::absolute(folder));
     roots.push_back(glsl_directory());
     return roots;
-}
-
-void add_include_option(CLI::App& command, std::vector<std::string>& further) {
-    command
-        .add_option("--include", further,
-                    "folder in which and below which your own file's includes may also lie; may be repeated")
-        ->allow_extra_args(false)
-        ->check(CLI::ExistingDirectory);
-}
-
-void add_define_option(CLI::App& command, std::vector<std::string>& defines) {
-    command
-        .add_option("--define", defines,
-                    "NAME or NAME=VALUE: a macro that holds before your own file begins; may be repeated")
-        ->allow_extra_args(false);
 }
 
 fs::path stress_shaders_directory() {

@@ -5,10 +5,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace gloam::cli {
 
 // The folder that contains gloam/ and passes/: beside the installed program, otherwise in the source tree of
@@ -21,12 +17,6 @@ namespace gloam::cli {
 // The include roots of a user's file: its folder, further ones, and glsl_directory().
 [[nodiscard]] std::vector<std::filesystem::path> include_roots_of(const std::filesystem::path& file,
                                                                   const std::vector<std::string>& further);
-
-// Adds --include, which names further include roots.
-void add_include_option(CLI::App& command, std::vector<std::string>& further);
-
-// Adds --define, which names macros of a user's file.
-void add_define_option(CLI::App& command, std::vector<std::string>& defines);
 
 // The folder of the shaders that only `gloam stress` uses, found in the same way.
 [[nodiscard]] std::filesystem::path stress_shaders_directory();

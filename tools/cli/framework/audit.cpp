@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -98,30 +97,32 @@ int run_audit(AuditCommand& command, EquationsNamed* equations) {
 
 }  // namespace
 
-void add_audit(CLI::App& app, EquationsNamed* equations, int& status) {
-    auto command = std::make_shared<AuditCommand>();
-    CLI::App* audit = app.add_subcommand(
-        "audit", "show where a shader function itself goes wrong: NaN, lost digits, what drivers may do");
-    audit
-        ->add_option("what", command->words,
-                     "a GLSL file, and functions that it defines (all when none is given); or equations")
-        ->required();
-    audit->add_option("--range", command->ranges, "NAME=LOW:HIGH: what a parameter is drawn from");
-    add_include_option(*audit, command->includes);
-    add_define_option(*audit, command->defines);
-    audit
-        ->add_option("--inputs", command->options.inputs,
-                     "inputs for each function: a part at random, others with special values or by search")
-        ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}))
-        ->capture_default_str();
-    audit->add_option("--seed", command->options.seed, "seed of the inputs")->capture_default_str();
-    audit->add_option("--device", command->devices,
-                      "run the worst inputs on these devices as well (names or indices of gloam devices)");
-    add_driver_option(*audit);
-    audit->add_option("--json", command->json, "file for all results");
-    audit->add_option("--html", command->html,
-                      "file for a page: the source coloured by what its lines lose, worst inputs, rewrites");
-    audit->callback([command, equations, &status] { status = run_audit(*command, equations); });
+Command audit_command(EquationsNamed* equations) {
+    static AuditCommand command;
+    return {
+        .name = "audit",
+        .about = "show where a shader function itself goes wrong: NaN, lost digits, what drivers may do",
+        .options = {{"what", &command.words, required,
+                     "a GLSL file, and functions that it defines (all when none is given); or equations"},
+                    {"--range", &command.ranges, "NAME=LOW:HIGH: what a parameter is drawn from"},
+                    include_option(command.includes),
+                    define_option(command.defines),
+                    {"--inputs", &command.options.inputs, between(2, 1e7),
+                     "inputs for each function: a part at random, others with special values or by search"},
+                    {"--seed", &command.options.seed, "seed of the inputs"},
+                    {"--device", &command.devices,
+                     "run the worst inputs on these devices as well (names or indices of gloam devices)"},
+                    driver_option(),
+                    {"--json", &command.json, "file for all results"},
+                    {"--html", &command.html,
+                     "file for a page: the source coloured by what its lines lose, worst inputs, rewrites"}},
+        .run = [equations] { return run_audit(command, equations); },
+        .examples =
+            "  gloam audit tone.glsl                              every function, in the domain that it "
+            "prints first\n"
+            "  gloam audit tone.glsl curve --range x=0:16 --html audit.html\n"
+            "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst "
+            "inputs\n"};
 }
 
 }  // namespace gloam::cli

@@ -2,15 +2,12 @@
 #include "cli/framework/check.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <thread>
 #include <tuple>
@@ -298,92 +295,74 @@ int run_check(const CheckOptions& options) {
     return status == 0 && !outcome.complete ? 2 : status;
 }
 
-// What is checked, in which variants.
-void add_selection_options(CLI::App& command, CheckOptions& options) {
-    command.add_option("equation", options.equations,
-                       "IDs, functions or globs (all when none is given), PASS-* for whole passes; or a GLSL "
-                       "file of your own, and its functions");
-    command.add_option("--range", options.ranges,
-                       "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
-    add_include_option(command, options.includes);
-    add_define_option(command, options.defines);
-    command.add_option("--device", options.device,
-                       "name or index of the device, or all: every Vulkan device; gl: every OpenGL and "
-                       "OpenGL ES device, or one's "
-                       "name; interpreter: no driver, every operation correctly rounded");
-    command
-        .add_option("--variant", options.variant,
-                    "how the shaders are compiled (gloam list variants), or all")
-        ->capture_default_str();
-    command.add_option("--compiler", options.compilers,
-                       "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
-                       "'spirv-opt {each}', a program with {in} or {glsl} and {out}; several joined by "
-                       "' | '");
-}
-
-// How much of it, and how.
-void add_run_options(CLI::App& command, CheckOptions& options) {
-    command.add_option("--inputs", options.inputs, "inputs for each equation")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
-        ->capture_default_str();
-    command.add_option("--seed", options.seed, "seed of the inputs")->capture_default_str();
-    command.add_option("--shard", options.shard,
-                       "INDEX/COUNT: run only this part of the checks, counted from 0 "
-                       "(default: GTEST_SHARD_INDEX of GTEST_TOTAL_SHARDS)");
-    command.add_flag("--coverage", options.coverage,
-                     "report which lines and branches of the GLSL the inputs reach");
-    command.add_flag("--validation", options.validation,
-                     "Vulkan validation layers on; any message fails the check");
-    command
-        .add_option(
-            "--timeout", options.timeout,
-            "seconds that one check may take; one that takes longer is stopped and reported as a hang")
-        ->check(CLI::Range(0.001, 1e6))
-        ->capture_default_str();
-    CLI::Option* jobs = command.add_option("--jobs", options.jobs, "worker processes for each device")
-                            ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
-                            ->default_str("one a core, fewer for a short check");
-    command
-        .add_flag("--in-process", options.in_process,
-                  "no worker processes, for a debugger: a driver that crashes then ends the whole run")
-        ->excludes(jobs);
-    command.add_flag_callback(
-        std::string(bisect_option), [] {},
-        "for git bisect run: status 125 instead of 2, so that a build that cannot be judged is "
-        "skipped");
-}
-
-// Options for written files and for the printed output.
-void add_file_options(CLI::App& command, CheckOptions& options) {
-    CLI::Option* json = command.add_option(
-        "--json", options.json,
-        "write the results to this file; until the run has ended, FILE.journal holds the results so far");
-    command.add_flag("--resume", options.resume, "run only the checks that FILE.journal lacks")->needs(json);
-    command.add_option("--junit", options.junit, "write the results as JUnit XML");
-    command.add_option("--html", options.html,
-                       "write the results as a page: sortable, filterable, in one file");
-    command.add_flag_callback(
-        "--quiet", [&options] { options.rows = options.progress = false; },
-        "print only the failures and the count");
-    command.add_option("--failures", options.failures,
-                       "folder that receives each failure ready to report: the smallest input found, the "
-                       "shader, a program in C, an AmberScript");
+// What is checked, in which variants; how much of it, and how; files, and what is printed.
+std::vector<Option> options_of(CheckOptions& options) {
+    return {
+        {"equation", &options.equations,
+         "IDs, functions or globs (all when none is given), PASS-* for whole passes; or a GLSL file of your "
+         "own, and its functions"},
+        {"--range", &options.ranges,
+         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from"},
+        include_option(options.includes),
+        define_option(options.defines),
+        {"--device", &options.device,
+         "name or index of the device, or all: every Vulkan device; gl: every OpenGL and OpenGL ES device, "
+         "or one's name; interpreter: no driver, every operation correctly rounded"},
+        {"--variant", &options.variant, "how the shaders are compiled (gloam list variants), or all"},
+        {"--compiler", &options.compilers,
+         "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', 'spirv-opt "
+         "{each}', a program with {in} or {glsl} and {out}; several joined by ' | '"},
+        {"--inputs", &options.inputs, between(1, 1e8), "inputs for each equation"},
+        {"--seed", &options.seed, "seed of the inputs"},
+        {"--shard", &options.shard,
+         "INDEX/COUNT: run only this part of the checks, counted from 0 (default: GTEST_SHARD_INDEX of "
+         "GTEST_TOTAL_SHARDS)"},
+        {"--coverage", &options.coverage, "report which lines and branches of the GLSL the inputs reach"},
+        {"--validation", &options.validation, "Vulkan validation layers on; any message fails the check"},
+        {"--timeout", &options.timeout, between(0.001, 1e6),
+         "seconds that one check may take; one that takes longer is stopped and reported as a hang"},
+        {"--jobs",
+         &options.jobs,
+         {.range = {{1, 1024}}, .shown = "one a core, fewer for a short check"},
+         "worker processes for each device"},
+        {"--in-process", &options.in_process, excludes("--jobs"),
+         "no worker processes, for a debugger: a driver that crashes then ends the whole run"},
+        {std::string(bisect_option), [] {},
+         "for git bisect run: status 125 instead of 2, so that a build that cannot be judged is skipped"},
+        {"--json", &options.json,
+         "write the results to this file; until the run has ended, FILE.journal holds the results so far"},
+        {"--resume", &options.resume, needs("--json"), "run only the checks that FILE.journal lacks"},
+        {"--junit", &options.junit, "write the results as JUnit XML"},
+        {"--html", &options.html, "write the results as a page: sortable, filterable, in one file"},
+        {"--quiet", [&options] { options.rows = options.progress = false; },
+         "print only the failures and the count"},
+        {"--failures", &options.failures,
+         "folder that receives each failure ready to report: the smallest input found, the shader, a program "
+         "in C, an AmberScript"},
+        driver_option()};
 }
 
 }  // namespace
 
-void add_check(CLI::App& app, EquationsNamed* equations, int& status) {
-    auto options = std::make_shared<CheckOptions>(CheckOptions{.named = equations});
-    CLI::App* command =
-        app.add_subcommand("check", "run equations on a Vulkan or OpenGL device and judge every result");
-    add_selection_options(*command, *options);
-    add_run_options(*command, *options);
-    add_file_options(*command, *options);
-    add_driver_option(*command);
-    command->callback([options, &status] {
-        if (!options->compilers.empty() && options->device.empty()) options->device = check::interpreter_name;
-        status = run_check(*options);
-    });
+Command check_command(EquationsNamed* equations) {
+    static CheckOptions options{.named = equations};
+    return {
+        .name = "check",
+        .about = "run equations on a Vulkan or OpenGL device and judge every result",
+        .options = options_of(options),
+        .run =
+            [] {
+                if (!options.compilers.empty() && options.device.empty())
+                    options.device = check::interpreter_name;
+                return run_check(options);
+            },
+        .examples =
+            "  gloam check                                          every equation on the default device\n"
+            "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
+            "  gloam check --device all --variant all --html r.html every device, every compiler setting\n"
+            "  gloam check --quiet --junit results.xml              for continuous integration\n"
+            "  gloam check --failures failures                      each failure ready to report\n"
+            "  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own\n"};
 }
 
 }  // namespace gloam::cli

@@ -55,8 +55,4 @@ struct CheckOutcome {
 // Runs the checks and writes the requested files.
 [[nodiscard]] CheckOutcome check(const CheckOptions& options);
 
-// Adds the subcommand; `status` receives the exit status: 0, 1 or 2; 2 for an outcome that is not complete,
-// unless a check failed.
-void add_check(CLI::App& app, EquationsNamed* equations, int& status);
-
 }  // namespace gloam::cli

@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -226,32 +224,34 @@ shader::Spirv cost_kernel(const check::Lab& lab, const std::string& file, const 
     return lab.compile_kernel({"kernel of " + function, kernel_code(source)}, source.images);
 }
 
-void add_cost(CLI::App& app, EquationsNamed* equations, FrameOf* frame, int& status) {
-    auto command = std::make_shared<CostCommand>();
-    CLI::App* cost =
-        app.add_subcommand("cost", "count what a GPU pays for a shader, by a GPU's compiler, without a GPU");
-    cost->add_option("file", command->file, "a GLSL file, a whole compute shader (.comp), or an equation");
-    cost->add_option("function", command->functions, "functions that it defines (all when none is given)");
-    cost->add_option("--preset", command->preset,
-                     "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)");
-    cost->add_option("--set", command->set, "with --preset: SETTING=VALUE; may be repeated")
-        ->allow_extra_args(false);
-    cost->add_option(
-            "--tiles", command->tiles,
-            "with --preset: the share of tiles that are swept in full, 0 to 1; otherwise that of its views")
-        ->check(CLI::Range(0.0, 1.0));
-    add_include_option(*cost, command->includes);
-    add_define_option(*cost, command->defines);
-    cost->add_option("--family", command->options.family,
-                     fmt::format("the chip: {}", fmt::join(cost::families(), ", ")))
-        ->capture_default_str();
-    cost->add_option(
-        "--below", command->below,
-        "most vector instructions, of an invocation or of a frame's pixel; above it the status is 1");
-    cost->add_flag("--validation", command->options.validation,
-                   "Vulkan validation layers on; any message is an error");
-    cost->add_flag("--json", command->json, "as JSON");
-    cost->callback([command, equations, frame, &status] { status = run_cost(*command, equations, frame); });
+Command cost_command(EquationsNamed* equations, FrameOf* frame) {
+    static CostCommand command;
+    return {
+        .name = "cost",
+        .about = "count what a GPU pays for a shader, by a GPU's compiler, without a GPU",
+        .options =
+            {{"file", &command.file, "a GLSL file, a whole compute shader (.comp), or an equation"},
+             {"function", &command.functions, "functions that it defines (all when none is given)"},
+             {"--preset", &command.preset,
+              "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)"},
+             {"--set", &command.set, repeated, "with --preset: SETTING=VALUE; may be repeated"},
+             {"--tiles", &command.tiles, between(0, 1),
+              "with --preset: the share of tiles that are swept in full, 0 to 1; otherwise that of its "
+              "views"},
+             include_option(command.includes),
+             define_option(command.defines),
+             {"--family", &command.options.family,
+              fmt::format("the chip: {}", fmt::join(cost::families(), ", "))},
+             {"--below", &command.below,
+              "most vector instructions, of an invocation or of a frame's pixel; above it the status is 1"},
+             validation_option(command.options.validation),
+             {"--json", &command.json, "as JSON"}},
+        .run = [=] { return run_cost(command, equations, frame); },
+        .examples =
+            "  gloam cost tone.glsl curve --below 40              a function; status 1 above 40 vector "
+            "instructions\n"
+            "  gloam cost blur.comp --define RADIUS=3             a whole compute shader\n"
+            "  gloam cost --preset balanced --family NAVI31       the passes of a frame\n"};
 }
 
 }  // namespace gloam::cli

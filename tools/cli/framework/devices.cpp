@@ -2,8 +2,6 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -23,8 +21,8 @@ const char* yes(bool value) {
 
 void print_float_controls(const backend::FloatControls& float32) {
     fmt::print(
-        "   float32: keeps NaN, infinity and -0: {}; keeps subnormals: {}; can flush subnormals: {}; "
-        "can round to nearest even: {}; can round to zero: {}\n",
+        "   float32: keeps NaN, infinity and -0: {}; keeps subnormals: {}; can flush subnormals: {}; can "
+        "round to nearest even: {}; can round to zero: {}\n",
         yes(float32.preserves_signed_zero_inf_nan), yes(float32.preserves_denormals),
         yes(float32.flushes_denormals), yes(float32.rounds_to_even), yes(float32.rounds_to_zero));
 }
@@ -69,7 +67,7 @@ void print_opengl(const std::vector<GlExecutor>& executors) {
     }
 }
 
-void run_devices(bool json) {
+int run_devices(bool json) {
     const Drivers drivers = load_drivers();
     for (const BrokenDriver& driver : drivers.broken) say_skipped(driver);
     if (drivers.devices.empty() && drivers.broken.empty())
@@ -96,18 +94,20 @@ void run_devices(bool json) {
         fmt::print("interpreter: for `gloam check --device interpreter`\n");
         print_float_controls(check::interpreter()->info().float32);
     }
+    return 0;
 }
 
 }  // namespace
 
-void add_devices(CLI::App& app) {
-    auto json = std::make_shared<bool>(false);
-    CLI::App* command = app.add_subcommand(
-        "devices",
-        "the Vulkan and OpenGL devices here and the interpreter, and what their float controls report");
-    command->add_flag("--json", *json, "as JSON");
-    add_driver_option(*command);
-    command->callback([json] { run_devices(*json); });
+Command devices_command() {
+    static bool json = false;
+    return {
+        .name = "devices",
+        .about =
+            "the Vulkan and OpenGL devices here and the interpreter, and what their float controls report",
+        .options = {{"--json", &json, "as JSON"}, driver_option()},
+        .run = [] { return run_devices(json); },
+        .examples = "  gloam devices --json\n"};
 }
 
 std::vector<std::string> gl_device_names() {

@@ -2,13 +2,11 @@
 #include "cli/framework/open_device.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -179,19 +177,11 @@ void tell_the_loader(Manifests manifests) {
 
 }  // namespace
 
-void add_driver_option(CLI::App& command) {
-    auto manifests = std::make_shared<Manifests>();
-    command
-        .add_option("--driver", *manifests,
-                    "manifest (ICD JSON file) of one more Vulkan driver; may be given again")
-        ->allow_extra_args(false);
-    command.parse_complete_callback([manifests] { tell_the_loader(*manifests); });
-}
-
-void add_device_options(CLI::App& command, std::string& device, bool& validation) {
-    command.add_option("--device", device, "name or index of the device (gloam devices)");
-    command.add_flag("--validation", validation, "Vulkan validation layers on; any message is an error");
-    add_driver_option(command);
+Option driver_option() {
+    static Manifests manifests;
+    return {"--driver", &manifests, repeated,
+            "manifest (ICD JSON file) of one more Vulkan driver; may be given again",
+            [] { tell_the_loader(manifests); }};
 }
 
 }  // namespace gloam::cli

@@ -2,11 +2,9 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <charconv>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -133,15 +131,8 @@ Target target_of(const std::vector<std::string>& words, EquationsNamed* equation
     return {path_of_shader(first.file), first.function, {words.begin() + 1, words.end()}};
 }
 
-// The words as they were before with_numbers_apart().
-std::vector<std::string> without_blanks(std::vector<std::string> words) {
-    for (std::string& word : words)
-        if (word.starts_with(" -")) word.erase(0, 1);
-    return words;
-}
-
-void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
-    const Target target = target_of(without_blanks(options.words), equations);
+int run_explain(const ExplainOptions& options, EquationsNamed* equations) {
+    const Target target = target_of(options.words, equations);
     const check::OwnFunctions functions =
         functions_of(own_file(target.file, options.includes, options.defines), {target.function}, {});
     if (functions.found.empty())
@@ -157,6 +148,7 @@ void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
         const check::Explanation all =
             check::explain({.variant = shader::variant(options.variant)}, own, input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
+        return 0;
     } catch (const interpreter::Error& error) {
         throw std::runtime_error(fmt::format("{}: {}: {}", target.file, target.function, error.what()));
     }
@@ -164,30 +156,23 @@ void run_explain(const ExplainOptions& options, EquationsNamed* equations) {
 
 }  // namespace
 
-std::vector<std::string> with_numbers_apart(std::vector<std::string> arguments) {
-    if (arguments.empty() || arguments.front() != "explain") return arguments;
-    for (std::string& word : arguments)
-        if (word.starts_with('-') && base::number_from<double>(word)) word.insert(0, " ");
-    return arguments;
-}
-
-void add_explain(CLI::App& app, EquationsNamed* equations) {
-    auto options = std::make_shared<ExplainOptions>();
-    CLI::App* command = app.add_subcommand(
-        "explain", "run a shader function on one input and show the error of each operation, line by line");
-    command
-        ->add_option(
-            "what", options->words,
-            "a GLSL file and a function that it defines, or an equation (gloam list equations); then a value "
-            "for each scalar of its parameters and of the uniforms that it uses, in order: a number, true or "
-            "false, or bits as 0x...; of a quad or work group those of all its invocations, or of one, which "
-            "all have then")
-        ->required();
-    command->add_option("--variant", options->variant, "how the shader is compiled (gloam list variants)")
-        ->capture_default_str();
-    add_include_option(*command, options->includes);
-    add_define_option(*command, options->defines);
-    command->callback([options, equations] { run_explain(*options, equations); });
+Command explain_command(EquationsNamed* equations) {
+    static ExplainOptions options;
+    return {
+        .name = "explain",
+        .about = "run a shader function on one input and show the error of each operation, line by line",
+        .options = {{"what",
+                     &options.words,
+                     {.required = true, .numbers = true},
+                     "a GLSL file and a function that it defines, or an equation (gloam list equations); "
+                     "then a value for each scalar of its parameters and of the uniforms that it uses, in "
+                     "order: a number, true or false, or bits as 0x...; of a quad or work group those of all "
+                     "its invocations, or of one, which all have then"},
+                    {"--variant", &options.variant, "how the shader is compiled (gloam list variants)"},
+                    include_option(options.includes),
+                    define_option(options.defines)},
+        .run = [equations] { return run_explain(options, equations); },
+        .examples = "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"};
 }
 
 }  // namespace gloam::cli

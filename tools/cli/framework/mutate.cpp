@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -28,42 +26,39 @@ int run_mutate(const MutateCommand& command) {
 
 }  // namespace
 
-std::vector<std::string> take_command(std::vector<std::string>& arguments) {
-    const auto mark = std::ranges::find(arguments, "--");
-    if (arguments.empty() || arguments.front() != "mutate" || mark == arguments.end()) return {};
-    std::vector<std::string> command(mark + 1, arguments.end());
-    arguments.erase(mark, arguments.end());
-    return command;
-}
-
-void add_mutate(CLI::App& app, std::vector<std::string> words, int& status) {
-    auto command = std::make_shared<MutateCommand>();
-    command->command = std::move(words);
-    CLI::App* mutate = app.add_subcommand(
-        "mutate", "plant faults in shaders, and show which of them a test does not notice");
-    mutate->add_option("file", command->paths, "GLSL files, and folders of them; -- COMMAND follows")
-        ->required();
-    mutate->add_option("--count", command->count, "so many faults, one at each place (without: all)")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
-    mutate->add_option("--seed", command->seed, "seed of the faults and the inputs")->capture_default_str();
-    mutate
-        ->add_option("--inputs", command->inputs, "inputs on which a survivor is compared with the original")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
-        ->capture_default_str();
-    mutate->add_option("--jobs", command->jobs, "commands at once (without: one for each processor)")
-        ->check(CLI::Range(1U, 1024U));
-    mutate->add_option("--minutes", command->minutes, "begin nothing after so many minutes")
-        ->check(CLI::Range(0.0, 1e6));
-    mutate
-        ->add_option("--patience", command->patience,
+Command mutate_command() {
+    static MutateCommand command;
+    return {
+        .name = "mutate",
+        .about = "plant faults in shaders, and show which of them a test does not notice",
+        .options = {{"file", &command.paths, required, "GLSL files, and folders of them; -- COMMAND follows"},
+                    {"--count", &command.count, between(1, 1e6),
+                     "so many faults, one at each place (without: all)"},
+                    {"--seed", &command.seed, "seed of the faults and the inputs"},
+                    {"--inputs", &command.inputs, between(1, 1e6),
+                     "inputs on which a survivor is compared with the original"},
+                    {"--jobs", &command.jobs, between(1, 1024),
+                     "commands at once (without: one for each processor)"},
+                    {"--minutes", &command.minutes, between(0, 1e6), "begin nothing after so many minutes"},
+                    {"--patience", &command.patience, between(0.1, 1e6),
                      "end a command after so many seconds (without: 5 s more than five times what it takes "
-                     "without the fault)")
-        ->check(CLI::Range(0.1, 1e6));
-    add_include_option(*mutate, command->includes);
-    mutate->add_option("--known", command->known,
-                       "file of faults that no test can notice: FILE | LINE WITH THE FAULT | REASON");
-    mutate->add_option("--json", command->json, "file for all results");
-    mutate->callback([command, &status] { status = run_mutate(*command); });
+                     "without the fault)"},
+                    include_option(command.includes),
+                    {"--known", &command.known,
+                     "file of faults that no test can notice: FILE | LINE WITH THE FAULT | REASON"},
+                    {"--json", &command.json, "file for all results"}},
+        .run = [] { return run_mutate(command); },
+        .examples =
+            "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
+            "  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests\n\n"
+            "COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the "
+            "fault.\n"
+            "GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the "
+            "files) with\n"
+            "the fault, GLOAM_SHADERS_OF that folder, and GLOAM_SHADERS_CHANGED the changed file below it. "
+            "gloam and tests\n"
+            "that use its framework read the copy by themselves.\n",
+        .behind_dashes = &command.command};
 }
 
 }  // namespace gloam::cli

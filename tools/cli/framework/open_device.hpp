@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
+#include "cli/commands.hpp"
 #include "judge/answer.hpp"
 #include "record/members.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace gloam::cli {
 
@@ -23,14 +20,10 @@ namespace gloam::cli {
 // 1.
 [[nodiscard]] int validation_status(gpu::Device& device);
 
-// Adds --driver to a command that opens devices. Before the command runs, the Vulkan loader gets the
-// manifests of these drivers, and of a browser's SwiftShader, unless the environment chooses the drivers
-// itself. A driver without a device is an error.
-void add_driver_option(CLI::App& command);
-
-// Adds --device, --validation and --driver to a command that runs on one device. The referenced variables
-// must live as long as the command.
-void add_device_options(CLI::App& command, std::string& device, bool& validation);
+// --driver of a command that opens devices. Before the command runs, the Vulkan loader gets the manifests of
+// these drivers, and of a browser's SwiftShader, unless the environment chooses the drivers itself. A driver
+// without a device is an error.
+[[nodiscard]] Option driver_option();
 
 // What another process said that listed devices.
 struct Listing {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -163,25 +162,19 @@ std::string api_of(shader::Language language) {
     return std::string(" for ") + names.at(language);
 }
 
-void add_pack_options(CLI::App& command, PackOptions& options) {
-    command.add_option(
-        "file", options.files,
-        "includes or whole shaders, as paths or as gloam/..., or equations (gloam list equations)");
-    command
-        .add_option("--function", options.functions,
-                    "only this function and what it uses (default: main, else every function of the files); "
-                    "may be repeated")
-        ->allow_extra_args(false);
-    add_include_option(command, options.includes);
-    add_define_option(command, options.defines);
-    command
-        .add_option("--version", options.version,
-                    "450 (Vulkan), 430 (OpenGL), 330, 150, 300es, 310es or 320es")
-        ->capture_default_str();
-    command.add_option("--target", options.target,
-                       "hlsl or msl: translated to HLSL of shader model 6.0 or to Metal's language");
-    command.add_option("--out", options.out,
-                       "file to write (standard output when not given); with --effect the folder");
+std::vector<Option> pack_options(PackOptions& options) {
+    return {
+        {"file", &options.files,
+         "includes or whole shaders, as paths or as gloam/..., or equations (gloam list equations)"},
+        {"--function", &options.functions, repeated,
+         "only this function and what it uses (default: main, else every function of the files); may be "
+         "repeated"},
+        include_option(options.includes),
+        define_option(options.defines),
+        {"--version", &options.version, "450 (Vulkan), 430 (OpenGL), 330, 150, 300es, 310es or 320es"},
+        {"--target", &options.target,
+         "hlsl or msl: translated to HLSL of shader model 6.0 or to Metal's language"},
+        {"--out", &options.out, "file to write (standard output when not given); with --effect the folder"}};
 }
 
 }  // namespace gloam::cli

@@ -20,7 +20,7 @@ struct PackOptions {
     std::string target;  // empty: GLSL
     std::filesystem::path out;
 };
-void add_pack_options(CLI::App& command, PackOptions& options);
+[[nodiscard]] std::vector<Option> pack_options(PackOptions& options);
 
 // Writes the files, or the equations, as one text.
 void pack_files(const PackOptions& options, EquationsNamed* equations);

@@ -2,11 +2,9 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -71,18 +69,23 @@ int run_report(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, int& status) {
-    auto options = std::make_shared<ReportOptions>();
-    CLI::App* command =
-        app.add_subcommand("report", "merge the results of `gloam check --json` from many machines");
-    command->add_option("file", options->files, "JSON files of gloam check")->required();
-    command->add_flag("--markdown", options->markdown, "a Markdown page instead of a table for the terminal");
-    command->add_option("--json", options->json, "write the merged results to this file");
-    command->add_option("--since", options->since,
-                        "results of an earlier run: say what got better and worse since then");
-    command->add_option("--html", options->html,
-                        "write the results as a page: sortable, filterable, in one file");
-    command->callback([options, &status] { status = run_report(*options); });
+Command report_command() {
+    static ReportOptions options;
+    return {
+        .name = "report",
+        .about = "merge the results of `gloam check --json` from many machines",
+        .options = {{"file", &options.files, required, "JSON files of gloam check"},
+                    {"--markdown", &options.markdown, "a Markdown page instead of a table for the terminal"},
+                    {"--json", &options.json, "write the merged results to this file"},
+                    {"--since", &options.since,
+                     "results of an earlier run: say what got better and worse since then"},
+                    {"--html", &options.html,
+                     "write the results as a page: sortable, filterable, in one file"}},
+        .run = [] { return run_report(options); },
+        .examples =
+            "  gloam report a.json b.json\n"
+            "  gloam report a.json b.json --html all.html\n"
+            "  gloam report now.json --since last-week.json\n"};
 }
 
 }  // namespace gloam::cli

@@ -2,7 +2,6 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -103,10 +102,9 @@ void add_guides(record::Page& page, record::OutputFolder& out) {
 
 record::Page page_of(const std::vector<Shown>& scenes, record::OutputFolder& out) {
     record::Page page("gloam demo");
-    page.paragraph(
-        "Ambient occlusion, rendered on " + scenes.front().run.report.device.name +
-        ". Choose above each picture: the light with ambient occlusion, without it, and more. The error "
-        "is the root mean square error against occlusion traced with rays.");
+    page.paragraph("Ambient occlusion, rendered on " + scenes.front().run.report.device.name +
+                   ". Choose above each picture: the light with ambient occlusion, without it, and more. The "
+                   "error is the root mean square error against occlusion traced with rays.");
     for (const Shown& scene : scenes) {
         page.heading(scene.name + ": " + scene.what);
         add_pictures(page, out, scene.name + "_", scene.run);
@@ -121,8 +119,8 @@ record::Page page_of(const std::vector<Shown>& scenes, record::OutputFolder& out
 void add_check(record::Page& page, const CheckOutcome& outcome) {
     page.fold("The check: " + to_text(outcome.counts));
     page.paragraph(
-        fmt::format("Every equation of the library ran on this device with {} inputs, and each result "
-                    "was compared with the equation in double precision.",
+        fmt::format("Every equation of the library ran on this device with {} inputs, and each result was "
+                    "compared with the equation in double precision.",
                     few_inputs));
     page.table(record::check_table(outcome.reports));
 }
@@ -139,12 +137,11 @@ std::string pictures_line(const std::vector<Shown>& scenes) {
 std::string check_line(const CheckOutcome& outcome) {
     const record::OutcomeCounts& counts = outcome.counts;
     if (counts.failed == 0) {
-        const std::string all = counts.not_judged == 0
-                                    ? "all are as exact as they document"
-                                    : fmt::format(
-                                          "{} could not be judged, all others are as exact as they "
-                                          "document",
-                                          counts.not_judged);
+        const std::string all =
+            counts.not_judged == 0
+                ? "all are as exact as they document"
+                : fmt::format("{} could not be judged, all others are as exact as they document",
+                              counts.not_judged);
         return fmt::format("check     {} equations, {} inputs each: {}", counts.checks, few_inputs,
                            colored(all, Ink::good));
     }
@@ -196,15 +193,17 @@ int run_demo(const DemoOptions& demo) {
 
 }  // namespace
 
-void add_demo(CLI::App& app, int& status) {
-    auto options = std::make_shared<DemoOptions>();
-    CLI::App* command = app.add_subcommand(
-        "demo", "render three scenes, check the default device, make a page of both, with the live effect");
-    command->add_option("--device", options->device, "name or index of the device (gloam devices)");
-    command->add_option("--out", options->out, "folder for the page and its pictures")->capture_default_str();
-    command->add_flag("--quiet", options->quiet, "print nothing but errors");
-    add_driver_option(*command);
-    command->callback([options, &status] { status = run_demo(*options); });
+Command demo_command() {
+    static DemoOptions options;
+    return {
+        .name = "demo",
+        .about = "render three scenes, check the default device, make a page of both, with the live effect",
+        .options = {device_option(options.device),
+                    {"--out", &options.out, "folder for the page and its pictures"},
+                    {"--quiet", &options.quiet, "print nothing but errors"},
+                    driver_option()},
+        .run = [] { return run_demo(options); },
+        .examples = "  gloam demo --out first-look\n"};
 }
 
 }  // namespace gloam::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -227,12 +226,13 @@ ListOptions with_kind(ListOptions options) {
     return options;
 }
 
-void run_list(const ListOptions& given) {
+int run_list(const ListOptions& given) {
     const ListOptions options = with_kind(given);
     if (options.markdown) {
         if (options.kind != "numbers")
             throw std::invalid_argument("--markdown goes with `gloam list numbers`");
-        return fmt::print("{}", numbers_page());
+        fmt::print("{}", numbers_page());
+        return 0;
     }
     nlohmann::ordered_json json{{"gloam", base::version()}};
     for (const auto& [kind, names] : all_kinds()) {
@@ -241,26 +241,31 @@ void run_list(const ListOptions& given) {
         list_kind(kind, names(), options, json);
     }
     if (options.json) fmt::print("{}\n", json.dump(2));
+    return 0;
 }
 
 }  // namespace
 
-void add_list(CLI::App& app) {
-    auto options = std::make_shared<ListOptions>();
-    CLI::App* command = app.add_subcommand("list", "the names that the other commands take");
-    command->add_option(
-        "kind", options->kind,
-        "equations, methods, numbers (of equations in the papers), presets, scenes, "
-        "settings, variants or views: a name a line and its meaning, of settings with default "
-        "and range, of presets with error and time, gloam's own first; all when not given");
-    command->add_option(
-        "name", options->names,
-        "all that is known of these: of a preset every setting that runs and its source's symbol, of "
-        "a method what it measures; an equation by ID, what papers call it, function, file or glob");
-    command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
-    command->add_flag("--markdown", options->markdown,
-                      "numbers only: a page of them, a table for each paper");
-    command->callback([options] { run_list(*options); });
+Command list_command() {
+    static ListOptions options;
+    return {
+        .name = "list",
+        .about = "the names that the other commands take",
+        .options =
+            {{"kind", &options.kind,
+              "equations, methods, numbers (of equations in the papers), presets, scenes, settings, variants "
+              "or views: a name a line and its meaning, of settings with default and range, of presets with "
+              "error and time, gloam's own first; all when not given"},
+             {"name", &options.names,
+              "all that is known of these: of a preset every setting that runs and its source's symbol, of a "
+              "method what it measures; an equation by ID, what papers call it, function, file or glob"},
+             {"--json", &options.json, "names, descriptions and all other properties as JSON"},
+             {"--markdown", &options.markdown, "numbers only: a page of them, a table for each paper"}},
+        .run = [] { return run_list(options); },
+        .examples =
+            "  gloam list methods\n"
+            "  gloam list settings --json\n"
+            "  gloam list presets balanced          the settings that it changes\n"};
 }
 
 }  // namespace gloam::cli

@@ -2,7 +2,6 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -84,24 +83,27 @@ int run_stress(const StressOptions& options) {
 
 }  // namespace
 
-void add_stress(CLI::App& app, int& status) {
-    auto options = std::make_shared<StressOptions>();
-    CLI::App* command = app.add_subcommand(
-        "stress", "test long runs, far places, invalid buffers and worst inputs against the documentation");
+Command stress_command() {
+    static StressOptions options;
     std::string runs;
     for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
-    command->add_option("--only", options->only, "one run: " + runs);
-    command->add_option(
-        "--equation", options->equations,
-        "search the worst inputs of these only: by any name of equations (gloam list equations)");
-    command->add_option("--seed", options->seed, "seed of noise and points")->capture_default_str();
-    command->add_option("--frames", options->frames, "frames of the long runs")
-        ->check(CLI::Range(std::uint64_t{4}, std::uint64_t{1'000'000'000}))
-        ->capture_default_str();
-    command->add_flag("--brief", options->brief, "fewer inputs and places");
-    command->add_option("--json", options->json, "write the numbers to this file");
-    add_device_options(*command, options->device, options->validation);
-    command->callback([options, &status] { status = run_stress(*options); });
+    return {.name = "stress",
+            .about = "test long runs, far places, invalid buffers and worst inputs against the documentation",
+            .options =
+                {{"--only", &options.only, "one run: " + runs},
+                 {"--equation", &options.equations,
+                  "search the worst inputs of these only: by any name of equations (gloam list equations)"},
+                 {"--seed", &options.seed, "seed of noise and points"},
+                 {"--frames", &options.frames, between(4, 1e9), "frames of the long runs"},
+                 {"--brief", &options.brief, "fewer inputs and places"},
+                 {"--json", &options.json, "write the numbers to this file"},
+                 device_option(options.device),
+                 validation_option(options.validation),
+                 driver_option()},
+            .run = [] { return run_stress(options); },
+            .examples =
+                "  gloam stress --brief                           seconds instead of minutes\n"
+                "  gloam stress --only worst-inputs --equation 'TSSAO-*'\n"};
 }
 
 }  // namespace gloam::cli

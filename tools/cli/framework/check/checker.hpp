@@ -117,7 +117,4 @@ class Checker {
 // --opengl=EXECUTOR and --manifests.
 [[nodiscard]] std::vector<std::string> listing_command(const std::string& option);
 
-// Adds the hidden subcommand that runs a worker.
-void add_check_worker(CLI::App& app, EquationsNamed* equations);
-
 }  // namespace gloam::cli

@@ -2,13 +2,10 @@
 #include "cli/framework/check/checker.hpp"
 
 #include <unistd.h>
-#include <CLI/CLI.hpp>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -95,27 +92,31 @@ std::vector<std::string> listing_command(const std::string& option) {
     return {this_program, subcommand, option};
 }
 
-void add_check_worker(CLI::App& app, EquationsNamed* equations) {
-    auto options = std::make_shared<CheckerOptions>(CheckerOptions{.equations = equations});
-    auto timeout = std::make_shared<long>(options->timeout.count());
-    CLI::App* command = app.add_subcommand(subcommand, "runs checks for `gloam check`");
-    command->group("");  // not listed
-    command->add_option("--device", options->device);
-    command->add_option("--timeout", *timeout, "milliseconds")->check(CLI::PositiveNumber);
-    command->add_flag("--validation", options->validation);
-    auto list = std::make_shared<bool>(false);
-    command->add_flag("--list", *list, "only list the devices");
-    auto manifests = std::make_shared<bool>(false);
-    command->add_flag("--manifests", *manifests, "only let the Vulkan loader say which drivers it finds");
-    auto executor = std::make_shared<std::string>();
-    command->add_option("--opengl", *executor, "only list the OpenGL devices of this executor");
-    command->callback([options, timeout, list, manifests, executor] {
-        if (!executor->empty()) return list_and_tell([&] { return gl::list_devices(*executor); });
-        if (*manifests) return list_manifests();
-        if (*list) return list_and_tell(gpu::list_devices);
-        options->timeout = std::chrono::milliseconds(*timeout);
-        run_worker(*options);
-    });
+Command check_worker_command(EquationsNamed* equations) {
+    static CheckerOptions options{.equations = equations};
+    static std::optional<int> timeout;
+    static bool list = false;
+    static bool manifests = false;
+    static std::string executor;
+    return {.name = subcommand,
+            .options = {{"--device", &options.device},
+                        {"--timeout", &timeout, positive, "milliseconds"},
+                        {"--validation", &options.validation},
+                        {"--list", &list, "only list the devices"},
+                        {"--manifests", &manifests, "only let the Vulkan loader say which drivers it finds"},
+                        {"--opengl", &executor, "only list the OpenGL devices of this executor"}},
+            .run = [] {
+                if (timeout) options.timeout = std::chrono::milliseconds(*timeout);
+                if (!executor.empty())
+                    list_and_tell([&] { return gl::list_devices(executor); });
+                else if (manifests)
+                    list_manifests();
+                else if (list)
+                    list_and_tell(gpu::list_devices);
+                else
+                    run_worker(options);
+                return 0;
+            }};
 }
 
 }  // namespace gloam::cli

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "base/files.hpp"
@@ -34,12 +34,12 @@ void assign(experiment::Layer& layer, const std::string& text) {
 
 // PRESET[,NAME=VALUE...].
 Candidate preset_candidate(const std::string& text, bool sequence) {
-    std::vector<std::string> parts = CLI::detail::split(text, ',');
+    std::istringstream parts(text);
     Candidate made{.name = text + (sequence ? ", sequence" : ", single")};
     made.layer.kind = experiment::Kind::effect;
-    made.layer.preset = parts.front();
+    std::getline(parts, made.layer.preset, ',');
     made.layer.sequence = sequence;
-    for (std::size_t i = 1; i < parts.size(); ++i) assign(made.layer, parts[i]);
+    for (std::string part; std::getline(parts, part, ',');) assign(made.layer, part);
     return made;
 }
 
@@ -93,94 +93,69 @@ std::vector<Candidate> replaced(const std::vector<Candidate>& candidates, const 
     return chosen;
 }
 
-void add_what(CLI::App& command, ExperimentOptions& options) {
-    command.add_option("--size", options.sizes, "WIDTHxHEIGHT of the images, one or more");
-    command.add_option("--frames", options.frames, "of each case")->check(CLI::Range(1, 1000));
-    command.add_option("--scored", options.scored, "the last ones of these")->check(CLI::Range(1, 1000));
-    command.add_option("--rounds,--repeat", options.rounds, "that are timed, 0: only errors")
-        ->check(CLI::Range(0, 1000));
-    command.add_option("--rays", options.rays, "rays of the truth for each pixel, 0: no errors")
-        ->check(CLI::Range(0, 65'536));
-    command.add_option("--case,--view,--scene", options.cases, "only these cases");
-    command.add_option("--half", options.half, "only the views of this half")
-        ->check(CLI::IsMember({"tuning", "unseen"}));
-    command.add_option("--meshes", options.meshes,
-                       "folder of the views' meshes; without it that of glmark2-data");
+// The cases, and how they are measured.
+std::vector<Option> what_options(ExperimentOptions& options) {
+    return {{"--size", &options.sizes, "WIDTHxHEIGHT of the images, one or more"},
+            {"--frames", &options.frames, between(1, 1000), "of each case"},
+            {"--scored", &options.scored, between(1, 1000), "the last ones of these"},
+            {"--rounds,--repeat", &options.rounds, between(0, 1000), "that are timed, 0: only errors"},
+            {"--rays", &options.rays, between(0, 65'536), "rays of the truth for each pixel, 0: no errors"},
+            {"--case,--view,--scene", &options.cases, "only these cases"},
+            {"--half", &options.half, one_of({"tuning", "unseen"}), "only the views of this half"},
+            {"--meshes", &options.meshes, "folder of the views' meshes; without it that of glmark2-data"}};
 }
 
-void add_candidates(CLI::App& command, ExperimentOptions& options) {
-    command.add_option("--method", options.methods,
-                       "methods with the settings of the cases, instead of the candidates");
-    command.add_option("--plain", options.plain,
-                       "SLICESxSTEPS+BLURS of single frames of the plain loop, instead of the candidates");
-    command.add_option("--single", options.single, "PRESET or PRESET,NAME=VALUE,..., each frame alone");
-    command.add_option("--sequence", options.sequence, "the same, in sequence with their history");
-    command.add_option("--set", options.set, "NAME=VALUE: any setting of all, lengths for a radius of 1")
-        ->allow_extra_args(false);
-    command
-        .add_option("--depth-thickness", options.depth_thickness,
-                    "thickness of the surface of (D), in radii; without it (D) is solid")
-        ->check(CLI::PositiveNumber);
-    command.add_flag("--no-depth-truth", options.no_depth_truth,
-                     "do not trace the depth buffer's truth (D): half the time of a first run");
-    command
-        .add_option("--inputs", options.inputs,
-                    "images that passes only read: sampled, storage, or device (storage on a CPU)")
-        ->check(CLI::IsMember({"device", "sampled", "storage"}))
-        ->capture_default_str();
+std::vector<Option> candidate_options(ExperimentOptions& options) {
+    return {
+        {"--method", &options.methods, "methods with the settings of the cases, instead of the candidates"},
+        {"--plain", &options.plain,
+         "SLICESxSTEPS+BLURS of single frames of the plain loop, instead of the candidates"},
+        {"--single", &options.single, "PRESET or PRESET,NAME=VALUE,..., each frame alone"},
+        {"--sequence", &options.sequence, "the same, in sequence with their history"},
+        {"--set", &options.set, repeated, "NAME=VALUE: any setting of all, lengths for a radius of 1"},
+        {"--depth-thickness", &options.depth_thickness, positive,
+         "thickness of the surface of (D), in radii; without it (D) is solid"},
+        {"--no-depth-truth", &options.no_depth_truth,
+         "do not trace the depth buffer's truth (D): half the time of a first run"},
+        {"--inputs", &options.inputs, one_of({"device", "sampled", "storage"}),
+         "images that passes only read: sampled, storage, or device (storage on a CPU)"}};
 }
 
 // Of a description with a query of candidates.
-void add_query(CLI::App& command, ExperimentOptions& options) {
+std::vector<Option> query_options(ExperimentOptions& options) {
     experiment::CandidateQuery& query = options.query.emplace();
     query.samples.clear();
-    command.add_option("--method", query.methods,
-                       "methods; `all` for all, which is what is measured unless presets are named");
-    command.add_option("--preset", query.presets, "presets, measured as they are; `all` for all");
-    command.add_option("--samples", query.samples, "samples for each pixel in each frame, of the methods")
-        ->check(CLI::Range(1, static_cast<int>(effect::most_samples)));
-    command.add_flag("--temporal", options.only_temporal, "only over the frames of a moving camera");
-    command.add_flag("--single", options.only_single, "only single frames");
+    return {{"--method", &query.methods,
+             "methods; `all` for all, which is what is measured unless presets are named"},
+            {"--preset", &query.presets, "presets, measured as they are; `all` for all"},
+            {"--samples", &query.samples, between(1, effect::most_samples),
+             "samples for each pixel in each frame, of the methods"},
+            {"--temporal", &options.only_temporal, "only over the frames of a moving camera"},
+            {"--single", &options.only_single, "only single frames"}};
 }
 
-void add_answers(CLI::App& command, ExperimentOptions& options) {
-    command.add_option("--budget", options.budget, "name the most exact within this time, such as 1ms");
-    command.add_option("--error", options.error, "name the fastest with at most this RMSE")
-        ->check(CLI::PositiveNumber);
-    std::vector<CLI::Option*> measured;
-    for (CLI::Option* option : command.get_options()) {
-        const std::string name = option->get_name();
-        if (name != "--help" && name != "--budget" && name != "--error") measured.push_back(option);
-    }
-    CLI::Option* from =
-        command.add_option("--from", options.from, "results of --json or --out as one, instead of measuring");
-    CLI::Option* compare =
-        command.add_option("--compare", options.compare, "two results: what changed from OLD to NEW")
-            ->expected(2);
-    command
-        .add_flag("--fail-if-worse", options.fail_if_worse,
-                  "with --compare: status 1 when something got worse beyond its spread")
-        ->needs(compare);
-    CLI::Option* resume =
-        command.add_flag("--resume", options.resume, "measure only what the journal in --out lacks");
-    measured.push_back(resume);
-    compare->excludes(from);
-    for (CLI::Option* option : measured) {  // they cannot be combined with results
-        from->excludes(option);
-        compare->excludes(option);
-    }
-}
-
-void add_outputs(CLI::App& command, ExperimentOptions& options) {
-    add_device_options(command, options.device, options.validation);
+// What is answered, and files.
+std::vector<Option> answer_options(ExperimentOptions& options) {
     ExperimentPaths& paths = options.paths;
-    command.add_option("--json", paths.json, "write every number to this file");
-    command.add_option("--csv", paths.csv, "a line for each candidate of each case");
-    command.add_option("--page", paths.page,
-                       "page whose blocks of the tables' names, or the experiment's, are written anew");
-    command.add_option("--report", paths.report, "write a page with all tables");
-    command.add_option("--out", paths.out, "folder for results, pictures and the journal");
-    command.add_flag("--fail-if-missed", options.fail_if_missed, "status 1 where a target is missed");
+    return {{"--budget", &options.budget, "name the most exact within this time, such as 1ms"},
+            {"--error", &options.error, positive, "name the fastest with at most this RMSE"},
+            {"--from", &options.from, "results of --json or --out as one, instead of measuring"},
+            {"--compare", &options.compare, excludes("--from", Rules{.words = 2}),
+             "two results: what changed from OLD to NEW"},
+            {"--fail-if-worse", &options.fail_if_worse, needs("--compare"),
+             "with --compare: status 1 when something got worse beyond its spread"},
+            {"--resume", &options.resume, excludes("--compare", excludes("--from")),
+             "measure only what the journal in --out lacks"},
+            device_option(options.device),
+            validation_option(options.validation),
+            driver_option(),
+            {"--json", &paths.json, "write every number to this file"},
+            {"--csv", &paths.csv, "a line for each candidate of each case"},
+            {"--page", &paths.page,
+             "page whose blocks of the tables' names, or the experiment's, are written anew"},
+            {"--report", &paths.report, "write a page with all tables"},
+            {"--out", &paths.out, "folder for results, pictures and the journal"},
+            {"--fail-if-missed", &options.fail_if_missed, "status 1 where a target is missed"}};
 }
 
 // Where candidates are a query, any scene may be a case. It is shown as the last case of the description is.
@@ -195,14 +170,13 @@ void add_scenes(Experiment& what, const std::vector<std::string>& names) {
 
 }  // namespace
 
-void add_options(CLI::App& command, ExperimentOptions& options, bool has_query) {
-    add_what(command, options);
-    if (has_query)
-        add_query(command, options);
-    else
-        add_candidates(command, options);
-    add_answers(command, options);
-    add_outputs(command, options);
+std::vector<Option> options_of(ExperimentOptions& options, bool has_query) {
+    std::vector<Option> all = what_options(options);
+    std::ranges::move(has_query ? query_options(options) : candidate_options(options),
+                      std::back_inserter(all));
+    for (Option& measured : all) measured.rules.excludes = {"--from", "--compare"};
+    std::ranges::move(answer_options(options), std::back_inserter(all));
+    return all;
 }
 
 Experiment described(const ExperimentOptions& options) {

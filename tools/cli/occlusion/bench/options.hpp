@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "cli/occlusion/bench/files.hpp"
 #include "experiment/experiment.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace gloam::cli {
 
@@ -50,7 +47,7 @@ struct ExperimentOptions {
 };
 
 // has_query: of a description with a query of candidates.
-void add_options(CLI::App& command, ExperimentOptions& options, bool has_query);
+[[nodiscard]] std::vector<Option> options_of(ExperimentOptions& options, bool has_query);
 
 // The description of the file, or of `gloam bench` alone, in which the options count instead. Throws like
 // experiment::read_experiment().

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -110,14 +109,6 @@ int run_experiment(const ExperimentOptions& options) {
     return messages == 0 ? status : messages;
 }
 
-CLI::App& add_command(CLI::App& bench, const std::string& name, const std::string& about, bool has_query,
-                      const std::shared_ptr<ExperimentOptions>& options, int& status) {
-    CLI::App* command = bench.add_subcommand(name, about);
-    add_options(*command, *options, has_query);
-    command->callback([options, &status] { status = run_experiment(*options); });
-    return *command;
-}
-
 // An empty one where it cannot be read.
 Experiment description_in(const fs::path& file) {
     try {
@@ -139,41 +130,37 @@ std::set<fs::path> built_in_experiments() {
     return files;
 }
 
-// A subcommand for each description, and one for a user's own file. Without one the options of `gloam bench`
-// alone run the description samples.json.
-void add_experiments(CLI::App& bench, int& status) {
-    auto unnamed = std::make_shared<ExperimentOptions>();
-    add_options(bench, *unnamed, true);
-    bench.callback([unnamed, &bench, &status] {
-        if (bench.get_subcommands().empty()) status = run_experiment(*unnamed);
-    });
-    for (const fs::path& file : built_in_experiments()) {
-        auto options = std::make_shared<ExperimentOptions>();
-        options->file = file;
-        const Experiment what = description_in(file);
-        (void)add_command(bench, file.stem().string(), what.about, what.candidate_query.has_value(), options,
-                          status);
-    }
-    auto options = std::make_shared<ExperimentOptions>();
-    add_command(bench, own_experiment, "an experiment of your own: copy one of gloam's", false, options,
-                status)
-        .add_option("FILE", options->file, "its description in JSON")
-        ->required();
+// A command that runs the description in the file, or in the file that `options` name.
+Command experiment_command(const std::string& name, const std::string& about, const fs::path& file,
+                           bool has_query) {
+    const auto options = std::make_shared<ExperimentOptions>();  // lives as long as the command
+    options->file = file;
+    Command command{
+        .name = name, .about = about, .options = options_of(*options, has_query), .run = [options] {
+            return run_experiment(*options);
+        }};
+    if (name == own_experiment)
+        command.options.push_back({"FILE", &options->file, required, "its description in JSON"});
+    return command;
 }
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& status) {
-    CLI::App* group =
-        app.add_subcommand("bench", "time against error: which method with how many samples, on this device");
-    group->require_subcommand(0, 1);
-    add_experiments(*group, status);
-}
-
-std::vector<std::string> with_own_experiment(std::vector<std::string> arguments) {
-    if (arguments.size() > 1 && arguments[0] == "bench" && arguments[1].ends_with(".json"))
-        arguments.insert(arguments.begin() + 1, own_experiment);
-    return arguments;
+Command bench_command() {
+    // Without a further command, its options run the description samples.json.
+    Command bench = experiment_command(
+        "bench", "time against error: which method with how many samples, on this device", {}, true);
+    for (const fs::path& file : built_in_experiments()) {
+        const Experiment what = description_in(file);
+        bench.commands.push_back(
+            experiment_command(file.stem().string(), what.about, file, what.candidate_query.has_value()));
+    }
+    bench.commands.push_back(
+        experiment_command(own_experiment, "an experiment of your own: copy one of gloam's", {}, false));
+    bench.examples =
+        "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
+        "  gloam bench --from results.json --error 0.05\n";
+    return bench;
 }
 
 }  // namespace gloam::cli

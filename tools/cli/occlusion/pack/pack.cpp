@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,8 +42,8 @@ std::string method_table(const fs::path& glsl) {
         "method alone\n"
         "(`gloam pack gloam/methods/FILE.glsl --function gloam_NAME`). Pass: the one that blends it into a "
         "history\n"
-        "(`ambient_occlusion.comp`). Together: each function once. "
-        "This page is written by `gloam pack --lines`.\n\n"
+        "(`ambient_occlusion.comp`). Together: each function once. This page is written by `gloam pack "
+        "--lines`.\n\n"
         "| method | function | pass |\n| --- | --- | --- |\n";
     std::vector<std::string> functions;
     std::vector<std::string> passes;
@@ -68,7 +66,7 @@ struct PackCommand : PackOptions {
     EffectPackOptions of_effect;
 };
 
-void pack_npm(const PackCommand& options) {
+int pack_npm(const PackCommand& options) {
     record::OutputFolder folder(options.npm);
     for (const auto& [name, text] :
          site::npm_package({.library = glsl_directory(),
@@ -77,9 +75,10 @@ void pack_npm(const PackCommand& options) {
                             .version = base::version()}))
         folder.write(name, text);
     folder.keep();
+    return 0;
 }
 
-void run_pack(PackCommand& options) {
+int run_pack(PackCommand& options) {
     if (!options.npm.empty()) return pack_npm(options);
     if (options.effect || options.one_pass) {
         const std::string name = options.effect ? "--effect" : "--one-pass";
@@ -87,7 +86,8 @@ void run_pack(PackCommand& options) {
         if (!options.target.empty()) throw std::invalid_argument(name + " takes no --target");
         if (!options.defines.empty()) throw std::invalid_argument(name + " takes no --define");
         options.of_effect.version = options.version;
-        return options.effect ? pack_effect(options.of_effect) : pack_one_pass(options.of_effect);
+        (options.effect ? pack_effect : pack_one_pass)(options.of_effect);
+        return 0;
     }
     if (options.of_effect.normals != EffectPackOptions{}.normals)
         throw std::invalid_argument("--normals requires --effect or --one-pass");
@@ -95,90 +95,70 @@ void run_pack(PackCommand& options) {
         if (!options.target.empty())
             throw std::invalid_argument("--lines counts lines of GLSL: it takes no --target");
         fmt::print("{}", options.files.empty() ? method_table(glsl_directory()) : line_table(options.files));
-        return;
+        return 0;
     }
     pack_files(options, equations_named);
+    return 0;
 }
 
-void add_effect_options(CLI::App& command, PackCommand& options) {
+// Of the effect's passes, or of its one pass.
+std::vector<Option> effect_options(PackCommand& options) {
     EffectPackOptions& of_effect = options.of_effect;
-    CLI::Option* effect = command.add_flag(
-        "--effect", options.effect,
-        "the passes of the effect, and a C header of what they are given, into the folder --out");
-    const auto only = [effect](CLI::Option* option) { option->needs(effect); };
-    only(command
-             .add_option("--preset", of_effect.preset,
-                         "fast, balanced, quality or reference: gloam list presets")
-             ->capture_default_str());
-    only(command
-             .add_option("--set", of_effect.set,
-                         "NAME=VALUE: a setting (gloam list settings); may be repeated")
-             ->allow_extra_args(false));
-    only(command.add_flag_callback(
-        "--bent-normals", [&of_effect] { of_effect.set.emplace_back("bent_normals=on"); },
-        "the mean open direction of each pixel, too"));
-    only(command.add_flag_callback(
-        "--multi-bounce", [&of_effect] { of_effect.set.emplace_back("bounce_albedo=0.5"); },
-        "with light that bounces among blockers of one albedo, gloam_frame::filter.albedo"));
-    only(command.add_flag("--orthographic", of_effect.orthographic,
-                          "the camera is orthographic; else perspective"));
-    only(command
-             .add_option_function<std::string>(
-                 "--shown",
-                 [&of_effect](const std::string& what) { of_effect.visibility = what == "visibility"; },
-                 "occlusion, 1 where blocked, or visibility, 1 where open: what the image shown holds")
-             ->check(CLI::IsMember({"occlusion", "visibility"})));
-    only(command
-             .add_option_function<std::string>(
-                 "--uniforms",
-                 [&of_effect](const std::string& kind) { of_effect.plain_uniforms = kind == "plain"; },
-                 "of OpenGL: block, or plain: members of a uniform structure `parameters`")
-             ->check(CLI::IsMember({"block", "plain"})));
+    const std::vector<std::string> effect{"--effect"};
+    return {
+        {"--effect", &options.effect,
+         "the passes of the effect, and a C header of what they are given, into the folder --out"},
+        {"--preset", &of_effect.preset, needs("--effect"),
+         "fast, balanced, quality or reference: gloam list presets"},
+        {"--set", &of_effect.set, needs("--effect", repeated),
+         "NAME=VALUE: a setting (gloam list settings); may be repeated"},
+        {"--bent-normals", [&of_effect] { of_effect.set.emplace_back("bent_normals=on"); }, needs("--effect"),
+         "the mean open direction of each pixel, too"},
+        {"--multi-bounce", [&of_effect] { of_effect.set.emplace_back("bounce_albedo=0.5"); },
+         needs("--effect"),
+         "with light that bounces among blockers of one albedo, gloam_frame::filter.albedo"},
+        {"--orthographic", &of_effect.orthographic, needs("--effect"),
+         "the camera is orthographic; else perspective"},
+        {"--shown", [&of_effect](const std::string& what) { of_effect.visibility = what == "visibility"; },
+         needs("--effect", one_of({"occlusion", "visibility"})),
+         "occlusion, 1 where blocked, or visibility, 1 where open: what the image shown holds"},
+        {"--uniforms", [&of_effect](const std::string& kind) { of_effect.plain_uniforms = kind == "plain"; },
+         needs("--effect", one_of({"block", "plain"})),
+         "of OpenGL: block, or plain: members of a uniform structure `parameters`"},
+        {"--normals", &of_effect.normals,
+         "the engine's: view or world space, and behind it -octahedral, -unorm or both; none: from depth"},
+        {"--one-pass", &options.one_pass, excludes("--effect"),
+         "the effect as one fragment shader and a blur of two, for programs that take no more, into the "
+         "folder --out"},
+        {"--taps", &of_effect.taps, needs("--one-pass", one_of({"4", "8", "16"})),
+         "of each pixel in one pass"}};
 }
 
-void add_one_pass_options(CLI::App& command, PackCommand& options) {
-    EffectPackOptions& of_effect = options.of_effect;
-    command
-        .add_option("--normals", of_effect.normals,
-                    "the engine's: view or world space, and behind it -octahedral, -unorm or both; "
-                    "none: from depth")
-        ->capture_default_str();
-    CLI::Option* one_pass = command
-                                .add_flag("--one-pass", options.one_pass,
-                                          "the effect as one fragment shader and a blur of two, for programs "
-                                          "that take no more, into the folder --out")
-                                ->excludes("--effect");
-    command.add_option("--taps", of_effect.taps, "of each pixel in one pass")
-        ->check(CLI::IsMember({4, 8, 16}))
-        ->capture_default_str()
-        ->needs(one_pass);
-}
-
-// The package has its presets and methods all together, so no other option belongs to it.
-void add_npm(CLI::App& command, PackCommand& options) {
-    const std::vector<CLI::Option*> others =
-        command.get_options([](const CLI::Option* option) { return option->get_name() != "--help"; });
-    CLI::Option* npm = command.add_option(
-        "--npm", options.npm,
-        "folder for a package of npm: the effect in WebGL2 as a module with types, and passes for three.js, "
-        "Babylon.js and PlayCanvas");
-    for (CLI::Option* other : others) npm->excludes(other);
+std::vector<Option> options_of(PackCommand& options) {
+    std::vector<Option> all = pack_options(options);
+    all.push_back(
+        {"--lines", &options.lines,
+         "a table of the lines of code of each file as packed, comments not counted (default: all methods)"});
+    std::ranges::move(effect_options(options), std::back_inserter(all));
+    Option npm{"--npm", &options.npm,
+               "folder for a package of npm: the effect in WebGL2 as a module with types, and passes for "
+               "three.js, Babylon.js and PlayCanvas"};
+    // The package has its presets and methods all together, so no other option belongs to it.
+    for (const Option& other : all) npm.rules.excludes.push_back(other.names);
+    all.push_back(npm);
+    return all;
 }
 
 }  // namespace
 
-void add_pack(CLI::App& app) {
-    auto options = std::make_shared<PackCommand>();
-    CLI::App* command = app.add_subcommand(
-        "pack", "one self-contained file of what is used, in GLSL or another language, or the whole effect");
-    add_pack_options(*command, *options);
-    command->add_flag(
-        "--lines", options->lines,
-        "a table of the lines of code of each file as packed, comments not counted (default: all methods)");
-    add_effect_options(*command, *options);
-    add_one_pass_options(*command, *options);
-    add_npm(*command, *options);
-    command->callback([options] { run_pack(*options); });
+Command pack_command() {
+    static PackCommand options;
+    return {
+        .name = "pack",
+        .about = "one self-contained file of what is used, in GLSL or another language, or the whole effect",
+        .options = options_of(options),
+        .run = [] { return run_pack(options); },
+        .examples = "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"};
 }
 
 }  // namespace gloam::cli
