@@ -11,7 +11,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "base/files.hpp"
@@ -62,17 +61,16 @@ int fail(const std::exception& error) {
     return could_not_run;
 }
 
-int show_first_steps() {
-    fmt::print("{}", first_steps);
-    return 0;
-}
-
 int run(int argc, char** argv) {
     using namespace gloam::cli;
     const Command program{
         .name = "gloam",
         .about = "gloam: GLSL ambient occlusion, measured",
-        .run = show_first_steps,
+        .run =
+            [] {
+                fmt::print("{}", first_steps);
+                return 0;
+            },
         .examples =
             "  gloam demo                                  pictures, a check, a page\n"
             "  gloam check --device all --html check.html  every equation on every Vulkan device\n"

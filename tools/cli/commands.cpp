@@ -24,44 +24,18 @@ namespace {
 
 // The type of a value: of an option that may have none, of a list, of another.
 template <class T>
-struct ValueOf {
-    using Type = T;
-};
+T value_of(T*);
 template <class T>
-struct ValueOf<std::optional<T>> {
-    using Type = T;
-};
+T value_of(std::optional<T>*);
 template <class T>
-struct ValueOf<std::vector<T>> {
-    using Type = T;
-};
+T value_of(std::vector<T>*);
 
 // Whether help shows what an option has before.
 template <class T>
 bool is_shown(const T& value) {
-    if constexpr (std::is_arithmetic_v<T>)
-        return value != T{} && std::isfinite(static_cast<double>(value));
-    else if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::filesystem::path>)
-        return !value.empty();
-    else
-        return false;
-}
-
-std::string refuse_empty(const std::string& text) {
-    return text.empty() ? "expected a value, found an empty text" : "";
-}
-
-std::string refuse_nan(const std::string& text) {
-    return base::lower(text).find("nan") == std::string::npos ? "" : "expected a number, found " + text;
-}
-
-std::string refuse_negative(const std::string& text) {
-    return text.starts_with('-') ? "expected a count, 0 or more, found " + text : "";
-}
-
-// The blank is put before them by adapt().
-std::string without_blank(const std::string& word) {
-    return word.starts_with(" -") ? word.substr(1) : word;
+    if constexpr (requires { value.empty(); }) return !value.empty();
+    if constexpr (std::is_arithmetic_v<T>) return value != T{} && std::isfinite(static_cast<double>(value));
+    return false;
 }
 
 // Adds the checks of an option's words, and those of what CLI11 accepts and nobody intends.
@@ -74,10 +48,16 @@ void check_words(CLI::Option& option, const Rules& rules) {
     if (rules.positive) option.check(CLI::PositiveNumber);
     if (!rules.one_of.empty()) option.check(CLI::IsMember(rules.one_of));
     if (rules.folder) option.check(CLI::ExistingDirectory);
-    if (std::is_unsigned_v<Value>) option.check(CLI::Validator(refuse_negative, ""));
-    if (std::is_floating_point_v<Value>) option.check(CLI::Validator(refuse_nan, ""));
-    if (rules.may_lack.empty()) option.check(CLI::Validator(refuse_empty, ""));
-    if (rules.numbers) option.transform(without_blank);
+    option.check([may_lack = !rules.may_lack.empty()](const std::string& word) -> std::string {
+        if (std::is_unsigned_v<Value> && word.starts_with('-'))
+            return "expected a count, 0 or more, found " + word;
+        if (std::is_floating_point_v<Value> && base::lower(word).find("nan") != std::string::npos)
+            return "expected a number, found " + word;
+        return word.empty() && !may_lack ? "expected a value, found an empty text" : "";
+    });
+    if (rules.numbers)  // adapt() puts a blank before them
+        option.transform(
+            [](const std::string& word) { return word.starts_with(" -") ? word.substr(1) : word; });
 }
 
 CLI::Option* added(CLI::App& app, const Option& row, bool* target) {
@@ -102,7 +82,7 @@ CLI::Option* added(CLI::App& app, const Option& row, const std::function<void(co
 template <class T>
 CLI::Option* added(CLI::App& app, const Option& row, T* target) {
     CLI::Option* option = app.add_option(row.names, *target, row.help);
-    check_words<typename ValueOf<T>::Type>(*option, row.rules);
+    check_words<decltype(value_of(target))>(*option, row.rules);
     if (is_shown(*target)) option->capture_default_str();
     return option;
 }
@@ -127,12 +107,13 @@ void add(CLI::App& app, const Command& command) {
         for (const std::string& name : rules.needs) added[i]->needs(app.get_option(name));
         for (const std::string& name : rules.excludes) added[i]->excludes(app.get_option(name));
     }
-    if (!command.examples.empty()) app.footer("Examples:\n" + command.examples);
     for (const Command& one : command.commands) {
         CLI::App* further = app.require_subcommand(0, 1)->add_subcommand(one.name, one.about);
         if (one.about.empty()) further->group("");
         add(*further, one);
     }
+    if (!command.examples.empty())
+        app.footer("Examples:\n" + command.examples);  // which these do not inherit
 }
 
 // What CLI11 has no means for: words behind "--" of which none is an option's, a file in the place of a
@@ -200,16 +181,6 @@ Rules excludes(std::string other, Rules rules) {
     rules.excludes.push_back(std::move(other));
     return rules;
 }
-
-Option::Option(std::string names, Target target, Rules rules, std::string help, std::function<void()> before)
-    : names(std::move(names)),
-      target(std::move(target)),
-      rules(std::move(rules)),
-      help(std::move(help)),
-      before(std::move(before)) {}
-
-Option::Option(std::string names, Target target, std::string help)
-    : Option(std::move(names), std::move(target), {}, std::move(help)) {}
 
 Option include_option(std::vector<std::string>& further) {
     return {"--include",

@@ -52,9 +52,14 @@ inline const Rules positive{.positive = true};
 [[nodiscard]] Rules excludes(std::string other, Rules rules = {});
 
 struct Option {
-    Option(std::string names, Target target, std::string help = {});
-    Option(std::string names, Target target, Rules rules, std::string help,
-           std::function<void()> before = {});
+    Option(std::string names, Target target, Rules rules, std::string help, std::function<void()> before = {})
+        : names(std::move(names)),
+          target(std::move(target)),
+          rules(std::move(rules)),
+          help(std::move(help)),
+          before(std::move(before)) {}
+    Option(std::string names, Target target, std::string help = {})
+        : Option(std::move(names), std::move(target), {}, std::move(help)) {}
 
     std::string names;  // "--rounds,--repeat"; or, without dashes, of what stands at its place
     Target target;      // which lives as long as the program
@@ -108,7 +113,7 @@ using FrameOf = PresetFrame(const std::string& preset, const std::vector<std::st
 [[nodiscard]] Command mutate_command();
 [[nodiscard]] Command report_command();
 [[nodiscard]] Command render_command();
-// With a command for each description in experiments_directory(), and for a user's own file.
+// With a command for each of gloam's descriptions, and for a user's own file.
 [[nodiscard]] Command bench_command();
 [[nodiscard]] Command stress_command();
 [[nodiscard]] Command pack_command();

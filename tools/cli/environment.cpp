@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -18,23 +19,32 @@ fs::path from_environment(const char* name) {
     return value == nullptr ? fs::path{} : fs::path(value);
 }
 
-// The first folder that contains `content`: NAME in share beside the installed program, then `source` in the
-// source tree.
-fs::path data_in(const char* name, const fs::path& source, const char* content) {
-    std::error_code none;
-    const fs::path program = fs::read_symlink("/proc/self/exe", none);
-    const fs::path installed = program.parent_path().parent_path() / "share" / name;
-    for (const fs::path& candidate : {installed, source}) {
-        if (fs::exists(candidate / content, none)) return candidate;
-    }
-    throw std::runtime_error("no files of the program: looked in " + installed.string() + " and " +
-                             source.string());
-}
+struct DataFolder {
+    std::string_view name;
+    const char* source;
+    const char* content;  // by which it is known
+};
+constexpr DataFolder data_folders[]{{"glsl", GLOAM_GLSL_DIR, "gloam"},
+                                    {"stress", GLOAM_STRESS_SHADERS, "accumulate.glsl"},
+                                    {"site", GLOAM_SITE_FILES, "page/live.html"},
+                                    {"docs", GLOAM_DOCUMENTS, "drivers.md"},
+                                    {"experiments", GLOAM_EXPERIMENTS, "passes.json"}};
 
 }  // namespace
 
+fs::path data_directory(std::string_view name) {
+    const DataFolder& folder = *std::ranges::find(data_folders, name, &DataFolder::name);
+    std::error_code none;
+    const fs::path program = fs::read_symlink("/proc/self/exe", none);
+    const fs::path installed = program.parent_path().parent_path() / "share/gloam" / name;
+    for (const fs::path& candidate : {installed, fs::path(folder.source)})
+        if (fs::exists(candidate / folder.content, none)) return candidate;
+    throw std::runtime_error(std::string("no files of the program: looked in ") + installed.string() +
+                             " and " + folder.source);
+}
+
 fs::path glsl_directory() {
-    return data_in("gloam/glsl", GLOAM_GLSL_DIR, "gloam");
+    return data_directory("glsl");
 }
 
 std::string path_of_shader(const std::string& file) {
@@ -48,22 +58,6 @@ std::vector<fs::path> include_roots_of(const fs::path& file, const std::vector<s
     for (const std::string& folder : further) roots.push_back(fs::absolute(folder));
     roots.push_back(glsl_directory());
     return roots;
-}
-
-fs::path stress_shaders_directory() {
-    return data_in("gloam/stress", GLOAM_STRESS_SHADERS, "accumulate.glsl");
-}
-
-fs::path site_directory() {
-    return data_in("gloam/site", GLOAM_SITE_FILES, "page/live.html");
-}
-
-fs::path documents_directory() {
-    return data_in("gloam/docs", GLOAM_DOCUMENTS, "drivers.md");
-}
-
-fs::path experiments_directory() {
-    return data_in("gloam/experiments", GLOAM_EXPERIMENTS, "passes.json");
 }
 
 fs::path cache_directory() {

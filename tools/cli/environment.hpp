@@ -3,12 +3,16 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gloam::cli {
 
-// The folder that contains gloam/ and passes/: beside the installed program, otherwise in the source tree of
-// the build. Throws std::runtime_error if neither exists.
+// A folder of the program's files, beside the installed program, otherwise in the source tree of the build:
+// "glsl" (gloam/ and passes/), "stress" (shaders of `gloam stress` alone), "site" (what runs in a browser),
+// "docs" (the pages), "experiments" (descriptions for `gloam bench`). Throws std::runtime_error if neither
+// exists.
+[[nodiscard]] std::filesystem::path data_directory(std::string_view name);
 [[nodiscard]] std::filesystem::path glsl_directory();
 
 // The path of a file, or of one of the library by its name there ("gloam/filter/weights.glsl").
@@ -17,18 +21,6 @@ namespace gloam::cli {
 // The include roots of a user's file: its folder, further ones, and glsl_directory().
 [[nodiscard]] std::vector<std::filesystem::path> include_roots_of(const std::filesystem::path& file,
                                                                   const std::vector<std::string>& further);
-
-// The folder of the shaders that only `gloam stress` uses, found in the same way.
-[[nodiscard]] std::filesystem::path stress_shaders_directory();
-
-// The folder of what runs in a browser (npm package, live effect), found in the same way.
-[[nodiscard]] std::filesystem::path site_directory();
-
-// The folder of the Markdown pages, found in the same way.
-[[nodiscard]] std::filesystem::path documents_directory();
-
-// The folder of the descriptions that `gloam bench` reads, found in the same way.
-[[nodiscard]] std::filesystem::path experiments_directory();
 
 // Folder for compiled shaders: $GLOAM_CACHE_DIR, otherwise gloam in $XDG_CACHE_HOME or ~/.cache; empty
 // without a home.

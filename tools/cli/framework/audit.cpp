@@ -12,7 +12,6 @@
 #include "audit/audit.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
-#include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
 #include "cli/framework/open_device.hpp"
 #include "interpreter/program.hpp"
@@ -26,9 +25,7 @@ struct AuditCommand {
     std::vector<std::string> words;  // a file and functions, or equations
     std::filesystem::path file = {};
     std::vector<std::string> functions = {};
-    std::vector<std::string> ranges;
-    std::vector<std::string> includes;
-    std::vector<std::string> defines;
+    OwnFileOptions own;
     std::vector<std::string> devices;
     std::string json;
     std::string html;
@@ -38,7 +35,7 @@ struct AuditCommand {
 // The functions of the file. Says what is left out; throws where nothing remains.
 std::vector<check::OwnFunction> audited_functions(const AuditCommand& command,
                                                   const std::shared_ptr<const check::OwnFile>& file) {
-    check::OwnFunctions all = functions_of(file, command.functions, ranges_from(command.ranges));
+    check::OwnFunctions all = functions_of(file, command.functions, command.own);
     for (const check::LeftOut& function : all.left_out)
         fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
                                                       function.name, function.why)));
@@ -55,7 +52,7 @@ std::vector<check::Audit> audits_of(const AuditCommand& command,
                                     const std::shared_ptr<const check::OwnFile>& file,
                                     const std::vector<check::OwnFunction>& functions) {
     std::vector<check::Audit> audits;
-    const check::Ranges ranges = ranges_from(command.ranges);
+    const check::Ranges ranges = ranges_from(command.own.ranges);
     const check::Lab interpreter = lab_of(file);
     if (!command.devices.empty()) require_good_drivers();
     std::vector<check::Lab> labs;
@@ -76,12 +73,10 @@ std::vector<check::Audit> audits_of(const AuditCommand& command,
 }
 
 int run_audit(AuditCommand& command, EquationsNamed* equations) {
-    command.functions = file_and_functions(command.words, equations);
-    command.file = command.functions.front();
-    command.functions.erase(command.functions.begin());
+    std::tie(command.file, command.functions) = file_and_functions(command.words, equations);
     const record::OutputFile json(command.json);
     const record::OutputFile html(command.html);
-    const auto file = own_file(command.file, command.includes, command.defines);
+    const auto file = own_file(command.file, command.own);
     const std::vector<check::OwnFunction> functions = audited_functions(command, file);
     const record::AuditReport report{
         .file = command.file.string(), .source = file->text, .audits = audits_of(command, file, functions)};
@@ -104,9 +99,9 @@ Command audit_command(EquationsNamed* equations) {
         .about = "show where a shader function itself goes wrong: NaN, lost digits, what drivers may do",
         .options = {{"what", &command.words, required,
                      "a GLSL file, and functions that it defines (all when none is given); or equations"},
-                    {"--range", &command.ranges, "NAME=LOW:HIGH: what a parameter is drawn from"},
-                    include_option(command.includes),
-                    define_option(command.defines),
+                    {"--range", &command.own.ranges, "NAME=LOW:HIGH: what a parameter is drawn from"},
+                    include_option(command.own.includes),
+                    define_option(command.own.defines),
                     {"--inputs", &command.options.inputs, between(2, 1e7),
                      "inputs for each function: a part at random, others with special values or by search"},
                     {"--seed", &command.options.seed, "seed of the inputs"},

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "judge/run.hpp"
 #include "record/check_report.hpp"
 
 namespace gloam::cli {
@@ -16,21 +16,33 @@ namespace gloam::cli {
 // With this option the program ends with status 125 instead of 2.
 constexpr std::string_view bisect_option = "--exit-code";
 
+// What the command line says of a user's file.
+struct OwnFileOptions {
+    std::vector<std::string> ranges;    // of its functions' parameters: "x=0:1"
+    std::vector<std::string> includes;  // further include roots
+    std::vector<std::string> defines;   // macros that hold before it begins
+};
+
+// One check.
+struct CheckTask {
+    std::string equation;  // its ID; or a function of `file`
+    std::string variant;
+    check::RunOptions run;
+    bool coverage = false;
+    std::string file;  // a user's file, with its folder; empty: an equation of the catalogue
+    OwnFileOptions own;
+};
+
 // The options of `gloam check`.
 struct CheckOptions {
     EquationsNamed* named = nullptr;
     std::vector<std::string>
-        equations;                      // IDs, functions or globs; empty: all. Or a shader file and functions
-    std::vector<std::string> ranges;    // of a shader file's parameters: "x=0:1"
-    std::vector<std::string> includes;  // further include roots of a shader file
-    std::vector<std::string> defines;   // macros of a shader file
-    std::string device;                 // name, index or "all"; empty: the default
-    std::string variant = "shipped";    // see variants(), or "all"
+        equations;                    // IDs, functions or globs; empty: all. Or a shader file and functions
+    CheckTask task;                   // what all checks have
+    std::string device;               // name, index or "all"; empty: the default
+    std::string variant = "shipped";  // see variants(), or "all"
     std::vector<std::string> compilers;  // steps after it (module/steps.hpp), joined by " | "; each a variant
-    std::size_t inputs = 65'536;
-    std::uint64_t seed = 1;
-    std::string shard;  // see shard_from()
-    bool coverage = false;
+    std::string shard;                   // "INDEX/COUNT"; empty: of GoogleTest's variables
     bool validation = false;
     double timeout = 120.0;  // seconds for each check
     std::size_t jobs = 0;    // worker processes for each device; 0: chosen by the amount of work
@@ -42,6 +54,12 @@ struct CheckOptions {
     std::filesystem::path html;      // page of the results; empty: none
     bool rows = true;                // print the device and a line for each check
     bool progress = true;            // on a terminal
+
+    // Of the rows while the check runs, from which --resume continues a run that was killed; empty if no
+    // result file is written.
+    [[nodiscard]] std::filesystem::path journal() const {
+        return json.empty() ? "" : json.string() + ".journal";
+    }
 };
 
 // The results of every device.

@@ -31,8 +31,7 @@ struct CostCommand {
     std::string preset;
     std::vector<std::string> set;  // NAME=VALUE, of the preset
     std::optional<double> tiles;   // share that is swept in full
-    std::vector<std::string> includes;
-    std::vector<std::string> defines;
+    OwnFileOptions own;
     cost::CostOptions options;
     std::optional<double> below;
     bool json = false;
@@ -67,17 +66,17 @@ std::string with_definitions(std::string text, const std::vector<std::string>& d
 }
 
 std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::filesystem::path& file) {
-    const std::string text = with_definitions(shader::read_text(file), command.defines);
+    const std::string text = with_definitions(shader::read_text(file), command.own.defines);
     const shader::Spirv module = base::tried(file, [&] {
         return shader::compile({std::filesystem::absolute(file).string(), text},
-                               {.include_roots = include_roots_of(file, command.includes)});
+                               {.include_roots = include_roots_of(file, command.own.includes)});
     });
     return {{file.filename().string(), cost_of(module, command.options)}};
 }
 
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
-    const auto own = own_file(file, command.includes, command.defines);
-    check::OwnFunctions functions = functions_of(own, command.functions, {});
+    const auto own = own_file(file, command.own);
+    check::OwnFunctions functions = functions_of(own, command.functions, command.own);
     std::vector<check::LeftOut>& left_out = functions.left_out;
     std::erase_if(functions.found, [&](const check::OwnFunction& one) {
         const bool of_quad = one.team.kind == backend::Team::Kind::quad;
@@ -97,11 +96,6 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
     for (const cost::Cost& one : costs_of(kernels, command.options))
         rows.push_back({functions.found[rows.size()].name, one});
     return rows;
-}
-
-std::vector<CostRow> cost_of_file(const CostCommand& command, const std::filesystem::path& file) {
-    const bool whole = file.extension() == ".comp" && command.functions.empty();
-    return whole ? cost_of_shader(command, file) : cost_of_functions(command, file);
 }
 
 std::vector<CostRow> cost_of_frame(const CostCommand& command, const PresetFrame& frame) {
@@ -170,23 +164,23 @@ nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vect
     return json;
 }
 
-// What costs more than --below: a frame, or each shader. Says so.
+// Whether a frame, or a shader, costs more than --below. Says so.
 bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
-    if (!command.below) return false;
-    std::vector<std::pair<std::string, double>> valus;
-    for (const CostRow& row : rows)
-        if (command.preset.empty() || valus.empty())
-            valus.emplace_back(command.preset.empty() ? row.name : command.preset, row.valu());
-        else
-            valus.back().second += row.valu();
     bool more = false;
-    for (const auto& [name, valu] : valus) {
-        if (valu <= *command.below) continue;
+    const auto judge = [&](const std::string& name, double valu) {
+        if (valu <= *command.below) return;
         more = true;
         fmt::print(stderr, "{}\n",
                    base::one_line(fmt::format("{}: {:g} vector instructions, allowed are {:g}", name, valu,
                                               *command.below)));
+    };
+    if (!command.below) return false;
+    double frame = 0.0;
+    for (const CostRow& row : rows) {
+        frame += row.valu();
+        if (command.preset.empty()) judge(row.name, row.valu());
     }
+    if (!command.preset.empty()) judge(command.preset, frame);
     return more;
 }
 
@@ -199,14 +193,15 @@ int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of)
         throw std::invalid_argument("--tiles: expected --preset NAME");
     if (!command.file.empty()) {
         command.functions.insert(command.functions.begin(), command.file);
-        command.functions = file_and_functions(command.functions, equations);
-        command.file = command.functions.front();
-        command.functions.erase(command.functions.begin());
+        std::tie(command.file, command.functions) = file_and_functions(command.functions, equations);
     }
     PresetFrame frame;
     if (command.file.empty()) frame = frame_of(command.preset, command.set, command.tiles);
-    const std::vector<CostRow> rows =
-        command.file.empty() ? cost_of_frame(command, frame) : cost_of_file(command, command.file);
+    const std::filesystem::path file = command.file;
+    const bool whole = file.extension() == ".comp" && command.functions.empty();
+    const std::vector<CostRow> rows = file.empty() ? cost_of_frame(command, frame)
+                                      : whole      ? cost_of_shader(command, file)
+                                                   : cost_of_functions(command, file);
     if (command.json)
         fmt::print("{}\n", json_of_costs(command, rows, frame.memory)
                                .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -238,8 +233,8 @@ Command cost_command(EquationsNamed* equations, FrameOf* frame) {
              {"--tiles", &command.tiles, between(0, 1),
               "with --preset: the share of tiles that are swept in full, 0 to 1; otherwise that of its "
               "views"},
-             include_option(command.includes),
-             define_option(command.defines),
+             include_option(command.own.includes),
+             define_option(command.own.defines),
              {"--family", &command.options.family,
               fmt::format("the chip: {}", fmt::join(cost::families(), ", "))},
              {"--below", &command.below,

@@ -36,35 +36,26 @@ void print_device(const backend::DeviceInfo& device) {
     print_float_controls(device.float32);
 }
 
-nlohmann::ordered_json opengl_json(const backend::DeviceInfo& device) {
-    return {{"index", nullptr},
-            {"name", device.name},
-            {"type", device.type},
-            {"driver", device.driver},
-            {"api_version", device.api_version}};
-}
-
-// The OpenGL and OpenGL ES devices of one executor (backend/gl/device.hpp), or why there are none.
-struct GlExecutor {
-    std::string name;
-    Listing listing;
-};
-
-// Those of every executor. Each is opened in a process of its own: what a driver does to that costs no more
-// than its devices.
-std::vector<GlExecutor> list_gl_executors() {
-    std::vector<GlExecutor> executors;
-    for (const std::string& name : gl::executors()) executors.push_back({name, list_opengl(name)});
+// What each executor of OpenGL and OpenGL ES has (backend/gl/device.hpp), by its name. Each is opened in a
+// process of its own: what a driver does to that costs no more than its devices.
+std::vector<std::pair<std::string, Listing>> list_gl_executors() {
+    std::vector<std::pair<std::string, Listing>> executors;
+    for (const std::string& name : gl::executors()) executors.emplace_back(name, list_opengl(name));
     return executors;
 }
 
-// One line for each: what it is called, and who executes it.
-void print_opengl(const std::vector<GlExecutor>& executors) {
-    for (const auto& [name, listing] : executors) {
+void print_json(const Drivers& drivers) {
+    nlohmann::ordered_json all = record::json_of(drivers.devices);
+    for (const auto& [name, listing] : list_gl_executors())
         for (const backend::DeviceInfo& device : listing.devices)
-            fmt::print("{}: {}, {}\n", device.name, device.api_version, device.driver);
-        if (!listing.error.empty()) fmt::print("OpenGL on {}: {}\n", name, listing.error);
-    }
+            all.push_back({{"index", nullptr},
+                           {"name", device.name},
+                           {"type", device.type},
+                           {"driver", device.driver},
+                           {"api_version", device.api_version}});
+    all.push_back(record::json_of(check::interpreter()->info()));
+    all.back()["index"] = nullptr;
+    fmt::print("{}\n", nlohmann::ordered_json{{"gloam", base::version()}, {"devices", all}}.dump(2));
 }
 
 int run_devices(bool json) {
@@ -73,27 +64,18 @@ int run_devices(bool json) {
     if (drivers.devices.empty() && drivers.broken.empty())
         fmt::print(stderr, "gloam: {}\n",
                    base::one_line(drivers.error.empty() ? "there is no Vulkan device" : drivers.error));
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const backend::DeviceInfo& device : drivers.devices) {
-        if (json) {
-            all.push_back(record::json_of(device));
-        } else {
-            print_device(device);
-        }
-    }
-    const std::vector<GlExecutor> opengl = list_gl_executors();
     if (json) {
-        for (const GlExecutor& executor : opengl)
-            for (const backend::DeviceInfo& device : executor.listing.devices)
-                all.push_back(opengl_json(device));
-        all.push_back(record::json_of(check::interpreter()->info()));
-        all.back()["index"] = nullptr;
-        fmt::print("{}\n", nlohmann::ordered_json{{"gloam", base::version()}, {"devices", all}}.dump(2));
-    } else {
-        print_opengl(opengl);
-        fmt::print("interpreter: for `gloam check --device interpreter`\n");
-        print_float_controls(check::interpreter()->info().float32);
+        print_json(drivers);
+        return 0;
     }
+    for (const backend::DeviceInfo& device : drivers.devices) print_device(device);
+    for (const auto& [name, listing] : list_gl_executors()) {
+        for (const backend::DeviceInfo& device : listing.devices)
+            fmt::print("{}: {}, {}\n", device.name, device.api_version, device.driver);
+        if (!listing.error.empty()) fmt::print("OpenGL on {}: {}\n", name, listing.error);
+    }
+    fmt::print("interpreter: for `gloam check --device interpreter`\n");
+    print_float_controls(check::interpreter()->info().float32);
     return 0;
 }
 
@@ -113,9 +95,9 @@ Command devices_command() {
 std::vector<std::string> gl_device_names() {
     std::vector<std::string> names;
     std::string error;
-    for (const GlExecutor& executor : list_gl_executors()) {
-        if (error.empty()) error = executor.listing.error;
-        for (const backend::DeviceInfo& device : executor.listing.devices) names.push_back(device.name);
+    for (const auto& [name, listing] : list_gl_executors()) {
+        if (error.empty()) error = listing.error;
+        for (const backend::DeviceInfo& device : listing.devices) names.push_back(device.name);
     }
     if (names.empty()) throw std::runtime_error(error.empty() ? "there is no OpenGL device" : error);
     return names;

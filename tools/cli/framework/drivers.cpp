@@ -97,16 +97,7 @@ std::string text_of(const BrokenDriver& driver) {
     return fmt::format("Vulkan driver {}: {}", driver.manifest.string(), driver.error);
 }
 
-std::vector<fs::path>& asked_for() {
-    static std::vector<fs::path> drivers;
-    return drivers;
-}
-
 }  // namespace
-
-const std::vector<fs::path>& drivers_asked_for() {
-    return asked_for();
-}
 
 void say_skipped(const BrokenDriver& driver) {
     fmt::print(stderr, "gloam: {}; it is skipped\n", text_of(driver));
@@ -117,16 +108,15 @@ Listing list_opengl(const std::string& executor) {
 }
 
 Drivers load_drivers() {
-    Listing all = listed("--list");
-    Drivers found{.devices = std::move(all.devices), .error = std::move(all.error), .broken = {}};
-    if (all.reason == check::Reason::none) return found;
+    Drivers found{listed("--list"), {}};
+    if (found.reason == check::Reason::none) return found;
     std::string others;
     for (const fs::path& manifest : driver_manifests()) {
         const Listing alone = listed("--list", only(manifest));
         if (alone.reason == check::Reason::none)
             others += (others.empty() ? "" : ":") + manifest.string();
         else
-            found.broken.push_back({manifest, alone.reason, alone.error});
+            found.broken.push_back({alone, manifest});
     }
     found.error = found.broken.empty() ? "the Vulkan drivers: " + found.error : text_of(found.broken.front());
     found.devices = listed("--list", only(others)).devices;
@@ -145,15 +135,6 @@ Drivers require_good_drivers() {
 
 namespace {
 
-using Manifests = std::vector<fs::path>;
-
-bool holds(const Manifests& manifests, const std::filesystem::path& file) {
-    return std::ranges::any_of(manifests, [&file](const auto& manifest) {
-        std::error_code none;
-        return std::filesystem::equivalent(manifest, file, none);
-    });
-}
-
 // Throws if a driver that was requested by name has no device. If it is broken, the command reports that.
 void require_driver(const fs::path& manifest) {
     const Listing alone = listed("--list", only(manifest));
@@ -163,25 +144,37 @@ void require_driver(const fs::path& manifest) {
                                          alone.error.empty() ? "it gives none" : alone.error));
 }
 
-void tell_the_loader(Manifests manifests) {
-    const Manifests named = manifests;
+// Manifests of --driver.
+std::vector<fs::path>& asked_for() {
+    static std::vector<fs::path> manifests;
+    return manifests;
+}
+
+void tell_the_loader() {
+    std::vector<fs::path> all = asked_for();
     const auto swiftshader = gpu::find_swiftshader();
-    if (swiftshader && !gpu::drivers_are_chosen() && !holds(manifests, *swiftshader))
-        manifests.push_back(*swiftshader);
-    gpu::add_drivers(manifests);
-    for (const auto& manifest : named) {
-        asked_for().push_back(fs::absolute(manifest));
-        require_driver(asked_for().back());
+    const auto is_swiftshader = [&](const fs::path& manifest) {
+        std::error_code none;
+        return fs::equivalent(manifest, *swiftshader, none);
+    };
+    if (swiftshader && !gpu::drivers_are_chosen() && std::ranges::none_of(all, is_swiftshader))
+        all.push_back(*swiftshader);
+    gpu::add_drivers(all);
+    for (fs::path& manifest : asked_for()) {
+        manifest = fs::absolute(manifest);
+        require_driver(manifest);
     }
 }
 
 }  // namespace
 
+const std::vector<fs::path>& drivers_asked_for() {
+    return asked_for();
+}
+
 Option driver_option() {
-    static Manifests manifests;
-    return {"--driver", &manifests, repeated,
-            "manifest (ICD JSON file) of one more Vulkan driver; may be given again",
-            [] { tell_the_loader(manifests); }};
+    return {"--driver", &asked_for(), repeated,
+            "manifest (ICD JSON file) of one more Vulkan driver; may be given again", tell_the_loader};
 }
 
 }  // namespace gloam::cli

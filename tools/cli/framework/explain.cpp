@@ -26,8 +26,7 @@ using shader::Scalar;
 struct ExplainOptions {
     std::vector<std::string> words;  // what to run, then values
     std::string variant = "strict";
-    std::vector<std::string> includes;  // further include roots
-    std::vector<std::string> defines;
+    OwnFileOptions own;
 };
 
 // What a scalar's value is, in words.
@@ -58,52 +57,41 @@ std::optional<Word> word_from(Scalar scalar, const std::string& text) {
 
 // The words of an input. A function of a quad or a work group takes the values of all its invocations, one
 // after another for each parameter, or those of one invocation, which all have then.
-std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<std::string>& given) {
-    struct Part {
+std::vector<Word> input_from(const check::OwnFunction& own, std::vector<std::string> texts) {
+    struct Value {
         const shader::Parameter& parameter;
-        std::vector<Scalar> scalars;
-        std::size_t invocations;
+        Scalar scalar;
+        std::size_t in_one;  // its number among those of one invocation
     };
-    std::vector<Part> parts;
-    std::size_t all = 0;
+    std::vector<Value> values;
     std::size_t of_one = 0;
     std::size_t pixels = 0;  // of images, which come last
     for (const shader::Parameter& p : own.function.parameters) {
         if (p.direction == shader::Direction::out) continue;
         const bool alone = own.team.count() == 1 || !check::is_of_each(p);
-        parts.push_back({p, check::scalars_of(alone ? p.type : shader::element_of(p.type)),
-                         alone ? 1 : own.team.count()});
-        of_one += parts.back().scalars.size();
-        all += parts.back().scalars.size() * parts.back().invocations;
-        if (!p.image.empty()) pixels += parts.back().scalars.size();
+        const std::vector<Scalar> scalars = check::scalars_of(alone ? p.type : shader::element_of(p.type));
+        for (std::size_t k = 0; k < (alone ? 1 : own.team.count()); ++k)
+            for (std::size_t i = 0; i < scalars.size(); ++i) values.push_back({p, scalars[i], of_one + i});
+        of_one += scalars.size();
+        if (!p.image.empty()) pixels += scalars.size();
     }
-    if (pixels > 0 && given.size() + pixels == all) {
-        std::vector<std::string> counted = given;
-        for (std::size_t k = 1; k <= pixels; ++k) counted.push_back(std::to_string(k));
-        return input_from(own, counted);
-    }
-    if (given.size() != all && given.size() != of_one)
+    const std::size_t all = values.size();
+    if (texts.size() + pixels == all)
+        for (std::size_t k = 1; k <= pixels; ++k) texts.push_back(std::to_string(k));
+    if (texts.size() != all && texts.size() != of_one)
         throw std::invalid_argument(fmt::format(
             "{} takes {} values{}{}, got {}", shader::to_glsl(own.function), all,
             pixels == 0 ? "" : fmt::format(" (or {}, where pixels are 1, 2, 3 ...)", all - pixels),
-            all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), given.size()));
+            all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), texts.size()));
     std::vector<Word> input;
-    std::size_t next = 0;
-    for (const Part& part : parts) {
-        const std::size_t first = next;
-        for (std::size_t k = 0; k < part.invocations; ++k) {
-            if (given.size() == of_one) next = first;
-            for (const Scalar scalar : part.scalars) {
-                const std::string& text = given[next++];
-                const std::optional<Word> word = word_from(scalar, text);
-                if (!word)
-                    throw std::invalid_argument(
-                        fmt::format("{} {}: expected {}, or bits as 0x..., found \"{}\"",
-                                    shader::to_glsl(part.parameter.type), part.parameter.name,
-                                    expected_of(scalar), text));
-                input.push_back(*word);
-            }
-        }
+    for (const Value& value : values) {
+        const std::string& text = texts[texts.size() == of_one ? value.in_one : input.size()];
+        const std::optional<Word> word = word_from(value.scalar, text);
+        if (!word)
+            throw std::invalid_argument(fmt::format("{} {}: expected {}, or bits as 0x..., found \"{}\"",
+                                                    shader::to_glsl(value.parameter.type),
+                                                    value.parameter.name, expected_of(value.scalar), text));
+        input.push_back(*word);
     }
     return input;
 }
@@ -134,7 +122,7 @@ Target target_of(const std::vector<std::string>& words, EquationsNamed* equation
 int run_explain(const ExplainOptions& options, EquationsNamed* equations) {
     const Target target = target_of(options.words, equations);
     const check::OwnFunctions functions =
-        functions_of(own_file(target.file, options.includes, options.defines), {target.function}, {});
+        functions_of(own_file(target.file, options.own), {target.function}, options.own);
     if (functions.found.empty())
         throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
                                                 functions.left_out.front().why));
@@ -169,8 +157,8 @@ Command explain_command(EquationsNamed* equations) {
                      "order: a number, true or false, or bits as 0x...; of a quad or work group those of all "
                      "its invocations, or of one, which all have then"},
                     {"--variant", &options.variant, "how the shader is compiled (gloam list variants)"},
-                    include_option(options.includes),
-                    define_option(options.defines)},
+                    include_option(options.own.includes),
+                    define_option(options.own.defines)},
         .run = [equations] { return run_explain(options, equations); },
         .examples = "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"};
 }

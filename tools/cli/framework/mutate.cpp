@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
-#include "cli/environment.hpp"
 #include "cli/framework/mutate/trials.hpp"
 #include "record/mutation_report.hpp"
 #include "record/output.hpp"

@@ -35,16 +35,12 @@ struct Listing {
 // Lists the OpenGL devices of an executor (backend/gl/device.hpp).
 [[nodiscard]] Listing list_opengl(const std::string& executor);
 
-// A Vulkan driver that crashes, exits or hangs while it loads.
-struct BrokenDriver {
+// A Vulkan driver that crashes, exits or hangs while it loads: its listing says why there are no devices.
+struct BrokenDriver : Listing {
     std::filesystem::path manifest;
-    check::Reason reason = check::Reason::none;  // crash or hang
-    std::string error;
 };
 
-struct Drivers {
-    std::vector<backend::DeviceInfo> devices;
-    std::string error;  // why there are none, where one knows
+struct Drivers : Listing {
     std::vector<BrokenDriver> broken;
 };
 

@@ -78,14 +78,6 @@ std::string packed_text(const std::vector<fs::path>& files, const shader::PackRe
     }
 }
 
-// A GLSL text in the language of --target; the name of its first file names it.
-std::string in_language(const std::string& text, const fs::path& file, std::optional<shader::Target> target,
-                        std::optional<shader::Stage> stage) {
-    if (!target) return text;
-    return shader::translated({.name = file.string(), .text = text}, *target,
-                              stage.value_or(shader::Stage::compute));
-}
-
 std::optional<shader::Target> target_of(const PackOptions& options) {
     if (options.target.empty()) return std::nullopt;
     const auto target = shader::target_from(options.target);
@@ -121,9 +113,11 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
         if (shader::code_lines(text) <= 1)  // its #version
             throw std::invalid_argument(files.front().string() +
                                         ": nothing was packed: expected a text with more than comments");
-        return in_language(text, files.front(), target, request.stage);
+        if (!target) return text;
+        return shader::translated({.name = files.front().string(), .text = text}, *target,
+                                  request.stage.value_or(shader::Stage::compute));
     });
-    const std::string text = with_version(packed, target ? "" : api_of(*language));
+    const std::string text = with_version(packed, target ? std::nullopt : language);
     if (options.out.empty()) {
         fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? base::for_terminal(text) : text);
     } else {
@@ -145,12 +139,7 @@ std::string line_table(const std::vector<std::string>& files) {
     return text + fmt::format("| together | {} |\n", shader::code_lines(all));
 }
 
-std::string with_version(std::string text, const std::string& api) {
-    const std::size_t place = text.starts_with("#version") ? text.find('\n') + 1 : 0;
-    return text.insert(place, fmt::format("// Packed by gloam {}{}.\n", base::version(), api));
-}
-
-std::string api_of(shader::Language language) {
+std::string with_version(std::string text, std::optional<shader::Language> language) {
     using enum shader::Language;
     static const std::map<shader::Language, const char*> names{{vulkan450, "Vulkan"},
                                                                {gl430, "OpenGL 4.3"},
@@ -159,7 +148,9 @@ std::string api_of(shader::Language language) {
                                                                {es300, "OpenGL ES 3.0 and WebGL2"},
                                                                {es310, "OpenGL ES 3.1"},
                                                                {es320, "OpenGL ES 3.2"}};
-    return std::string(" for ") + names.at(language);
+    const std::string api = language ? std::string(" for ") + names.at(*language) : "";
+    const std::size_t place = text.starts_with("#version") ? text.find('\n') + 1 : 0;
+    return text.insert(place, fmt::format("// Packed by gloam {}{}.\n", base::version(), api));
 }
 
 std::vector<Option> pack_options(PackOptions& options) {

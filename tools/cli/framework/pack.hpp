@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,8 @@ void pack_files(const PackOptions& options, EquationsNamed* equations);
 // them those of all together, each function once. Throws like shader::pack().
 [[nodiscard]] std::string line_table(const std::vector<std::string>& files);
 
-// The packed text with gloam's version and an api_of() at its head: behind #version, which must be the first
-// line.
-[[nodiscard]] std::string with_version(std::string text, const std::string& api);
-[[nodiscard]] std::string api_of(shader::Language language);
+// The packed text with gloam's version, and what takes this language, at its head: behind #version, which
+// must be the first line.
+[[nodiscard]] std::string with_version(std::string text, std::optional<shader::Language> language);
 
 }  // namespace gloam::cli

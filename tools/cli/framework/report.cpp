@@ -2,9 +2,7 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,26 +39,18 @@ std::vector<record::ReportFile> read_reports(const std::vector<std::string>& fil
     return all;
 }
 
-std::string page_of(const record::MergedReports& merged, const ReportOptions& options) {
-    return options.markdown ? record::to_matrix_markdown(merged.reports) : record::to_matrix(merged.reports);
-}
-
-// What changed since the earlier run, a line each.
-std::vector<std::string> changes_of(const record::MergedReports& merged, const ReportOptions& options) {
-    if (options.since.empty()) return {};
-    const record::MergedReports before = record::merge(read_reports({options.since}));
-    std::vector<std::string> changes = record::changes_since(before.reports, merged.reports);
-    if (changes.empty()) changes.emplace_back("nothing changed since " + options.since);
-    return changes;
-}
-
 int run_report(const ReportOptions& options) {
     const record::OutputFile json(options.json);
     const record::OutputFile html(options.html);
     const record::MergedReports merged = record::merge(read_reports(options.files));
     std::vector<std::string> notes = merged.conflicts;
-    std::ranges::move(changes_of(merged, options), std::back_inserter(notes));
-    fmt::print("{}", page_of(merged, options));
+    if (!options.since.empty()) {
+        const record::MergedReports before = record::merge(read_reports({options.since}));
+        const std::vector<std::string> changes = record::changes_since(before.reports, merged.reports);
+        notes.insert(notes.end(), changes.begin(), changes.end());
+        if (changes.empty()) notes.push_back("nothing changed since " + options.since);
+    }
+    fmt::print("{}", (options.markdown ? record::to_matrix_markdown : record::to_matrix)(merged.reports));
     for (const std::string& note : notes) fmt::print("\n{}{}\n", options.markdown ? "- " : "", note);
     json.write(record::to_json(merged.reports));
     html.write(record::to_check_page(merged.reports, notes));

@@ -95,7 +95,7 @@ void add_guides(record::Page& page, record::OutputFolder& out) {
     page.heading("Guides");
     for (const auto& [name, title] : guides) {
         out.write(fmt::format("{}.txt", name),
-                  base::read_file(documents_directory() / fmt::format("{}.md", name)));
+                  base::read_file(data_directory("docs") / fmt::format("{}.md", name)));
         page.markup(fmt::format("<p><a href=\"{}.txt\">{}</a></p>\n", name, title));
     }
 }
@@ -109,7 +109,7 @@ record::Page page_of(const std::vector<Shown>& scenes, record::OutputFolder& out
         page.heading(scene.name + ": " + scene.what);
         add_pictures(page, out, scene.name + "_", scene.run);
     }
-    site::add_live_effect(page, out, glsl_directory(), site_directory());
+    site::add_live_effect(page, out, glsl_directory(), data_directory("site"));
     page.heading("Time and error");
     page.markup(presets_plot());
     add_guides(page, out);
@@ -177,8 +177,8 @@ int run_demo(const DemoOptions& demo) {
     out.keep();
     say(demo, pictures_line(scenes));
     const CheckOutcome outcome = check({.named = equations_named,
+                                        .task = {.run = {.inputs = few_inputs}},
                                         .device = demo.device,
-                                        .inputs = few_inputs,
                                         .rows = false,
                                         .progress = !demo.quiet});
     add_check(page, outcome);

@@ -62,7 +62,7 @@ int run_stress(const StressOptions& options) {
     const effect::MethodFunctions methods;
     const check::Lab lab({.device = options.device,
                           .validation = options.validation,
-                          .include_roots = {glsl_directory(), stress_shaders_directory(), methods.folder()},
+                          .include_roots = {glsl_directory(), data_directory("stress"), methods.folder()},
                           .cache_directory = cache_directory()});
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const gpu::DeviceInfo& device = lab.device().info();

@@ -14,7 +14,6 @@
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "cli/environment.hpp"
-#include "judge/reproduction.hpp"
 #include "module/include.hpp"
 #include "module/spirv.hpp"
 #include "module/steps.hpp"
@@ -26,21 +25,6 @@ check::Ranges ranges_from(const std::vector<std::string>& texts) {
     for (const std::string& text : texts) ranges.insert(check::range_from(text));
     return ranges;
 }
-
-namespace {
-
-void require_known(const check::Ranges& ranges, const std::vector<check::OwnFunction>& functions) {
-    std::set<std::string> names;
-    for (const check::OwnFunction& own : functions)
-        for (const shader::Parameter& parameter : own.function.parameters) names.insert(parameter.name);
-    for (const auto& range : ranges) {
-        if (!names.contains(range.first))
-            throw std::invalid_argument(fmt::format("--range {}: no parameter has this name, only: {}",
-                                                    range.first, fmt::join(names, ", ")));
-    }
-}
-
-}  // namespace
 
 bool has_shader_ending(const std::string& word) {
     const std::string ending = base::lower(std::filesystem::path(word).extension().string());
@@ -54,32 +38,31 @@ bool is_shader_file(const std::string& word) {
     return has_shader_ending(word) || std::filesystem::is_regular_file(word, none);
 }
 
-std::vector<std::string> file_and_functions(const std::vector<std::string>& words,
-                                            EquationsNamed* equations) {
-    std::vector<std::string> all = words;
+std::pair<std::string, std::vector<std::string>> file_and_functions(const std::vector<std::string>& words,
+                                                                    EquationsNamed* equations) {
+    std::string file = path_of_shader(words.front());
     std::error_code none;
-    all.front() = path_of_shader(all.front());
-    if (is_shader_file(all.front()) || std::filesystem::exists(all.front(), none)) return all;
-    all.clear();
+    if (is_shader_file(file) || std::filesystem::exists(file, none))
+        return {file, {words.begin() + 1, words.end()}};
+    std::vector<std::string> functions;
     for (const check::Question& equation : equations(words)) {
-        const std::string file = path_of_shader(equation.file);
-        if (all.empty()) all.push_back(file);
-        if (all.front() != file)
+        const std::string other = path_of_shader(equation.file);
+        if (functions.empty()) file = other;
+        if (file != other)
             throw std::invalid_argument(
-                fmt::format("{} and {}: expected equations of one file", all.front(), file));
-        all.push_back(equation.function);
+                fmt::format("{} and {}: expected equations of one file", file, other));
+        functions.push_back(equation.function);
     }
-    return all;
+    return {file, functions};
 }
 
 std::shared_ptr<const check::OwnFile> own_file(const std::filesystem::path& file,
-                                               const std::vector<std::string>& includes,
-                                               const std::vector<std::string>& defines) {
+                                               const OwnFileOptions& options) {
     const std::filesystem::path path = std::filesystem::absolute(file);
     std::string text = shader::read_text(file);
     return base::tried(file.string(), [&] {
-        return std::make_shared<const check::OwnFile>(path, std::move(text), include_roots_of(path, includes),
-                                                      defines);
+        return std::make_shared<const check::OwnFile>(
+            path, std::move(text), include_roots_of(path, options.includes), options.defines);
     });
 }
 
@@ -88,11 +71,18 @@ check::Lab lab_of(std::shared_ptr<const check::OwnFile> file, const std::string&
 }
 
 check::OwnFunctions functions_of(const std::shared_ptr<const check::OwnFile>& file,
-                                 const std::vector<std::string>& names, const check::Ranges& ranges) {
+                                 const std::vector<std::string>& names, const OwnFileOptions& options) {
+    const check::Ranges ranges = ranges_from(options.ranges);
     check::OwnFunctions functions = base::tried(file->name, [&] {
         return check::own_functions({.cache_directory = cache_directory(), .file = file}, names);
     });
-    require_known(ranges, functions.found);
+    std::set<std::string> parameters;
+    for (const check::OwnFunction& own : functions.found)
+        for (const shader::Parameter& parameter : own.function.parameters) parameters.insert(parameter.name);
+    for (const auto& range : ranges)
+        if (!parameters.contains(range.first))
+            throw std::invalid_argument(fmt::format("--range {}: no parameter has this name, only: {}",
+                                                    range.first, fmt::join(parameters, ", ")));
     return functions;
 }
 
@@ -101,34 +91,6 @@ std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
         return "it defines no function but main in GLSL (HLSL is not read), or its #if conditions leave none";
     if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;
     return fmt::format("all {} functions were left out", left_out.size());
-}
-
-OwnSelection own_selection(const std::vector<std::string>& words, const std::vector<std::string>& ranges,
-                           const std::vector<std::string>& includes,
-                           const std::vector<std::string>& defines) {
-    const std::string& file = words.front();
-    const std::shared_ptr<const check::OwnFile> own = own_file(file, includes, defines);
-    const check::OwnFunctions functions =
-        functions_of(own, {words.begin() + 1, words.end()}, ranges_from(ranges));
-    OwnSelection selection;
-    const std::string& version = own->excerpts.version;
-    if (!version.empty() && version != "450" && version != "450 core")
-        selection.notes.push_back(
-            fmt::format("{}: #version {} is compiled as #version 450 for Vulkan", file, version));
-    for (const std::string& made : own->excerpts.by_macro)
-        selection.notes.push_back(fmt::format(
-            "{}: {}: functions that a macro makes are not looked at; write one out to check it", file, made));
-    const std::vector<check::LeftOut>& left_out = functions.left_out;
-    for (const check::LeftOut& function : left_out) {
-        selection.notes.push_back(
-            base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
-        selection.complete = selection.complete && !function.is_error && words.size() == 1;
-    }
-    for (const check::OwnFunction& function : functions.found) selection.names.push_back(function.name);
-    if (!selection.names.empty()) return selection;
-    if (left_out.size() > 1)
-        for (const std::string& note : selection.notes) fmt::print("{}\n", note);
-    throw std::runtime_error(fmt::format("{}: nothing was checked: {}", file, why_nothing(left_out)));
 }
 
 namespace {
@@ -140,15 +102,11 @@ check::Question own_question(const check::Lab& lab, const CheckTask& task) {
         throw std::invalid_argument(
             fmt::format("{}: {}: {}", lab.options().file->name, task.equation, own.left_out.front().why));
     const check::OwnFunction& function = own.found.front();
-    const check::Ranges ranges = ranges_from(task.ranges);
+    const check::Ranges ranges = ranges_from(task.own.ranges);
     check::Question question = check::question_of(lab, function, ranges);
     if (question.must_hold)  // for what it is meant for
         question.domain = check::ordinary_domain(function.function, check::ordinary_values(function, ranges));
     return question;
-}
-
-check::RunOptions options_of(const CheckTask& task) {
-    return {.inputs = task.inputs, .seed = task.seed};
 }
 
 }  // namespace
@@ -159,9 +117,9 @@ Checker::Checker(CheckerOptions options) : options_(std::move(options)), equatio
 
 const check::Lab& Checker::lab(const CheckTask& task) {
     if (!task.file.empty() && !file_)  // which the command has tried
-        file_ =
-            std::make_shared<const check::OwnFile>(task.file, shader::read_text(task.file),
-                                                   include_roots_of(task.file, task.includes), task.defines);
+        file_ = std::make_shared<const check::OwnFile>(task.file, shader::read_text(task.file),
+                                                       include_roots_of(task.file, task.own.includes),
+                                                       task.own.defines);
     if (lab_ && task.variant == lab_->options().variant.name && lab_->options().file == file_) return *lab_;
     check::LabOptions options{.device = options_.device,
                               .validation = options_.validation,
@@ -183,10 +141,7 @@ check::Question Checker::question_of(const CheckTask& task) {
 }
 
 record::DeviceSummary Checker::device() const {
-    return summary_of(lab_->info());
-}
-
-record::DeviceSummary summary_of(const backend::DeviceInfo& info) {
+    const backend::DeviceInfo& info = lab_->info();
     return {.name = base::one_line(info.name),
             .driver = base::one_line(info.driver),
             .type = info.type,
@@ -202,9 +157,9 @@ check::Answer Checker::run(const CheckTask& task) {
     check::Answer answer;
     try {
         const check::Question question = question_of(task);
-        answer = check::run(lab(task), question, options_of(task));
+        answer = check::run(lab(task), question, task.run);
         if (task.coverage && !question.answers)
-            answer.coverage = measure_coverage(lab(task), question, options_of(task));
+            answer.coverage = measure_coverage(lab(task), question, task.run);
     } catch (const std::exception& error) {
         answer = answer_without_result(task, equations_, base::reason_of(error), error.what());
     }
@@ -212,10 +167,9 @@ check::Answer Checker::run(const CheckTask& task) {
     return answer;
 }
 
-HandOver Checker::hand_over(const HandOverRequest& request) {
+FailureBundle Checker::bundle(const CheckTask& task, const check::Answer& failed) {
     try {
-        const CheckTask& task = request.task;
-        return make_hand_over(lab(task), question_of(task), request, options_of(task));
+        return bundle_of(lab(task), question_of(task), task, failed);
     } catch (const std::exception& error) {
         return {.error = error.what()};
     }

@@ -2,16 +2,13 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "backend/backend.hpp"
 #include "cli/commands.hpp"
-#include "cli/framework/check/hand_over.hpp"
+#include "cli/framework/check/failure_bundle.hpp"
 #include "judge/question.hpp"
 #include "record/check_report.hpp"
 #include "subject/lab.hpp"
@@ -26,10 +23,10 @@ namespace gloam::cli {
 // of this name.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
-// FILE FUNCTION... of words that name a file, or equations of one file instead. Throws std::invalid_argument
-// for other words.
-[[nodiscard]] std::vector<std::string> file_and_functions(const std::vector<std::string>& words,
-                                                          EquationsNamed* equations);
+// A file and functions, of words that name these, or equations of one file instead. Throws
+// std::invalid_argument for other words.
+[[nodiscard]] std::pair<std::string, std::vector<std::string>> file_and_functions(
+    const std::vector<std::string>& words, EquationsNamed* equations);
 
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
 [[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
@@ -37,8 +34,7 @@ namespace gloam::cli {
 // A user's file with the include roots that the command line adds, read once for all labs and functions.
 // Throws std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects.
 [[nodiscard]] std::shared_ptr<const check::OwnFile> own_file(const std::filesystem::path& file,
-                                                             const std::vector<std::string>& includes,
-                                                             const std::vector<std::string>& defines);
+                                                             const OwnFileOptions& options);
 
 // A lab for its functions.
 [[nodiscard]] check::Lab lab_of(std::shared_ptr<const check::OwnFile> file,
@@ -48,25 +44,10 @@ namespace gloam::cli {
 // for a function that it does not define, and for a range without a parameter of its name.
 [[nodiscard]] check::OwnFunctions functions_of(const std::shared_ptr<const check::OwnFile>& file,
                                                const std::vector<std::string>& names,
-                                               const check::Ranges& ranges);
+                                               const OwnFileOptions& options);
 
 // Why nothing is left of a file of which these functions were left out.
 [[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
-
-// What `gloam check FILE [FUNCTION...]` checks.
-struct OwnSelection {
-    std::vector<std::string> names;
-    // For people, a line each: a function that was left out; a #version that is not the one that is compiled.
-    std::vector<std::string> notes;
-    bool complete = true;  // no function was left out that was named or that does not compile
-};
-
-// `words`: the file, then the names of functions. Throws like own_file() and functions_of(), and
-// std::runtime_error if nothing can be checked; then it has printed the notes, if there are several.
-[[nodiscard]] OwnSelection own_selection(const std::vector<std::string>& words,
-                                         const std::vector<std::string>& ranges,
-                                         const std::vector<std::string>& includes,
-                                         const std::vector<std::string>& defines);
 
 // The device for checks, and its options.
 struct CheckerOptions {
@@ -76,23 +57,20 @@ struct CheckerOptions {
     std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
 };
 
-// A device in the form of reports.
-[[nodiscard]] record::DeviceSummary summary_of(const backend::DeviceInfo& info);
-
 // Runs checks in this process.
 class Checker {
   public:
     // Opens the device. Throws like gpu::Device.
     explicit Checker(CheckerOptions options);
 
-    [[nodiscard]] record::DeviceSummary device() const;
+    [[nodiscard]] record::DeviceSummary device() const;  // in the form of reports
 
     // Runs a check. It does not throw for errors of the check; the row reports them. After
     // Reason::device_lost and Reason::hang the device cannot be used any more.
     [[nodiscard]] check::Answer run(const CheckTask& task);
 
-    // Prepares a failure for a report. It does not throw for errors; HandOver::error reports them.
-    [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
+    // Prepares a failure for a report. It does not throw for errors; FailureBundle::error reports them.
+    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const check::Answer& failed);
 
   private:
     const check::Lab& lab(const CheckTask& task);

@@ -2,14 +2,18 @@
 #include "cli/framework/check/selection.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <ranges>
 #include <stdexcept>
 
 #include "backend/gl/device.hpp"
+#include "base/number.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check/checker.hpp"
-#include "cli/framework/check/worker_session.hpp"
 #include "cli/framework/open_device.hpp"
 #include "module/steps.hpp"
 
@@ -25,16 +29,6 @@ std::vector<shader::Variant> select_variants(const std::string& name) {
         if (name.find(shader::step_separator) != std::string::npos) throw;
         throw std::invalid_argument(std::string(error.what()) + ", or all");
     }
-}
-
-std::vector<std::string> divided(const std::string& chain) {
-    std::vector<std::string> steps;
-    std::size_t begin = 0;
-    for (std::size_t bar = 0; bar != std::string::npos; begin = bar + shader::step_separator.size()) {
-        bar = chain.find(shader::step_separator, begin);
-        steps.push_back(chain.substr(begin, bar - begin));
-    }
-    return steps;
 }
 
 // Each name with each of the steps that the text stands for.
@@ -72,7 +66,8 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     for (const shader::Variant& variant : select_variants(options.variant)) bases.push_back(variant.name);
     for (const std::string& compiler : options.compilers) {
         std::vector<std::string> chains = bases;
-        for (const std::string& step : divided(compiler)) chains = followed(chains, step);
+        for (const auto step : std::views::split(std::string_view(compiler), shader::step_separator))
+            chains = followed(chains, std::string(step.begin(), step.end()));
         names.insert(names.end(), chains.begin(), chains.end());
     }
     std::vector<shader::Variant> variants;
@@ -89,42 +84,78 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     return variants;
 }
 
-// The selected equations and passes, or the functions of a file by their names.
-std::vector<check::Question> questions_of(const CheckOptions& options, CheckOutcome& outcome) {
-    if (is_of_file(options)) {
-        OwnSelection own =
-            own_selection(options.equations, options.ranges, options.includes, options.defines);
-        outcome.notes = std::move(own.notes);
-        outcome.complete = own.complete;
-        std::vector<check::Question> functions;
-        for (const std::string& name : own.names) functions.push_back({.name = name});
-        return functions;
+// The functions of a user's file, by their names. `outcome` receives what is said of it. Throws
+// std::runtime_error if nothing can be checked; then it has printed the notes, if there are several.
+std::vector<check::Question> functions_in_file(const CheckOptions& options, CheckOutcome& outcome) {
+    const std::vector<std::string>& words = options.equations;
+    const std::string& file = words.front();
+    const std::shared_ptr<const check::OwnFile> own = own_file(file, options.task.own);
+    const check::OwnFunctions functions =
+        functions_of(own, {words.begin() + 1, words.end()}, options.task.own);
+    const std::string& version = own->excerpts.version;
+    if (!version.empty() && version != "450" && version != "450 core")
+        outcome.notes.push_back(
+            fmt::format("{}: #version {} is compiled as #version 450 for Vulkan", file, version));
+    for (const std::string& made : own->excerpts.by_macro)
+        outcome.notes.push_back(fmt::format(
+            "{}: {}: functions that a macro makes are not looked at; write one out to check it", file, made));
+    for (const check::LeftOut& function : functions.left_out) {
+        outcome.notes.push_back(
+            base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
+        outcome.complete = outcome.complete && !function.is_error && words.size() == 1;
     }
-    return options.named(options.equations);
+    std::vector<check::Question> questions;
+    for (const check::OwnFunction& function : functions.found) questions.push_back({.name = function.name});
+    if (!questions.empty()) return questions;
+    if (functions.left_out.size() > 1)
+        for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
+    throw std::runtime_error(
+        fmt::format("{}: nothing was checked: {}", file, why_nothing(functions.left_out)));
+}
+
+// One of `count` equal shares of a list: every element whose position modulo `count` is `index`.
+struct Shard {
+    std::size_t index = 0;
+    std::size_t count = 1;
+};
+
+// Of "INDEX/COUNT". For an empty text it uses the variables of GoogleTest and ctest, or everything if they
+// are not set.
+Shard shard_from(std::string text) {
+    std::string where = "--shard";
+    if (text.empty()) {
+        const char* index = std::getenv("GTEST_SHARD_INDEX");
+        const char* count = std::getenv("GTEST_TOTAL_SHARDS");
+        if (index == nullptr && count == nullptr) return {};
+        text = fmt::format("{}/{}", index == nullptr ? "" : index, count == nullptr ? "" : count);
+        where = "GTEST_SHARD_INDEX and GTEST_TOTAL_SHARDS";
+    }
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto index = base::number_from<std::size_t>(std::string_view(text).substr(0, slash));
+    const auto count =
+        base::number_from<std::size_t>(std::string_view(text).substr(std::min(slash + 1, text.size())));
+    if (index && count && *index < *count) return {.index = *index, .count = *count};
+    if (slash == text.size()) text += '/';
+    throw std::invalid_argument(where + ": expected INDEX/COUNT with 0 <= INDEX < COUNT, found " + text);
 }
 
 }  // namespace
 
 std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
     const Shard shard = shard_from(options.shard);
-    const std::vector<check::Question> questions = questions_of(options, outcome);
-    const std::string file =
-        is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
+    CheckTask task = options.task;
+    if (is_of_file(options)) task.file = std::filesystem::absolute(options.equations.front()).string();
+    const std::vector<check::Question> questions =
+        is_of_file(options) ? functions_in_file(options, outcome) : options.named(options.equations);
     std::vector<CheckTask> tasks;
     std::size_t position = 0;
     for (const shader::Variant& variant : variants_of(options)) {
         for (const check::Question& question : questions) {
             if (question.answers && variant.name != "shipped") continue;  // a pass has no other
-            if (!shard.holds(position++)) continue;
-            tasks.push_back({.equation = question.name,
-                             .variant = variant.name,
-                             .inputs = options.inputs,
-                             .seed = options.seed,
-                             .coverage = options.coverage,
-                             .file = file,
-                             .ranges = options.ranges,
-                             .includes = options.includes,
-                             .defines = options.defines});
+            if (position++ % shard.count != shard.index) continue;
+            task.equation = question.name;
+            task.variant = variant.name;
+            tasks.push_back(task);
         }
     }
     if (position == 0) throw std::invalid_argument("passes: expected the variant shipped, without steps");
@@ -137,39 +168,35 @@ std::string command_for(const CheckOptions& options, const record::DeviceSummary
     if (is_of_file(options)) what = record::shell_word(options.equations.front()) + " " + what;
     std::string variant = record::shell_word(row.variant_before_steps());
     if (!row.steps().empty()) variant += " --compiler " + record::shell_word(row.steps());
-    for (const std::string& range : options.ranges) what += " --range " + record::shell_word(range);
-    for (const std::string& folder : options.includes) what += " --include " + record::shell_word(folder);
-    for (const std::string& define : options.defines) what += " --define " + record::shell_word(define);
-    std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
-                                      variant, record::shell_word(device.name), options.inputs, options.seed);
+    const OwnFileOptions& own = options.task.own;
+    for (const auto& [option, words] :
+         {std::pair{" --range ", &own.ranges}, {" --include ", &own.includes}, {" --define ", &own.defines}})
+        for (const std::string& word : *words) what += option + record::shell_word(word);
+    std::string command =
+        fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what, variant,
+                    record::shell_word(device.name), options.task.run.inputs, options.task.run.seed);
     for (const auto& driver : drivers_asked_for())
         command += " --driver " + record::shell_word(driver.string());
     return options.validation ? command + " --validation" : command;
 }
 
 std::string step_summary(const std::vector<record::CheckReport>& reports) {
-    struct Count {
-        std::size_t modules = 0;
-        std::size_t changed = 0;
-        std::size_t failed = 0;
-        std::size_t not_judged = 0;
-    };
-    std::map<std::string, Count> counts;
+    std::map<std::string, std::array<std::size_t, 4>> counts;  // as the columns
     for (const record::CheckReport& report : reports) {
         for (const check::Answer& row : report.rows) {
             if (row.steps().empty()) continue;
-            Count& count = counts[row.variant];
-            const bool changed = row.reason != check::Reason::unchanged;
-            ++count.modules;
-            if (changed) ++count.changed;
-            if (row.failed()) ++count.failed;
-            if (changed && !row.failed() && !row.passed()) ++count.not_judged;
+            auto& [modules, changed, failed, not_judged] = counts[row.variant];
+            const bool is_changed = row.reason != check::Reason::unchanged;
+            ++modules;
+            if (is_changed) ++changed;
+            if (row.failed()) ++failed;
+            if (is_changed && !row.failed() && !row.passed()) ++not_judged;
         }
     }
     std::string text;
     for (const auto& [variant, count] : counts)
-        text += fmt::format("{:>7} {:>8} {:>7} {:>11}  {}\n", count.modules, count.changed, count.failed,
-                            count.not_judged, variant);
+        text +=
+            fmt::format("{:>7} {:>8} {:>7} {:>11}  {}\n", count[0], count[1], count[2], count[3], variant);
     return text.empty() ? text : "modules  changed  failed  not judged  variant\n" + text;
 }
 

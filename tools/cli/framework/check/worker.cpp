@@ -4,10 +4,8 @@
 #include <unistd.h>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
 #include <optional>
-#include <stdexcept>
 #include <system_error>
 
 #include "backend/gl/device.hpp"
@@ -73,8 +71,8 @@ void run_worker(const CheckerOptions& options) {
     if (!checker) return;
     for (std::string line; std::getline(std::cin, line);) {
         const auto request = record::from_line<WorkerRequest>(line);
-        replies.send(request.hand_over ? record::line_of(checker->hand_over(*request.hand_over))
-                                       : record::line_of(checker->run(request.check.value())));
+        replies.send(request.failed ? record::line_of(checker->bundle(request.task, *request.failed))
+                                    : record::line_of(checker->run(request.task)));
     }
 }
 

@@ -2,44 +2,11 @@
 #include "cli/framework/check/worker_session.hpp"
 
 #include <fmt/format.h>
-#include <cstdlib>
-#include <string_view>
-
-#include "base/number.hpp"
 
 namespace gloam::cli {
 namespace {
 
 using base::WorkerProcess;
-
-constexpr const char* index_variable = "GTEST_SHARD_INDEX";
-constexpr const char* count_variable = "GTEST_TOTAL_SHARDS";
-
-Shard shard_of(std::string_view index, std::string_view count, const std::string& where) {
-    const auto part = base::number_from<std::size_t>(index);
-    const auto of = base::number_from<std::size_t>(count);
-    if (part && of && *part < *of) return {.index = *part, .count = *of};
-    throw std::invalid_argument(where + ": expected INDEX/COUNT with 0 <= INDEX < COUNT, found " +
-                                std::string(index) + "/" + std::string(count));
-}
-
-}  // namespace
-
-Shard shard_from(const std::string& text) {
-    if (!text.empty()) {
-        const std::size_t slash = text.find('/');
-        const std::string_view all = text;
-        if (slash == std::string::npos) return shard_of(all, "", "--shard");
-        return shard_of(all.substr(0, slash), all.substr(slash + 1), "--shard");
-    }
-    const char* index = std::getenv(index_variable);
-    const char* count = std::getenv(count_variable);
-    if (index == nullptr && count == nullptr) return {};
-    return shard_of(index == nullptr ? "" : index, count == nullptr ? "" : count,
-                    std::string(index_variable) + " and " + count_variable);
-}
-
-namespace {
 
 constexpr int attempts = 2;
 

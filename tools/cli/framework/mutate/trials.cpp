@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdint>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -53,49 +52,6 @@ void copy_all(const fs::path& from, const fs::path& to) {
         if (type == fs::file_type::symlink) fs::copy_symlink(one.path(), target);
     }
 }
-
-}  // namespace
-
-Overlay::Overlay(fs::path original) : original_(std::move(original)), folder_("mutate") {
-    require_small(original_);
-    try {
-        copy_all(original_, folder_.path());
-    } catch (const fs::filesystem_error& error) {
-        throw std::runtime_error(
-            fmt::format("cannot copy {}: {}", original_.string(), error.code().message()));
-    }
-}
-
-void Overlay::change(const fs::path& file, std::string_view text) const {
-    base::write_file(folder_.path() / file, text);
-}
-
-void Overlay::restore(const fs::path& file) const {
-    fs::copy_file(original_ / file, folder_.path() / file, fs::copy_options::overwrite_existing);
-}
-
-std::vector<std::string> Overlay::environment(const fs::path& file) const {
-    return {"GLOAM_SHADERS=" + folder_.path().string(), "GLOAM_SHADERS_OF=" + original_.string(),
-            "GLOAM_SHADERS_CHANGED=" + file.generic_string()};
-}
-
-Overlays::Overlays(const fs::path& original, unsigned jobs) {
-    for (unsigned i = 0; i < jobs; ++i) free_.push_back(std::make_unique<Overlay>(original));
-}
-
-std::unique_ptr<Overlay> Overlays::take() {
-    const std::lock_guard lock(mutex_);
-    std::unique_ptr<Overlay> overlay = std::move(free_.back());  // there are as many as threads
-    free_.pop_back();
-    return overlay;
-}
-
-void Overlays::give_back(std::unique_ptr<Overlay> overlay) {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(std::move(overlay));
-}
-
-namespace {
 
 using record::Fate;
 using record::MutantRow;
@@ -220,10 +176,6 @@ void Trials::draw() {
     std::ranges::stable_sort(order_, {}, [&](std::size_t i) { return drawn[i].first; });
 }
 
-fs::path Trials::relative(std::size_t file) const {
-    return by_number_[file]->path().lexically_relative(root_);
-}
-
 void Trials::read_known() {
     if (command_.known.empty()) return;
     std::istringstream lines(shader::read_text(command_.known));
@@ -266,41 +218,61 @@ void Trials::compile(MutantRow& row) {
     if (row.fate == Fate::untried && !(row.reason = known_reason(row)).empty()) row.fate = Fate::known;
 }
 
+void Trials::make_copies() {
+    require_small(root_);
+    try {
+        for (unsigned i = 0; i < jobs_; ++i) {
+            free_.push_back(&copies_.emplace_back("mutate").path());
+            copy_all(root_, *free_.back());
+        }
+    } catch (const fs::filesystem_error& error) {
+        throw std::runtime_error(fmt::format("cannot copy {}: {}", root_.string(), error.code().message()));
+    }
+}
+
+base::ProcessResult Trials::run_with(std::size_t file, const std::string& text,
+                                     std::chrono::milliseconds patience, double& seconds) {
+    std::unique_lock lock(mutex_);
+    const fs::path* const copy = free_.back();  // there are as many as threads
+    free_.pop_back();
+    lock.unlock();
+    const fs::path name = by_number_[file]->path().lexically_relative(root_);
+    base::write_file(*copy / name, text);
+    const auto begin = Clock::now();
+    // For a program that is to read this copy, see shader::overlaid(); and which file has changed.
+    base::ProcessResult result = base::run_process(
+        command_.command, "",
+        {.patience = patience,
+         .group = true,
+         .environment = {"GLOAM_SHADERS=" + copy->string(), "GLOAM_SHADERS_OF=" + root_.string(),
+                         "GLOAM_SHADERS_CHANGED=" + name.generic_string()}});
+    seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    fs::copy_file(root_ / name, *copy / name, fs::copy_options::overwrite_existing);
+    lock.lock();
+    free_.push_back(copy);
+    return result;
+}
+
 // The command must pass for each file without a fault. This also measures how long it takes.
-void Trials::run_unchanged(Overlays& overlays) {
-    std::set<std::size_t> files;
-    for (const std::size_t i : left()) files.insert(report_.mutants[i].file);
-    const std::vector<std::size_t> numbers(files.begin(), files.end());
-    base::for_each_index(numbers.size(), jobs_, [&](std::size_t k) {
-        std::unique_ptr<Overlay> overlay = overlays.take();
-        base::ProcessLimits limits{.patience = std::chrono::hours(24), .group = true};
-        limits.environment = overlay->environment(relative(numbers[k]));
-        const auto begin = Clock::now();
-        const base::ProcessResult result = base::run_process(command_.command, "", limits);
-        const std::chrono::duration<double> took = Clock::now() - begin;
-        overlays.give_back(std::move(overlay));
+void Trials::run_unchanged() {
+    for (const std::size_t i : left()) unchanged_[report_.mutants[i].file] = 0.0;
+    std::vector<std::pair<const std::size_t, double>*> files;
+    for (auto& one : unchanged_) files.push_back(&one);
+    base::for_each_index(files.size(), jobs_, [&](std::size_t k) {
+        auto& [file, seconds] = *files[k];
+        const auto result = run_with(file, by_number_[file]->text(), std::chrono::hours(24), seconds);
         if (!result.succeeded())
             throw std::runtime_error(fmt::format("{}: the command {} without a fault; expected status 0",
-                                                 report_.files[numbers[k]], result.how()));
-        const std::lock_guard lock(mutex_);
-        unchanged_[numbers[k]] = took.count();
+                                                 report_.files[file], result.how()));
     });
 }
 
-void Trials::try_one(MutantRow& row, Overlays& overlays) {
-    std::unique_ptr<Overlay> overlay = overlays.take();
-    const fs::path file = relative(row.file);
+void Trials::try_one(MutantRow& row) {
     const double patience =
         command_.patience.value_or(least_patience + patience_factor * unchanged_.at(row.file));
-    base::ProcessLimits limits{.patience = std::chrono::milliseconds(static_cast<long>(1000.0 * patience)),
-                               .group = true};
-    limits.environment = overlay->environment(file);
-    overlay->change(file, shader::mutated(by_number_[row.file]->text(), row.mutation));
-    const auto begin = Clock::now();
-    const base::ProcessResult result = base::run_process(command_.command, "", limits);
-    row.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    overlay->restore(file);
-    overlays.give_back(std::move(overlay));
+    const base::ProcessResult result =
+        run_with(row.file, shader::mutated(by_number_[row.file]->text(), row.mutation),
+                 std::chrono::milliseconds(static_cast<long>(1000.0 * patience)), row.seconds);
     using End = base::ProcessResult::End;
     row.fate = result.succeeded() ? Fate::survived : result.end == End::time ? Fate::too_long : Fate::killed;
 }
@@ -316,9 +288,9 @@ void Trials::run() {
     };
     each(left(), "compiled", [&](MutantRow& row) { compile(row); });
     if (!left().empty() && !is_over()) {
-        Overlays overlays(root_, jobs_);
-        run_unchanged(overlays);
-        each(left(), "tried", [&](MutantRow& row) { try_one(row, overlays); });
+        make_copies();
+        run_unchanged();
+        each(left(), "tried", [&](MutantRow& row) { try_one(row); });
     }
     std::vector<std::size_t> survived;
     for (const std::size_t i : order_)

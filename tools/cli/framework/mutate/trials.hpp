@@ -7,49 +7,17 @@
 #include <filesystem>
 #include <list>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "audit/mutant.hpp"
 #include "base/files.hpp"
+#include "base/process.hpp"
 #include "record/mutation_report.hpp"
 
 namespace gloam::cli {
-
-// A copy of a folder in which one file at a time has another text.
-class Overlay {
-  public:
-    // Throws std::runtime_error for a folder that is too large to be copied.
-    explicit Overlay(std::filesystem::path original);
-
-    // `file`: relative to the folder.
-    void change(const std::filesystem::path& file, std::string_view text) const;
-    void restore(const std::filesystem::path& file) const;
-
-    // For a program that is to read this copy, see shader::overlaid(); and which file has changed.
-    [[nodiscard]] std::vector<std::string> environment(const std::filesystem::path& file) const;
-
-  private:
-    std::filesystem::path original_;
-    base::TemporaryFolder folder_;
-};
-
-// Overlays of one folder, one for each job.
-class Overlays {
-  public:
-    Overlays(const std::filesystem::path& original, unsigned jobs);
-
-    [[nodiscard]] std::unique_ptr<Overlay> take();
-    void give_back(std::unique_ptr<Overlay> overlay);
-
-  private:
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<Overlay>> free_;
-};
 
 // What `gloam mutate` was asked.
 struct MutateCommand {
@@ -85,21 +53,26 @@ class Trials {
     void read_files();
     void draw();
     void read_known();
-    [[nodiscard]] std::filesystem::path relative(std::size_t file) const;
     [[nodiscard]] std::string known_reason(const record::MutantRow& row) const;
     [[nodiscard]] bool is_over() const { return Clock::now() > end_; }
     [[nodiscard]] std::vector<std::size_t> left() const;
 
     void compile(record::MutantRow& row);
-    void run_unchanged(Overlays& overlays);
-    void try_one(record::MutantRow& row, Overlays& overlays);
+    void make_copies();
+    // Runs the command on a copy of the folder in which the file has this text.
+    [[nodiscard]] base::ProcessResult run_with(std::size_t file, const std::string& text,
+                                               std::chrono::milliseconds patience, double& seconds);
+    void run_unchanged();
+    void try_one(record::MutantRow& row);
 
     const MutateCommand& command_;
     unsigned jobs_;
     Clock::time_point end_ = Clock::time_point::max();
     std::list<check::MutantFile> files_;
     std::vector<const check::MutantFile*> by_number_;
-    std::filesystem::path root_;  // that is copied
+    std::filesystem::path root_;                      // that is copied
+    std::list<base::TemporaryFolder> copies_;         // one for each job
+    std::vector<const std::filesystem::path*> free_;  // of these
     record::MutationReport report_;
     std::vector<std::size_t> order_;                 // of the mutants, as drawn
     std::map<std::size_t, double> unchanged_;        // seconds of the command without a fault, by file

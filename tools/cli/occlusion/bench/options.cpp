@@ -181,7 +181,7 @@ std::vector<Option> options_of(ExperimentOptions& options, bool has_query) {
 
 Experiment described(const ExperimentOptions& options) {
     const std::filesystem::path file =
-        options.file.empty() ? experiments_directory() / default_experiment : options.file;
+        options.file.empty() ? data_directory("experiments") / default_experiment : options.file;
     Experiment what = experiment::read_experiment(file.string(), base::read_file(file));
     what.name = file.stem().string();
     if (!options.sizes.empty()) what.sizes = options.sizes;

@@ -122,7 +122,7 @@ Experiment description_in(const fs::path& file) {
 std::set<fs::path> built_in_experiments() {
     std::set<fs::path> files;
     try {
-        for (const fs::directory_entry& entry : fs::directory_iterator(experiments_directory()))
+        for (const fs::directory_entry& entry : fs::directory_iterator(data_directory("experiments")))
             if (entry.path().extension() == ".json") files.insert(entry.path());
     } catch (const std::runtime_error&) {
         files.clear();

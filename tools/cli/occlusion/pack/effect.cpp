@@ -112,12 +112,12 @@ void pack_effect(const EffectPackOptions& options) {
         if (!compute)  // there are no lists
             std::erase_if(pass.source.defines,
                           [](const auto& one) { return one.starts_with("GLOAM_TILES"); });
-        folder.write(file, with_version(text_of(pass, library, language), api_of(language)));
+        folder.write(file, with_version(text_of(pass, library, language), language));
     }
     if (!compute && settings.resolution == effect::Resolution::tiles)
         for (const char* file : {"halve.frag", "tiles.vert"})
             folder.write(file, with_version(library.text(std::string("frame/") + file, {}, {}, {}, language),
-                                            api_of(language)));
+                                            language));
     folder.write("gloam_frame.h", header_of(options.preset, settings, options.orthographic));
     folder.keep();
 }
@@ -137,7 +137,7 @@ void pack_one_pass(const EffectPackOptions& options) {
         std::vector<std::string> defines;
         if (options.normals == "none") defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
         const std::string text =
-            with_version(library.text(pass, defines, {}, {{constant, value}}, *language), api_of(*language));
+            with_version(library.text(pass, defines, {}, {{constant, value}}, *language), *language);
         folder.write(name, own_version ? text : text.substr(text.find('\n') + 1));
     };
     write("occlusion.frag", "one_pass/occlusion.frag", 6, options.taps / 2);  // both sides of a slice

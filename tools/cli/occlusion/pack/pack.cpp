@@ -70,8 +70,8 @@ int pack_npm(const PackCommand& options) {
     record::OutputFolder folder(options.npm);
     for (const auto& [name, text] :
          site::npm_package({.library = glsl_directory(),
-                            .files = site_directory(),
-                            .licence = documents_directory().parent_path() / "LICENSE",
+                            .files = data_directory("site"),
+                            .licence = data_directory("docs").parent_path() / "LICENSE",
                             .version = base::version()}))
         folder.write(name, text);
     folder.keep();

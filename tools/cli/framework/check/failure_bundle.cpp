@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/check/failure_bundle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "backend/sampled.hpp"
+#include "judge/answer.hpp"
+#include "judge/reproduction.hpp"
+#include "module/spirv.hpp"
+#include "record/failures.hpp"
+#include "subject/lab.hpp"
+
+namespace gloam::cli {
+namespace {
+
+// The lines at the top of a program that repeats it.
+std::vector<std::string> comments_of(const check::Reproduction& all, const check::Question& question,
+                                     const CheckTask& task, const backend::DeviceInfo& device,
+                                     const std::string& how) {
+    std::vector<std::string> comments{
+        fmt::format("{}: {} of {}, variant {}", task.equation, question.function, question.file,
+                    task.variant),
+        fmt::format("Found on: {} ({})", device.name, device.driver),
+        fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
+        "Run it with: " + how};
+    if (!all.scenario.empty()) comments.push_back("Images: " + all.scenario);
+    return comments;
+}
+
+// With sampled images whose texels are as the device has them.
+check::Reproduction encoded(check::Reproduction all) {
+    for (check::Reproduction::ImageBuffer& image : all.images) {
+        if (!image.bound) continue;
+        const std::vector<check::Word> texels = backend::stored_texels(image.words);
+        image.words.resize(backend::sampled_header_words);
+        image.words.insert(image.words.end(), texels.begin(), texels.end());
+    }
+    return all;
+}
+
+check::Reproduction reproduction_of(const check::Lab& lab, const check::Question& question,
+                                    const check::RunOptions& options, const check::Answer& failed) {
+    if (!failed.ran()) return check::reproduce(lab, question, options);
+    if (failed.outside() > 0) return check::reproduce(lab, question, options, failed.worst.value());
+    return check::reproduce_fault(lab, question, options);
+}
+
+}  // namespace
+
+FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, const CheckTask& task,
+                        const check::Answer& failed) {
+    const check::Reproduction all = reproduction_of(lab, question, task.run, failed);
+    const backend::DeviceInfo& device = lab.info();
+    const auto comments = [&](const std::string& how) {
+        return comments_of(all, question, task, device, how);
+    };
+    FailureBundle bundle;
+    if (!all.opengl.empty()) {
+        bundle.glsl = all.opengl;
+    } else {
+        bundle = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
+        // They run compute shaders and ask for no features.
+        if (all.team.kind != backend::Team::Kind::quad && !shader::has_float16(all.spirv)) {
+            // The script has no images; the program has those of single samplers, not of layers.
+            const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
+            const bool has_layers = std::ranges::any_of(
+                all.images, [](const auto& image) { return image.bound && image.words.empty(); });
+            if (!has_images)
+                bundle.amber = record::to_amber(all, comments("amber -v 1.2 -t spv1.5 repro.amber"));
+            if (!has_layers)
+                bundle.c_program = record::to_c_program(
+                    encoded(all), comments("cc repro.c -o repro -lvulkan -lm && ./repro"),
+                    device.name == check::interpreter_name ? "" : device.name);
+        }
+        bundle.steps = all.steps;
+        bundle.before = all.before;
+    }
+    bundle.rules = all.rules;
+    bundle.smallest = all.failure;
+    return bundle;
+}
+
+namespace {
+
+std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
+    const auto bytes = std::as_bytes(std::span(words));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
+                   const check::Answer& row, const FailureBundle& bundle, record::RunAgain again) {
+    record::OutputFolder out(folder.path() / record::slug(record::name_of(device)) /
+                             (record::slug(row.equation) + "-" + record::slug(row.variant)));
+    const std::string note =
+        bundle.error.empty() ? "" : "The shader and a reproduction could not be made: " + bundle.error;
+    again.amber = !bundle.amber.empty();
+    again.program = !bundle.c_program.empty();
+    again.steps = bundle.steps;
+    again.rules = bundle.rules;
+    out.write("report.txt", record::failure_text(device, row, bundle.smallest, note, again));
+    const auto write = [&](const char* name, std::string_view bytes) {
+        if (!bytes.empty()) out.write(name, bytes);
+    };
+    write(bundle.spirv.empty() ? "shader.glsl" : "shader.comp", bundle.glsl);  // of OpenGL, or of Vulkan
+    write("shader.spvasm", bundle.assembly);
+    write("shader.spv", bytes_of(bundle.spirv));
+    write("repro.amber", bundle.amber);
+    write("repro.c", bundle.c_program);
+    write("before.spv", bytes_of(bundle.before));
+    out.keep();
+    folder.keep();
+}
+
+}  // namespace gloam::cli
