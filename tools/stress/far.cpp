@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/half.hpp"
 #include "effect/ambient_occlusion.hpp"
@@ -49,9 +50,7 @@ scene::Scene scene_at(double distance) {
 
 glm::dmat4 view_matrix(const scene::Camera& camera, const glm::dvec3& origin) {
     const glm::dmat3 rotation = scene::view_rotation(camera);
-    glm::dmat4 matrix(rotation);
-    matrix[3] = glm::dvec4(rotation * (origin - camera.eye), 1.0);
-    return matrix;
+    return glm::translate(glm::dmat4(rotation), origin - camera.eye);
 }
 
 // The worst of all points.
@@ -124,10 +123,8 @@ std::vector<scene::GBuffer> views_of(const scene::Scene& scene) {
 }
 
 double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        largest = worse(largest, std::abs(double{a[i]} - double{b[i]}));
-    return largest;
+    return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0, worse,
+                                 [](float x, float y) { return std::abs(double{x} - double{y}); });
 }
 
 // The largest occlusion of a slanted wall whose depths are halves.

@@ -55,17 +55,6 @@ struct Lane {
     double mean = 0.0;
     double weight = 0.0;
     std::uint64_t samples = 0;
-
-    // The double beside it, so many frames further (TSSAO-5 as printed).
-    void advance() {
-        const double k = sequence.k;
-        for (unsigned i = 0; i < sequence.frames; ++i) {
-            mean = (weight * mean + k * contribution(sequence, sequence.first + i)) / (weight + k);
-            weight = std::min(weight + k, double{sequence.weight_max});
-        }
-        sequence.first += sequence.frames;
-        samples += std::uint64_t{sequence.frames} * sequence.k;
-    }
 };
 
 // All lanes `frames` further, in one dispatch; `frames` below 65,535.
@@ -77,8 +66,16 @@ void advance(const Accumulate& kernel, std::vector<Lane>& lanes, unsigned frames
     }
     const std::vector<Accumulate::Output> outputs = kernel(inputs);
     for (std::size_t i = 0; i < lanes.size(); ++i) {
-        std::tie(lanes[i].texel, lanes[i].range) = outputs[i];
-        lanes[i].advance();
+        Lane& lane = lanes[i];
+        std::tie(lane.texel, lane.range) = outputs[i];
+        const double k = lane.sequence.k;  // the double beside it: TSSAO-5 as printed
+        for (unsigned n = 0; n < frames; ++n) {
+            const double fresh = contribution(lane.sequence, lane.sequence.first + n);
+            lane.mean = (lane.weight * lane.mean + k * fresh) / (lane.weight + k);
+            lane.weight = std::min(lane.weight + k, double{lane.sequence.weight_max});
+        }
+        lane.sequence.first += frames;
+        lane.samples += std::uint64_t{frames} * lane.sequence.k;
     }
 }
 
@@ -179,7 +176,7 @@ Rows texels(const OneFrame& frame) {
     const glm::vec4 fresh = frame(empty, 0.25F, sequence);
     double unsafe = 0;
     double not_fresh = 0;
-    for (const float bad : bad_values()) {
+    for (const float bad : bad_values) {
         for (int channel = 0; channel < 4; ++channel) {
             glm::vec4 texel = good;
             texel[channel] = bad;
@@ -197,7 +194,7 @@ Rows texels(const OneFrame& frame) {
 Rows contributions(const OneFrame& frame) {
     double unsafe = 0;
     double wrong = 0;
-    for (const float bad : bad_values()) {
+    for (const float bad : bad_values) {
         const glm::vec4 after = frame(good, bad, sequence);
         const float expected =
             std::isfinite(bad) ? frame(good, glm::clamp(bad, 0.0F, 1.0F), sequence).x : good.x;

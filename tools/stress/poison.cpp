@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <stdexcept>
 
+#include "base/threads.hpp"
+#include "effect/ambient_occlusion.hpp"
 #include "effect/method_functions.hpp"
 #include "effect/methods.hpp"
 #include "judge/function.hpp"
@@ -10,6 +15,225 @@
 #include "stress/views.hpp"
 
 namespace gloam::stress {
+namespace {
+
+constexpr gpu::Extent extent{37, 26};
+constexpr float poison_radius = 0.4F;
+
+// Which buffer holds the bad value.
+struct Place {
+    const char* text;
+    int normal_axis = -1;  // of the normals; -1: the depth
+    bool normals = true;   // the view has some
+
+    void put(scene::GBuffer& view, std::size_t pixel, float value) const {
+        (normal_axis < 0 ? view.depth[pixel] : view.normal[pixel][normal_axis]) = value;
+    }
+};
+
+// The last two are left out of brief runs.
+constexpr Place places[]{
+    {"depth"}, {"depth, normals made of it", -1, false}, {"normal.x", 0}, {"normal.y", 1}, {"normal.z", 2}};
+
+std::size_t index_of(glm::ivec2 pixel) {
+    return static_cast<std::size_t>(pixel.y) * extent.width + static_cast<std::size_t>(pixel.x);
+}
+
+glm::ivec2 pixel_at(std::size_t index) {
+    return {static_cast<int>(index % extent.width), static_cast<int>(index / extent.width)};
+}
+
+// A wall with every other field of 6 x 5 pixels a quarter unit nearer: occlusion along every edge.
+scene::GBuffer steps() {
+    scene::GBuffer view = wall(extent);
+    for (std::size_t i = 0; i < view.depth.size(); ++i)
+        if ((pixel_at(i).x / 6 + pixel_at(i).y / 5) % 2 == 1) view.depth[i] -= 0.25F;
+    return view;
+}
+
+// Which pixels of an image something reaches, row by row.
+using Mask = std::vector<bool>;
+
+// Where a circle around (slope * depth, depth) begins and ends as seen from the origin, as slopes.
+glm::dvec2 seen_slopes(double slope, double depth, double radius) {
+    const double distance = std::hypot(slope * depth, depth);
+    const double half = radius < distance ? std::asin(radius / distance) : INFINITY;
+    const double angle = std::atan(slope);
+    constexpr double right_angle = 1.57079632679489661923;
+    return {angle - half > -right_angle ? std::tan(angle - half) : -INFINITY,
+            angle + half < right_angle ? std::tan(angle + half) : INFINITY};
+}
+
+// Whether the ball around a pixel's surface point, and a pixel and a half more, covers the centre of
+// `source`.
+bool covers(const scene::GBuffer& view, std::size_t pixel, double radius, glm::ivec2 source) {
+    const glm::dvec2 size(extent.width, extent.height);
+    const glm::dvec2 p = glm::abs(glm::dvec2(view.camera.p00_p11()));
+    for (int axis = 0; axis < 2; ++axis) {
+        const double slope = (2.0 * (pixel_at(pixel)[axis] + 0.5) / size[axis] - 1.0) / p[axis];
+        const glm::dvec2 ends = seen_slopes(slope, double{view.depth[pixel]}, radius);
+        const glm::dvec2 pixels = 0.5 * (ends * p[axis] + 1.0) * size[axis];
+        const double at = source[axis] + 0.5;
+        if (!(at >= pixels.x - 1.5 && at <= pixels.y + 1.5)) return false;
+    }
+    return true;
+}
+
+// The mask and all pixels up to `pixels` away along each axis: what a filter makes of it.
+Mask widened(const Mask& mask, int pixels) {
+    Mask wide(mask.size());
+    const glm::ivec2 last(static_cast<int>(extent.width) - 1, static_cast<int>(extent.height) - 1);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (!mask[i]) continue;
+        const glm::ivec2 low = glm::max(pixel_at(i) - pixels, glm::ivec2(0));
+        const glm::ivec2 high = glm::min(pixel_at(i) + pixels, last);
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) wide[index_of({x, y})] = true;
+    }
+    return wide;
+}
+
+Mask changed(const std::vector<float>& now, const std::vector<float>& before) {
+    Mask mask(now.size());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask[i] = check::to_word(now[i]) != check::to_word(before[i]);
+    return mask;
+}
+
+std::size_t count_beyond(const Mask& mask, const Mask& allowed) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) count += mask[i] && !allowed[i] ? 1 : 0;
+    return count;
+}
+
+// What one place suffered, over all bad values.
+struct Damage {
+    std::size_t outside_unit = 0;
+    std::size_t beyond_footprint = 0;
+    std::size_t changed = 0;
+    std::size_t differs_without_robustness = 0;
+};
+
+// The passes on two devices. What all methods share is compiled once.
+class Experiment {
+  public:
+    Experiment(const Context& context, const gpu::Device& fragile)
+        : full_(!context.brief),
+          robust_(context.lab.device(), context.passes, extent),
+          fragile_(fragile, context.passes, extent) {}
+
+    [[nodiscard]] Damage run(const effect::MethodInfo& method, const Place& place, std::size_t number) {
+        settings_ = with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name),
+                                poison_radius);
+        settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
+        scene::GBuffer view = steps();
+        if (!place.normals) view.normal.clear();
+        const effect::Frame clean = frame_of(robust_, view);
+        Damage damage;
+        for (const float bad : bad_values) {
+            for (const glm::ivec2 source : sources(++number))
+                one_texel(view, place, bad, source, method.reads_normals, clean, damage);
+            if (full_ || number % 3 == 0) everywhere(view, place, bad, damage);
+        }
+        return damage;
+    }
+
+  private:
+    // Both sides of a step's edge, two corners and an edge of the image; briefly, a step's edge and a corner
+    // in turn.
+    [[nodiscard]] std::vector<glm::ivec2> sources(std::size_t number) const {
+        if (!full_) return {number % 2 == 0 ? glm::ivec2(18, 12) : glm::ivec2(0, 0)};
+        return {{18, 12}, {17, 12}, {0, 0}, {36, 25}, {17, 0}};
+    }
+
+    // The second frame, whose history is that of the first.
+    [[nodiscard]] effect::Frame frame_of(effect::AmbientOcclusion& effect, const scene::GBuffer& view) const {
+        effect.begin(view, settings_);
+        (void)effect.next();
+        return effect.next();
+    }
+
+    // The pixels whose occlusion may depend on the depth, or on the normal, at `source`: those whose ball of
+    // influence, as the eye sees it, projects onto it or onto one of its neighbours (a sample takes the
+    // nearest pixel; normals from depth take the four neighbours), and `source` itself.
+    [[nodiscard]] Mask footprint(const scene::GBuffer& view, bool sampled, glm::ivec2 source) const {
+        const effect::Preparation beside =
+            effect::preparation_of(settings_, extent).value_or(effect::Preparation{});
+        const double reach = double{beside.reach} + (sampled ? double{poison_radius} : 0.0);
+        Mask mask(view.depth.size());
+        for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = reach > 0.0 && covers(view, i, reach, source);
+        mask[index_of(source)] = true;
+        return widened(mask, beside.spread);
+    }
+
+    [[nodiscard]] effect::Frame both(const scene::GBuffer& view, Damage& damage) {
+        effect::Frame frame;
+        effect::Frame other;
+        base::for_each_index(2, 2, [&](std::size_t i) {
+            (i == 0 ? frame : other) = frame_of(i == 0 ? robust_ : fragile_, view);
+        });
+        const Mask none(frame.filtered.size());
+        damage.differs_without_robustness += count_beyond(changed(other.occlusion, frame.occlusion), none) +
+                                             count_beyond(changed(other.filtered, frame.filtered), none);
+        for (const auto* image : {&frame.occlusion, &frame.filtered, &frame.convergence})
+            for (const float value : *image) damage.outside_unit += value >= 0.0F && value <= 1.0F ? 0 : 1;
+        return frame;
+    }
+
+    void one_texel(scene::GBuffer view, const Place& place, float value, glm::ivec2 source,
+                   bool reads_normals, const effect::Frame& clean, Damage& damage) {
+        const Mask allowed = footprint(view, place.normal_axis < 0 || reads_normals, source);
+        place.put(view, index_of(source), value);
+        const effect::Frame frame = both(view, damage);
+        const Mask filtered = changed(frame.filtered, clean.filtered);
+        damage.changed += count_beyond(filtered, Mask(filtered.size()));
+        damage.beyond_footprint += count_beyond(changed(frame.occlusion, clean.occlusion), allowed) +
+                                   count_beyond(changed(frame.convergence, clean.convergence), allowed) +
+                                   count_beyond(filtered, widened(allowed, settings_.filter_half_width));
+    }
+
+    void everywhere(scene::GBuffer view, const Place& place, float value, Damage& damage) {
+        for (std::size_t i = 0; i < view.depth.size(); ++i) place.put(view, i, value);
+        (void)both(view, damage);
+    }
+
+    bool full_;
+    effect::AmbientOcclusion robust_;
+    effect::AmbientOcclusion fragile_;
+    effect::Settings settings_;
+};
+
+}  // namespace
+
+Rows poisoned_passes(const Context& context) {
+    const check::LabOptions& options = context.lab.options();
+    gpu::Device fragile({.device = options.device,
+                         .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                         .cache_directory = options.cache_directory,
+                         .robust_buffer_access = false});
+    Experiment experiment(context, fragile);
+    Rows rows;
+    for (const effect::MethodInfo& method : context.methods) {
+        std::size_t number = 0;
+        for (const Place& place : std::span(places).first(context.brief ? 3 : 5)) {
+            const std::string varied = fmt::format("{}: {}", method.name, place.text);
+            context.progress(fmt::format("{}: {}", poison_name, varied));
+            const Damage damage = experiment.run(method, place, number++);
+            const auto row = [&](const char* quantity, std::size_t n, std::optional<double> bound = 0.0) {
+                rows.push_back({poison_name, varied, quantity, static_cast<double>(n), bound});
+            };
+            row("values outside [0, 1] or NaN", damage.outside_unit);
+            row("pixels changed", damage.changed, std::nullopt);
+            row("pixels changed beyond the footprint", damage.beyond_footprint);
+            row("values that differ without robustBufferAccess", damage.differs_without_robustness);
+        }
+        for (const std::string& message : fragile.take_validation_messages())
+            throw std::runtime_error("Vulkan validation: " + message);
+        context.lab.require_silent_validation();
+    }
+    return rows;
+}
+
 namespace {
 
 constexpr glm::ivec2 size{9, 7};
@@ -36,7 +260,7 @@ check::ImageSet gather_images(std::optional<float> everywhere,
                               const std::optional<effect::Preparation>& preparation, float prepared) {
     const auto depth = [=](glm::ivec2 at) {
         const auto index = static_cast<std::size_t>(at.y * size.x + at.x);
-        return everywhere.value_or(index % 4 == 0 ? bad_values()[index / 4 % bad_values().size()] : 3.0F);
+        return everywhere.value_or(index % 4 == 0 ? bad_values[index / 4 % std::size(bad_values)] : 3.0F);
     };
     check::ImageSet images{{"gloam_fetch_depth", check::make_image<float>(size, depth)},
                            {"gloam_fetch_normal", check::make_image<glm::vec3>(size, [&](glm::ivec2 at) {
@@ -106,7 +330,7 @@ Rows gathers(const check::Lab& lab, const effect::MethodInfo& method) {
         }
     };
     call(1.0F, std::nullopt, 0.5F);
-    for (const float bad : bad_values()) {
+    for (const float bad : bad_values) {
         call(bad, bad, 0.5F);
         if (preparation) call(bad, std::nullopt, bad);
     }
@@ -120,7 +344,7 @@ Rows gathers(const check::Lab& lab, const effect::MethodInfo& method) {
 Rows poisoned_gathers(const Context& context) {
     context.progress(fmt::format("{}: fetches of methods", poison_name));
     Rows rows;
-    for (const effect::MethodInfo& method : methods_of(context)) append(rows, gathers(context.lab, method));
+    for (const effect::MethodInfo& method : context.methods) append(rows, gathers(context.lab, method));
     context.lab.require_silent_validation();
     return rows;
 }

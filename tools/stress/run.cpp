@@ -12,35 +12,17 @@
 
 namespace gloam::stress {
 
-std::vector<effect::MethodInfo> methods_of(const Context& context) {
-    if (context.methods.empty()) return effect::methods();
-    std::vector<effect::MethodInfo> methods;
-    for (const std::string& name : context.methods) methods.push_back(effect::method_named(name));
-    return methods;
-}
-
-std::vector<Run> all_runs() {
-    return {{"worst-inputs", "the input of each equation with the largest error, searched for", worst_inputs},
-            {"long-run", "the history over very many frames", long_run},
-            {"far", "far from the origin, and depth in halves", far_away},
-            {"poison", "NaN, infinities and other bad values in every buffer", poison}};
-}
-
 std::vector<Run> select_runs(const std::string& name) {
-    if (name.empty()) return all_runs();
+    if (name.empty()) return all_runs;
     std::string names;
-    for (const Run& run : all_runs()) {
+    for (const Run& run : all_runs) {
         if (run.name == name) return {run};
         names += (names.empty() ? "" : ", ") + run.name;
     }
     throw std::invalid_argument("unknown stress run \"" + name + "\": expected " + names);
 }
 
-namespace {
-
-constexpr const char* layout = "{:9} {:58} {:50} {:>11} {:>11} {}";
-
-}  // namespace
+static constexpr const char* layout = "{:9} {:58} {:50} {:>11} {:>11} {}";
 
 std::string table_header() {
     return fmt::format(layout, "run", "varied", "measured", "value", "bound", "verdict");
@@ -60,32 +42,29 @@ void members(Io& io, Row& row) {
 }
 
 std::string to_json(const gpu::DeviceInfo& device, const Rows& rows, const std::string& versions) {
-    nlohmann::ordered_json document{{"gloam", base::version()},
-                                    {"device", {{"name", device.name}, {"driver", device.driver}}}};
-    if (!versions.empty()) document["versions"] = versions;
-    document["rows"] = record::json_of(rows);
-    return record::to_text(document);
+    return record::to_text({{"gloam", base::version()},
+                            {"device", {{"name", device.name}, {"driver", device.driver}}},
+                            {"versions", versions},
+                            {"rows", record::json_of(rows)}});
 }
 
 namespace {
 
 constexpr const char* worst_inputs_name = "worst-inputs";
-constexpr std::size_t full_inputs = 262'144;
-constexpr std::size_t brief_inputs = 2'048;
 
 // The input in a few words: those of a matrix would hide the rest of the line.
 std::string input_text(const check::Answer& answer) {
     if (!answer.worst) return "every input: exact";
-    constexpr std::size_t longest = 120;
     std::string text = answer.worst->values;
-    if (text.size() > longest) text = text.substr(0, longest) + "...";
+    constexpr std::size_t longest = 120;
+    if (text.size() > longest) text.replace(longest, std::string::npos, "...");
     return "at " + text;
 }
 
 }  // namespace
 
 Rows worst_inputs(const Context& context, const catalogue::Entry& entry) {
-    const std::size_t inputs = context.extent == Extent::full ? full_inputs : brief_inputs;
+    const std::size_t inputs = context.brief ? 2'048 : 262'144;
     const std::string& equation = entry.description.id;
     context.progress(fmt::format("{}: {}", worst_inputs_name, equation));
     const check::SearchResult found =

@@ -42,27 +42,21 @@ inline double worse(double a, double b) {
     return a >= b || std::isnan(a) ? a : b;
 }
 
-// How much a run does: brief is for tests (seconds), full takes minutes.
-enum class Extent { brief, full };
-
 // What a run works with. The lab's include roots hold the shader library, tools/stress/shaders and the folder
 // of effect::MethodFunctions.
 struct Context {
     const check::Lab& lab;
     const scene::PassLibrary& passes;
-    Extent extent = Extent::full;
+    bool brief = false;  // seconds, for tests; otherwise it takes minutes
     std::uint64_t seed = 1;
     std::uint64_t frames = 1'000'000;  // of the long runs
-    std::vector<std::string>
-        equations;  // whose worst inputs are searched: IDs or functions, shell globs; none: all
-    std::vector<std::string> methods;  // whose passes and gathers are tried; none: all
-    std::function<void(const std::string&)> progress = [](const std::string&) {};  // told what is done now
-    std::function<void(const Row&)> found = [](const Row&) {
-    };  // told of rows before the run ends, in their order
+    // Whose worst inputs are searched: IDs or functions, shell globs; none: all.
+    std::vector<std::string> equations{};
+    // Told what is done now, and of rows before the run ends, in their order.
+    std::function<void(const std::string&)> progress = [](const std::string&) {};
+    std::function<void(const Row&)> found = [](const Row&) {};
+    std::vector<effect::MethodInfo> methods = effect::methods();  // whose passes and gathers are tried
 };
-
-// Those that the context names. Throws like effect::method_named().
-[[nodiscard]] std::vector<effect::MethodInfo> methods_of(const Context& context);
 
 // For every equation of the catalogue, the worst input that a guided search finds (audit/worst.hpp), as a
 // fraction of what its documentation states, beside the worst of its random inputs alone. The search is made
@@ -85,11 +79,7 @@ struct Context {
 
 constexpr const char* poison_name = "poison";
 
-// Depth and normals that go into the passes of a method. What it returns keeps the passes that methods share,
-// so that they are compiled once.
-[[nodiscard]] std::function<Rows(const effect::MethodInfo&)> poisoned_passes_of(const Context& context);
-
-// The rows of poisoned_passes_of() for all methods of the context.
+// Depth and normals that go into the passes of methods.
 [[nodiscard]] Rows poisoned_passes(const Context& context);
 
 // Fetches of methods: none may be outside, whatever the images hold.
@@ -106,13 +96,13 @@ constexpr const char* poison_name = "poison";
 
 // One way to stress the library. `go` throws what the backend, check and effect rooms throw.
 struct Run {
-    std::string name;         // one word, "long-run"
-    std::string description;  // one line
+    std::string name;  // one word, "long-run"
     Rows (*go)(const Context&) = nullptr;
 };
 
-// All runs in the order they are made. Another way to stress the library is another line in run.cpp.
-[[nodiscard]] std::vector<Run> all_runs();
+// All runs in the order they are made. Another way to stress the library is another line here.
+inline const std::vector<Run> all_runs{
+    {"worst-inputs", worst_inputs}, {"long-run", long_run}, {"far", far_away}, {poison_name, poison}};
 
 // The run of that name, or all of them for an empty one. Throws std::invalid_argument that lists the names.
 [[nodiscard]] std::vector<Run> select_runs(const std::string& name);
@@ -122,9 +112,10 @@ struct Run {
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_line(const Row& row);
 
-// {"device": {"name", "driver"}, "rows": [{"run", "varied", "quantity", "measured", "bound", "passed"}]}.
-// bound is null where nothing is promised. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
+// {"gloam", "device": {"name", "driver"}, "versions", "rows": [{"run", "varied", "quantity", "measured",
+// "bound", "passed"}]}. bound is null where nothing is promised. Infinite numbers are the strings "inf" and
+// "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const gpu::DeviceInfo& device, const Rows& rows,
-                                  const std::string& versions = {});
+                                  const std::string& versions);
 
 }  // namespace gloam::stress

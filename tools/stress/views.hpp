@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cfloat>
+#include <cmath>
 #include <glm/glm.hpp>
-#include <limits>
-#include <vector>
 
 #include "scene/gbuffer.hpp"
 
@@ -22,28 +22,9 @@ namespace gloam::stress {
     return view;
 }
 
-// NaN, infinities, negative, zero, subnormal, tiny and huge.
-[[nodiscard]] inline const std::vector<float>& bad_values() {
-    using Limits = std::numeric_limits<float>;
-    constexpr float nan = Limits::quiet_NaN();
-    constexpr float inf = Limits::infinity();
-    constexpr float largest_subnormal = 1.17549421e-38F;
-    static const std::vector<float> all{nan,
-                                        -nan,
-                                        inf,
-                                        -inf,
-                                        0.0F,
-                                        -0.0F,
-                                        -1.0F,
-                                        Limits::denorm_min(),
-                                        largest_subnormal,
-                                        Limits::min(),
-                                        1e-20F,
-                                        1e20F,
-                                        -1e20F,
-                                        Limits::max(),
-                                        Limits::lowest()};
-    return all;
-}
+// NaN, infinities, negative, zero, subnormal (the least and the largest), tiny and huge.
+inline constexpr float bad_values[]{NAN,    -NAN,  INFINITY,     -INFINITY,       0.0F,
+                                    -0.0F,  -1.0F, FLT_TRUE_MIN, 1.17549421e-38F, FLT_MIN,
+                                    1e-20F, 1e20F, -1e20F,       FLT_MAX,         -FLT_MAX};
 
 }  // namespace gloam::stress

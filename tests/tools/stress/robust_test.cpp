@@ -5,21 +5,10 @@
 
 namespace gloam::stress::test::robust_test {
 
-class PoisonOf : public EachMethod {
-  protected:
-    static void SetUpTestSuite() {
-        EachMethod::SetUpTestSuite();
-        rows_of_passes_ = poisoned_passes_of(bench().context());
-    }
-    static void TearDownTestSuite() {
-        rows_of_passes_ = nullptr;
-        EachMethod::TearDownTestSuite();
-    }
-    inline static std::function<Rows(const effect::MethodInfo&)> rows_of_passes_;
-};
+class PoisonOf : public EachMethod {};
 
 TEST_P(PoisonOf, StaysWithinTheFootprint) {
-    const Rows rows = rows_of_passes_(effect::method_named(GetParam()));
+    const Rows rows = poisoned_passes(context());
     expect_all_passed(rows);
     if (GetParam() != "hemisphere" && GetParam() != "disc") return;
     // Something did change: the footprint is not empty by mistake.

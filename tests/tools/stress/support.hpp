@@ -16,13 +16,13 @@ class Bench {
           passes_(glsl, gloam::test::cache_directory()) {}
 
     [[nodiscard]] Context context(std::uint64_t frames = 20'000) const {
-        return {.lab = lab_, .passes = passes_, .extent = Extent::brief, .seed = 1, .frames = frames};
+        return {.lab = lab_, .passes = passes_, .brief = true, .frames = frames};
     }
 
     // With one method only: enough where what is broken is none of a method's own.
     [[nodiscard]] Context context_of(const std::string& method) const {
         Context one = context();
-        one.methods = {method};
+        one.methods = {effect::method_named(method)};
         return one;
     }
 

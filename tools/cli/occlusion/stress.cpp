@@ -19,8 +19,8 @@ namespace {
 
 // The options of `gloam stress`.
 struct StressOptions {
-    std::string only;
-    std::vector<std::string> equations;  // name of one run; empty: all
+    std::string only;                    // name of one run; empty: all
+    std::vector<std::string> equations;  // none: all
     std::string device;                  // name or index; empty: the default
     std::uint64_t seed = 1;
     std::uint64_t frames = 1'000'000;
@@ -67,14 +67,13 @@ int run_stress(const StressOptions& options) {
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const gpu::DeviceInfo& device = lab.device().info();
     fmt::print("device: {} ({})\n{}\n", device.name, device.driver, stress::table_header());
-    const stress::Rows rows =
-        make_runs(runs, {.lab = lab,
-                         .passes = passes,
-                         .extent = options.brief ? stress::Extent::brief : stress::Extent::full,
-                         .seed = options.seed,
-                         .frames = options.frames,
-                         .equations = options.equations,
-                         .progress = show_progress});
+    const stress::Rows rows = make_runs(runs, {.lab = lab,
+                                               .passes = passes,
+                                               .brief = options.brief,
+                                               .seed = options.seed,
+                                               .frames = options.frames,
+                                               .equations = options.equations,
+                                               .progress = show_progress});
     const auto broken = std::ranges::count_if(rows, [](const stress::Row& row) { return !row.passed(); });
     fmt::print("{} numbers, {} bounds broken\n", rows.size(), broken);
     json.write(stress::to_json(device, rows, versions()));
@@ -86,7 +85,7 @@ int run_stress(const StressOptions& options) {
 Command stress_command() {
     static StressOptions options;
     std::string runs;
-    for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
+    for (const stress::Run& run : stress::all_runs) runs += (runs.empty() ? "" : ", ") + run.name;
     return {.name = "stress",
             .about = "test long runs, far places, invalid buffers and worst inputs against the documentation",
             .options =
