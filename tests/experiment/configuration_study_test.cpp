@@ -87,7 +87,7 @@ TEST_F(ConfigurationStudyTest, MovingObjectsLeaveNoTrailAndWhatHasSettledStays) 
                                                        .every = 12,
                                                        .rays = 64,
                                                        .depth_truth = false,
-                                                       .by_class = true});
+                                                       .measures = {Quantity::by_class}});
     const auto visit = [&](const char* changes, bool temporal) {
         return study_.visit(views, settings_for(views, changes), temporal, 0);
     };

@@ -32,20 +32,13 @@ std::vector<Case> views_of(const CaseQuery& query) {
     return cases;
 }
 
-// All, if none is asked for.
-std::vector<std::string> methods_of(const CandidateQuery& query) {
-    if (query.methods.empty() && !query.presets.empty()) return {};
-    if (!query.methods.empty() && std::ranges::count(query.methods, "all") == 0) return query.methods;
-    std::vector<std::string> names;
-    for (const effect::MethodInfo& method : effect::methods()) names.push_back(method.name);
-    return names;
-}
-
-std::vector<std::string> presets_of(const CandidateQuery& query) {
-    if (std::ranges::count(query.presets, "all") == 0) return query.presets;
-    std::vector<std::string> names;
-    for (const effect::Preset& preset : effect::presets()) names.push_back(preset.name);
-    return names;
+// These, or with "all" among them the names of all items.
+template <class Items>
+std::vector<std::string> chosen(const std::vector<std::string>& names, const Items& items) {
+    if (std::ranges::count(names, "all") == 0) return names;
+    std::vector<std::string> all;
+    for (const auto& item : items) all.push_back(item.name);
+    return all;
 }
 
 // The method as it is, and its presets of a source whose names end with "quality".
@@ -167,15 +160,17 @@ void require_consistent(const Experiment& experiment) {
 
 void choose_candidates(Experiment& experiment) {
     if (!experiment.candidate_query) return;
-    const CandidateQuery query = *std::exchange(experiment.candidate_query, std::nullopt);
+    CandidateQuery query = *std::exchange(experiment.candidate_query, std::nullopt);
+    if (query.methods.empty() && query.presets.empty()) query.methods = {"all"};
+    const std::vector<std::string> methods = chosen(query.methods, effect::methods());
     if (query.samples.empty())
-        for (const std::string& method : methods_of(query)) add_as_they_are(experiment.candidates, method);
+        for (const std::string& method : methods) add_as_they_are(experiment.candidates, method);
     for (const bool sequence : {false, true}) {
         if (!(sequence ? query.sequence : query.single)) continue;
-        for (const std::string& method : methods_of(query))
+        for (const std::string& method : methods)
             for (const int samples : query.samples)
                 experiment.candidates.push_back(method_candidate(method, samples, sequence));
-        for (const std::string& preset : presets_of(query))
+        for (const std::string& preset : chosen(query.presets, effect::presets()))
             experiment.candidates.push_back(preset_candidate(preset, sequence));
     }
     if (experiment.candidates.empty())

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "effect/errors.hpp"
 
@@ -24,7 +26,7 @@ BenchmarkViews::BenchmarkViews(scene::Scene scene, const BenchmarkFrames& frames
         numbers_.insert(numbers_.end(), static_cast<std::size_t>(frames.shown[i]), static_cast<int>(i));
     for (int i = 0; frames.shown.empty() && i < frames.frames; ++i) numbers_.push_back(i);
     if (frames.rays > 0) score(progress);
-    if (frames.rays > 0 && frames.by_class) classify();
+    if (frames.rays > 0 && frames.measures.contains(Quantity::by_class)) classify();
 }
 
 void BenchmarkViews::score(const std::function<void(double)>& progress) {
@@ -56,8 +58,15 @@ void BenchmarkViews::classify() {
         std::optional<effect::HistoryMap> history;
         if (i > 0) history.emplace(views[i], views[i - 1]);
         classes.advance(views[i], history);
-        classed_.push_back({classes, {}});
-        if (frames_.places) classed_.back().places = effect::hard_places(views[i], scene_.ao_radius);
+        ClassMasks& masks = classed_.emplace_back(ClassMasks{{"all", {}}});
+        for (std::size_t k = 0; k < effect::pixel_class_names.size(); ++k)
+            masks.emplace_back(effect::pixel_class_names[k],
+                               classes.mask(static_cast<effect::PixelClass>(k)));
+        if (!frames_.measures.contains(Quantity::places)) continue;
+        effect::HardPlaces places = effect::hard_places(views[i], scene_.ao_radius);
+        masks.emplace_back("contacts", std::move(places.contacts));
+        masks.emplace_back("thin", std::move(places.thin));
+        masks.emplace_back("rim", std::move(places.rim));
     }
 }
 
@@ -97,7 +106,7 @@ const ScoredView& BenchmarkViews::scored(int frame) const {
     return scored_.at(numbers_.at(static_cast<std::size_t>(frame)));
 }
 
-const ClassedView& BenchmarkViews::classed(int frame) const {
+const ClassMasks& BenchmarkViews::classed(int frame) const {
     return classed_.at(static_cast<std::size_t>(numbers_.at(static_cast<std::size_t>(frame))));
 }
 
@@ -117,12 +126,37 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
 
 namespace {
 
+// The scores of a frame against the references that are known.
+std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& truth,
+                                  const ClassMasks& classes) {
+    std::vector<ClassScore> scores;
+    for (const auto& [name, mask] : classes) {
+        for (const auto& [against, values] :
+             {std::pair("depth", &truth.depth), std::pair("geometry", &truth.geometry)}) {
+            ClassScore score{.pixels = name, .against = against};
+            for (std::size_t i = 0; i < values->size(); ++i) {
+                const double reference = double{(*values)[i]};
+                if ((!mask.empty() && mask[i] == 0) || std::isnan(reference)) continue;
+                const double raw = double{frame.occlusion[i]} - reference;
+                const double shown = double{frame.filtered[i]} - reference;
+                score.raw_squares += raw * raw;
+                score.raw_errors += raw;
+                score.squares += shown * shown;
+                ++score.count;
+            }
+            if (score.count > 0) scores.push_back(std::move(score));
+        }
+    }
+    return scores;
+}
+
 // Adds up the errors and counts of frames.
 class Judge {
   public:
     // by_class: what the views ask for by class is judged.
     explicit Judge(const BenchmarkViews& views, bool by_class = false) : views_(&views) {
-        if (by_class && views.frames().by_class && views.frames().rays > 0) sum_.by_class.emplace();
+        if (by_class && views.frames().measures.contains(Quantity::by_class) && views.frames().rays > 0)
+            sum_.by_class.emplace();
     }
 
     // before: the frame's predecessor; empty: there is none.
@@ -157,7 +191,7 @@ class Judge {
         const effect::Errors shown = effect::errors_of(frame.filtered, truth.geometry);
         sum_.geometry += shown.rmse;
         sum_.bias += shown.bias;
-        if (views_->frames().bins) add_bins(sum_, frame.filtered, truth.geometry);
+        if (views_->frames().measures.contains(Quantity::fit)) add_bins(sum_, frame.filtered, truth.geometry);
         sum_.percentile_99 = sum_.percentile_99.value_or(0.0) + shown.percentile_99;
         if (!truth.depth.empty()) {
             sum_.raw_depth += effect::errors_of(frame.occlusion, truth.depth).rmse;
@@ -172,16 +206,14 @@ class Judge {
         if (number < views_->last_scored()) return;
         sum_.tiles = effect::shares_of(frame.tiles);
         sum_.similarity = effect::structural_similarity(frame.filtered, truth.geometry, frame.extent);
-        if (!views_->frames().remap) return;
+        if (!views_->frames().measures.contains(Quantity::remapped)) return;
         const effect::Remap best = effect::best_remap(frame.occlusion, truth.geometry);
         sum_.remapped = effect::errors_of(effect::remapped(frame.occlusion, best), truth.geometry).rmse;
     }
 
     void add_flicker(int number, const std::vector<float>& image, const std::vector<float>& before) {
         const ScoredView& truth = views_->scored(number);
-        for (const std::string& name : pixel_classes()) {
-            if (name != "all" && (!sum_.by_class || (is_place(name) && !views_->frames().places))) continue;
-            const effect::Mask mask = name == "all" ? effect::Mask{} : mask_of(views_->classed(number), name);
+        for (const auto& [name, mask] : sum_.by_class ? views_->classed(number) : ClassMasks{{"all", {}}}) {
             if (const auto change = effect::mean_change(*truth.history, image, before, truth.due, mask))
                 changes_[name].push_back(*change);
         }
@@ -237,9 +269,7 @@ ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::P
 
 effect::AmbientOcclusion& ConfigurationStudy::effect_for(gpu::Extent extent) {
     const auto key = std::pair(extent.width, extent.height);
-    const auto found = effects_.find(key);
-    if (found != effects_.end()) return found->second;
-    return effects_.emplace(key, effect::AmbientOcclusion(*device_, passes_, extent)).first->second;
+    return effects_.try_emplace(key, *device_, passes_, extent).first->second;
 }
 
 ConfigurationVisit ConfigurationStudy::visit(BenchmarkViews& views, const effect::Settings& settings,
@@ -267,7 +297,7 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
         visit.shown = std::move(frame);
     }
     visit.quality = judge.mean();
-    if (!frames.converged || !visit.quality) return visit;
+    if (!frames.measures.contains(Quantity::converged) || !visit.quality) return visit;
     constexpr std::uint32_t many = 1'024;
     visit.converged = converged(effect, views.view(views.last_scored(), settings), settings, many);
     visit.quality->converged = compared(visit.converged, views, settings);
@@ -334,7 +364,7 @@ ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
         judge.add(i, visit.shown, {});
     }
     visit.quality = judge.mean();
-    if (frames.converged)
+    if (frames.measures.contains(Quantity::converged))
         visit.quality->converged = converged_of(effect::metrics_of(
             visit.shown.filtered, views.scored(views.last_scored()).geometry, frames.extent));
     return visit;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,9 +14,10 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
+#include "effect/pixel_classes.hpp"
 #include "effect/settings.hpp"
 #include "effect/study/plain_slices.hpp"
-#include "experiment/scores.hpp"
+#include "experiment/experiment.hpp"
 #include "scene/draw.hpp"
 #include "scene/truth.hpp"
 
@@ -36,16 +39,24 @@ struct BenchmarkFrames {
         std::numeric_limits<double>::infinity();  // of the surface of (D), in radii; as in depth_field()
     int repeat = 1;                               // runs of a timed frame, whose median time counts
     std::optional<bool>
-        motion{};              // views know how surfaces moved, not only the camera; nullopt: if objects do
-    bool still = false;        // every view is the first frame's, and has not moved since the one before
-    bool remap = false;        // the best remap of the last frame is looked for
-    bool bins = false;         // FrameQuality::bins are filled
-    bool by_class = false;     // errors of each class of pixels in each scored frame
-    bool places = false;       // with by_class: effect::HardPlaces are classes as well
-    bool converged = false;    // single frames: what more samples would give
+        motion{};        // views know how surfaces moved, not only the camera; nullopt: if objects do
+    bool still = false;  // every view is the first frame's, and has not moved since the one before
+    std::set<Quantity> measures{};  // what is measured besides errors and times
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each
 
     [[nodiscard]] int scores() const { return 1 + (scored - 1) / every; }  // how many frames count
+};
+
+// The pixels of each class of a view: "all", with an empty mask; effect::pixel_class_names; where
+// BenchmarkFrames ask for them, the places of effect::HardPlaces, "contacts", "thin" and "rim".
+using ClassMasks = std::vector<std::pair<std::string, effect::Mask>>;
+
+// The truth of a scored view, and what else its score needs. Empty where it is not asked for.
+struct ScoredView {
+    effect::Truth geometry;                     // (G)
+    effect::Truth depth;                        // (D)
+    std::optional<effect::HistoryMap> history;  // from the view before
+    std::vector<float> due;  // change of (G) since then at the same surface points; empty: none
 };
 
 // The first frames of a scene with the truth of the scored ones. They are rendered and traced once for all
@@ -74,8 +85,8 @@ class BenchmarkViews {
     [[nodiscard]] const scene::GBuffer& view(int frame, const effect::Settings& settings);
     [[nodiscard]] const ScoredView& scored(int frame) const;
 
-    // With frames().by_class.
-    [[nodiscard]] const ClassedView& classed(int frame) const;
+    // Where Quantity::by_class is measured.
+    [[nodiscard]] const ClassMasks& classed(int frame) const;
 
     // The truth of the last scored frame by the method's own weighting and falloff. nullptr for a method that
     // does not estimate occlusion by rays, or that has a falloff of its own.
@@ -94,8 +105,37 @@ class BenchmarkViews {
     std::vector<int> numbers_;  // of the view that each frame shows
     std::map<std::pair<double, int>, std::vector<scene::GBuffer>> views_;  // by guard band and layers
     std::map<int, ScoredView> scored_;                                     // by the view's number
-    std::vector<ClassedView> classed_;
+    std::vector<ClassMasks> classed_;
     std::map<Measured, effect::Truth> own_;
+};
+
+// Errors of the pixels of one class against one reference, as sums, so that those of frames can be added.
+struct ClassScore {
+    std::string pixels;        // the class
+    std::string against;       // the depth truth (D) "depth" or the geometry truth (G) "geometry"
+    std::uint64_t count = 0;   // of pixels
+    double squares = 0.0;      // of the displayed image's errors
+    double raw_squares = 0.0;  // of the estimate's
+    double raw_errors = 0.0;
+};
+
+struct FrameScore {
+    int frame = 0;                    // from 1 on
+    double samples = 0.0;             // taken by a pixel so far, mean over the pixels that need samples
+    std::vector<ClassScore> classes;  // those with a pixel
+};
+
+// Change of the error at the same surface points since the frame before: mean magnitude, mean over the scored
+// frames in which the class has such points.
+struct ClassFlicker {
+    std::string pixels;
+    double mean = 0.0;
+};
+
+// How the scored frames of a sequence compare, by class of pixel.
+struct ClassScores {
+    std::vector<FrameScore> frames;
+    std::vector<ClassFlicker> flicker;
 };
 
 // Times of a frame on the device, in milliseconds.
@@ -142,7 +182,7 @@ struct ConfigurationVisit {
     std::optional<FrameQuality> quality;  // in round 0, of views with a truth
     std::vector<FrameReading> readings;
     effect::Frame shown;           // the last scored frame, in round 0
-    std::vector<float> converged;  // of BenchmarkFrames::converged, in round 0
+    std::vector<float> converged;  // of single frames, where that is measured, in round 0
 };
 
 // The occlusion that the method would have after `samples` in one frame, without rotation and filter.

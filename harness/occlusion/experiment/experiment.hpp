@@ -45,7 +45,9 @@ struct Layer {
     bool enough_samples = false;   // as many as lower the error by a hundredth or more
     // Settings, lengths for a radius of 1. "x2" doubles the number that the layers before have set.
     std::vector<std::pair<std::string, std::string>> set;
-    std::vector<std::string> pictures;  // of picture_kinds(), of the last scored frame; empty: not said
+    // Of the last scored frame: "visibility", "error", "convergence", "samples", "converged"; empty: not
+    // said.
+    std::vector<std::string> pictures;
 };
 
 struct Candidate {
@@ -125,9 +127,6 @@ struct Experiment {
     std::vector<Candidate> candidates;  // those of the query come after them
     std::vector<Table> tables;
 };
-
-// "visibility", "error", "convergence", "samples", "converged".
-[[nodiscard]] const std::vector<std::string>& picture_kinds();
 
 // Reads a description in JSON (docs/measurements.md). name: of the experiment, and in messages. Throws
 // std::runtime_error with the name, the place and what was expected, also for members that it does not know

@@ -2,19 +2,93 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "experiment/experiment.hpp"
-#include "experiment/internal/json_value.hpp"
+#include "record/json.hpp"
 
 namespace gloam::experiment {
 namespace {
 
-using internal::Members;
 using record::JsonReader;
+
+// Each reads a value within bounds.
+void read(const JsonReader& value, std::string& text) {
+    text = value.name();
+    if (text.empty()) value.expected("a text of one line, at most 1000 bytes");
+}
+void read(const JsonReader& value, bool& flag) {
+    flag = value.flag();
+}
+void read(const JsonReader& value, double& number, double least, double most) {
+    number = value.number(least, most);
+}
+void read(const JsonReader& value, int& count, int least, int most) {
+    count = value.integer(least, most);
+}
+void read(const JsonReader& value, std::string& word, const std::vector<std::string>& words) {
+    word = value.word_of(words);
+}
+template <class T, class... Bounds>
+void read(const JsonReader& value, std::optional<T>& read_value, Bounds... bounds) {
+    read(value, read_value.emplace(), bounds...);
+}
+template <class T, class... Bounds>
+void read(const JsonReader& value, std::vector<T>& values, Bounds... bounds) {
+    for (const JsonReader& element : value.elements()) read(element, values.emplace_back(), bounds...);
+}
+
+// A setting's value as text that effect::set() reads.
+std::string setting_of(const JsonReader& value) {
+    const nlohmann::ordered_json& json = value.json();
+    if (json.is_boolean()) return json.get<bool>() ? "on" : "off";
+    if (json.is_string()) return json.get<std::string>();
+    if (!json.is_number()) value.expected("a number, a name, true or false");
+    return json.dump();
+}
+
+// The members of an object. Those that nobody asked for are an error, because a misspelt one would be
+// ignored.
+class Members {
+  public:
+    explicit Members(const JsonReader& value) : value_(value), members_(value.members()) {}
+
+    // nullptr: there is none.
+    [[nodiscard]] const JsonReader* find(const std::string& name) {
+        asked_.insert(name);
+        const auto found = std::ranges::find(members_, name, [](const auto& member) { return member.first; });
+        return found == members_.end() ? nullptr : &found->second;
+    }
+
+    // Reads the member if there is one.
+    template <class T, class... Bounds>
+    void read(const std::string& name, T& value, Bounds... bounds) {
+        if (const JsonReader* member = find(name)) experiment::read(*member, value, bounds...);
+    }
+
+    void require_known() const {
+        for (const auto& [name, value] : members_)
+            if (!asked_.contains(name)) value.expected(fmt::format("one of {}", fmt::join(asked_, ", ")));
+    }
+
+    void require(const std::string& name, bool given) const {
+        if (!given) value_.expected("an object with \"" + name + "\"");
+    }
+
+  private:
+    JsonReader value_;
+    std::vector<std::pair<std::string, JsonReader>> members_;
+    std::set<std::string> asked_;
+};
 
 constexpr int most_frames = 1'000;
 constexpr int most_rays = 65'536;
+
+// Of Layer::pictures.
+const std::vector<std::string> picture_kinds{"visibility", "error", "convergence", "samples", "converged"};
 
 void read_layer(Members& members, Layer& layer) {
     members.read("preset", layer.preset);
@@ -23,10 +97,10 @@ void read_layer(Members& members, Layer& layer) {
     members.read("hoisted", layer.hoisted);
     members.read("radius", layer.radius, 1e-3, 1e3);
     members.read("enough_samples", layer.enough_samples);
-    members.read("pictures", layer.pictures, picture_kinds());
+    members.read("pictures", layer.pictures, picture_kinds);
     if (const JsonReader* plain = members.find("plain")) {
         std::string text;
-        internal::read(*plain, text);
+        experiment::read(*plain, text);
         layer.kind = Kind::plain;
         try {
             layer.plain = plain_loop(text);
@@ -40,8 +114,7 @@ void read_layer(Members& members, Layer& layer) {
         if (is) layer.kind = kind;
     }
     if (const JsonReader* set = members.find("set"))
-        for (const auto& [name, value] : set->members())
-            layer.set.emplace_back(name, internal::setting_of(value));
+        for (const auto& [name, value] : set->members()) layer.set.emplace_back(name, setting_of(value));
 }
 
 Candidate candidate_from(const JsonReader& value) {
@@ -62,7 +135,7 @@ Case case_from(const JsonReader& value) {
     for (const auto& [name, is] : {std::pair("view", &Case::view), {"closed_form", &Case::closed_form}}) {
         const JsonReader* found = members.find(name);
         if (found == nullptr) continue;
-        internal::read(*found, made.scene);
+        experiment::read(*found, made.scene);
         made.*is = true;
     }
     members.require("scene", !made.scene.empty());
@@ -147,7 +220,7 @@ Table table_from(const JsonReader& value) {
         table.measures.push_back(
             static_cast<Quantity>(std::ranges::find(quantities(), word) - quantities().begin()));
     if (const JsonReader* select = members.find("select"); select != nullptr && !select->is_array())
-        internal::read(*select, table.select.emplace_back());
+        experiment::read(*select, table.select.emplace_back());
     else
         members.read("select", table.select);
     members.require("select", !table.select.empty());
@@ -168,11 +241,6 @@ void read_frames(Members& members, Experiment& experiment) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& picture_kinds() {
-    static const std::vector<std::string> names{"visibility", "error", "convergence", "samples", "converged"};
-    return names;
-}
 
 Experiment read_experiment(const std::string& name, std::string_view text) {
     try {

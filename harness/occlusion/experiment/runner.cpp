@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ranges>
+#include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "effect/errors.hpp"
@@ -21,7 +23,7 @@
 namespace gloam::experiment {
 namespace {
 
-using internal::measures;
+using internal::measured_by;
 using internal::Subject;
 using internal::subject_of;
 using internal::takes_part;
@@ -41,21 +43,11 @@ struct Visited {
     std::vector<Measured> all;
 };
 
-// What cases share, by width and height of the images and by what it is made for.
-struct Shared {
-    using Side = std::uint32_t;
-    std::map<std::string, std::shared_ptr<BenchmarkViews>> views;
-    std::unique_ptr<effect::ClosedFormStudy> closed_form;
-    std::map<bool, std::unique_ptr<ConfigurationStudy>> studies;  // by Subject::hoisted
-    std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<PlainRun>> loops;
-};
-
 // All cases at one size.
 class SizeRun {
   public:
-    SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record,
-            Shared& shared)
-        : experiment_(experiment), extent_(extent), place_(place), record_(record), shared_(shared) {}
+    SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record)
+        : experiment_(experiment), extent_(extent), place_(place), record_(record) {}
 
     void run() {
         if (experiment_.interleaved) {
@@ -67,7 +59,7 @@ class SizeRun {
         for (const Case& one : experiment_.cases) {
             std::vector<Visited> alone{visited(one)};
             go_through(alone, label_of(one));
-            shared_.views.clear();
+            views_.clear();
         }
     }
 
@@ -102,7 +94,7 @@ class SizeRun {
     // Nothing is measured in a case of which all is recorded.
     [[nodiscard]] Visited visited(const Case& one) {
         Visited made{.shown = &one};
-        bool depth_truth = measures(experiment_, Quantity::depth);
+        bool depth_truth = measures_.contains(Quantity::depth);
         bool missing = false;
         for (std::size_t i = 0; i < experiment_.candidates.size(); ++i) {
             const Candidate& candidate = experiment_.candidates[i];
@@ -117,7 +109,8 @@ class SizeRun {
         for (Measured& measured : made.all) {
             if (one.closed_form) continue;
             measured.views = views_of(one, measured.subject.radius, depth_truth);
-            measured.own = own_radius_ ? views_of(one, 1.0, depth_truth) : measured.views;
+            measured.own =
+                measures_.contains(Quantity::own_radius) ? views_of(one, 1.0, depth_truth) : measured.views;
             Subject& subject = measured.subject;
             if (subject.enough_samples) subject.settings = enough_samples(subject, *measured.views);
         }
@@ -129,15 +122,11 @@ class SizeRun {
         BenchmarkFrames frames = frames_of(experiment_, one, extent_);
         frames.truth_cache = place_.truth_cache;
         frames.depth_truth = depth_truth;
-        frames.remap = remap_;
-        frames.bins = fit_;
-        frames.by_class = by_class_;
-        frames.places = places_;
-        frames.converged = converged_;
+        frames.measures = measures_;
         const std::string key = fmt::format(
             "{} {} {} {} {} {} {} {}", one.scene, one.view, one.motion ? static_cast<int>(*one.motion) : -1,
             fmt::join(one.shown, "+"), frames.scored, frames.every, one.still, radius);
-        std::shared_ptr<BenchmarkViews>& views = shared_.views[key];
+        std::shared_ptr<BenchmarkViews>& views = views_[key];
         if (views) return views;
         scene::Scene scene = scene::make_scene(one.scene, place_.meshes);
         scene.ao_radius *= radius;
@@ -181,7 +170,7 @@ class SizeRun {
                     if (is_recorded(*one.shown, measured, round)) continue;
                     Visit made = empty_visit(*one.shown, experiment_.candidates[measured.number], round);
                     measure(made, *one.shown, measured);
-                    if (place_.keep) place_.keep(line_of(made));
+                    place_.keep(line_of(made));
                     record_.add(std::move(made));
                 }
             }
@@ -207,7 +196,6 @@ class SizeRun {
 
     // The pictures that the candidate asks for, and of which there is something to see.
     void show(const Visit& made, const ConfigurationVisit& found, const Measured& measured) const {
-        if (!place_.show) return;
         for (const std::string& kind : measured.subject.pictures) {
             Picture picture{.name = fmt::format("{}-{}-{}", made.shown.name, made.candidate, kind),
                             .kind = kind,
@@ -241,9 +229,8 @@ class SizeRun {
         if (subject.kind != Kind::effect) return std::nullopt;
         const effect::Settings& settings = subject.settings;
         constexpr std::uint32_t pixels = 257;  // of a side of its image
-        std::unique_ptr<effect::ClosedFormStudy>& study = shared_.closed_form;
-        if (!study) study = std::make_unique<effect::ClosedFormStudy>(place_.device, place_.passes, pixels);
-        const effect::Estimate measured = study->measure(view, settings, experiment_.frames);
+        if (!closed_form_) closed_form_.emplace(place_.device, place_.passes, pixels);
+        const effect::Estimate measured = closed_form_->measure(view, settings, experiment_.frames);
         const effect::Remap remap = remap_of(settings);
         return PointQuality{.truth = view.occlusion,
                             .occlusion = measured.value,
@@ -264,49 +251,42 @@ class SizeRun {
 
     [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round,
                                            float radius) {
+        const gpu::Extent extent = views.frames().extent;
         switch (subject.kind) {
             case Kind::plain:
-                return loop_of(views.frames().extent, subject.plain).visit(views, round);
+                return loops_
+                    .try_emplace({extent.width, extent.height, subject.plain.taps.slices,
+                                  subject.plain.taps.steps, static_cast<std::uint32_t>(subject.plain.blurs)},
+                                 place_.device, place_.passes, extent, subject.plain.taps,
+                                 subject.plain.blurs)
+                    .first->second.visit(views, round);
             case Kind::depth_truth:
                 return depth_truth_of(views, round);
             case Kind::truth:
                 return truth_of(views, round);
             default: {
-                ConfigurationStudy& study = study_of(subject.hoisted);
-                const effect::Settings settings = with_radius(subject.settings, radius);
-                return study.visit(views, settings, subject.sequence, round);
+                const scene::PassLibrary& passes = place_.passes;
+                ConfigurationStudy& study =
+                    studies_
+                        .try_emplace(
+                            subject.hoisted, place_.device,
+                            subject.hoisted ? passes : passes.with(shader::Optimization::performance))
+                        .first->second;
+                return study.visit(views, with_radius(subject.settings, radius), subject.sequence, round);
             }
         }
-    }
-
-    ConfigurationStudy& study_of(bool hoisted) {
-        std::unique_ptr<ConfigurationStudy>& study = shared_.studies[hoisted];
-        if (!study)
-            study = std::make_unique<ConfigurationStudy>(
-                place_.device,
-                hoisted ? place_.passes : place_.passes.with(shader::Optimization::performance));
-        return *study;
-    }
-
-    PlainRun& loop_of(gpu::Extent extent, const PlainLoop& loop) {
-        std::unique_ptr<PlainRun>& made =
-            shared_.loops[{extent.width, extent.height, loop.taps.slices, loop.taps.steps, loop.blurs}];
-        if (!made)
-            made = std::make_unique<PlainRun>(place_.device, place_.passes, extent, loop.taps, loop.blurs);
-        return *made;
     }
 
     const Experiment& experiment_;
     gpu::Extent extent_;
     const Place& place_;
     Record& record_;
-    Shared& shared_;
-    bool remap_ = measures(experiment_, Quantity::remapped);
-    bool fit_ = measures(experiment_, Quantity::fit);
-    bool own_radius_ = measures(experiment_, Quantity::own_radius);
-    bool by_class_ = measures(experiment_, Quantity::by_class);
-    bool places_ = measures(experiment_, Quantity::places);
-    bool converged_ = measures(experiment_, Quantity::converged);
+    // What cases share, by what it is made for.
+    std::map<std::string, std::shared_ptr<BenchmarkViews>> views_;
+    std::optional<effect::ClosedFormStudy> closed_form_;
+    std::map<bool, ConfigurationStudy> studies_;  // by Subject::hoisted
+    std::map<std::array<std::uint32_t, 5>, PlainRun> loops_;
+    std::set<Quantity> measures_ = measured_by(experiment_);
 };
 
 }  // namespace
@@ -316,8 +296,7 @@ void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, co
     for (const gpu::Extent extent : sizes) {
         require_possible(experiment, place);
         if (experiment.rounds > 0) effect::require_timestamps(place.device.info());
-        Shared shared;
-        SizeRun(experiment, extent, place, record, shared).run();
+        SizeRun(experiment, extent, place, record).run();
     }
 }
 

@@ -24,7 +24,7 @@ namespace gloam::experiment {
 // A picture that a candidate asks for.
 struct Picture {
     std::string name;  // "CASE-CANDIDATE-KIND"
-    std::string kind;  // one of picture_kinds()
+    std::string kind;  // one of Layer::pictures
     gpu::Extent extent;
     std::vector<float> values;  // occlusion, magnitudes of errors, or parts of the most that there can be
 };
@@ -38,8 +38,8 @@ struct Place {
     std::function<effect::Settings(const std::string& preset)> preset_of;
     // Makes a function that is called with the part done, in [0, 1]; `what` is being done.
     std::function<std::function<void(double)>(const std::string& what)> progress;
-    std::function<void(const std::string& line)> keep{};  // is given the line of each visit; may be empty
-    std::function<void(const Picture&)> show{};           // is given each picture; may be empty
+    std::function<void(const std::string& line)> keep{};  // is given the line of each visit
+    std::function<void(const Picture&)> show{};           // is given each picture
 };
 
 // Throws std::invalid_argument, before any work, for a scene, preset, method or setting that does not exist,

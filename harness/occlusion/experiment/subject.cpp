@@ -72,10 +72,11 @@ Subject subject_of(const Experiment& experiment, const Case& one, const Candidat
     }
 }
 
-bool measures(const Experiment& experiment, Quantity quantity) {
-    return std::ranges::any_of(experiment.tables, [&](const Table& table) {
-        return std::ranges::find(table.measures, quantity) != table.measures.end();
-    });
+std::set<Quantity> measured_by(const Experiment& experiment) {
+    std::set<Quantity> measured;
+    for (const Table& table : experiment.tables)
+        measured.insert(table.measures.begin(), table.measures.end());
+    return measured;
 }
 
 }  // namespace internal

@@ -30,7 +30,7 @@ struct Subject {
 
 [[nodiscard]] bool takes_part(const Case& one, const Candidate& candidate);
 
-// Whether a table does.
-[[nodiscard]] bool measures(const Experiment& experiment, Quantity quantity);
+// What its tables measure.
+[[nodiscard]] std::set<Quantity> measured_by(const Experiment& experiment);
 
 }  // namespace gloam::experiment::internal
