@@ -68,11 +68,9 @@ std::vector<Shown> demo_scenes() {
             {"moving", "a rolling ball and a turning box, followed with their history", {}}};
 }
 
-void render_scene(Shown& scene, const DemoOptions& demo, RenderBench& bench) {
+void render_scene(Shown& scene, const DemoOptions& demo, const RenderBench& bench) {
     const RenderOptions options = options_for(demo, scene.name == "bunny" ? bunny : scene.name);
-    const RenderInput input = open_input(options);
-    bench.forget_light();
-    scene.run = render(options, input, bench, {});
+    scene.run = std::move(render(options, open_input(options), bench, nullptr).front());
 }
 
 // Time against error: each preset as `gloam bench presets` has measured it.
@@ -102,9 +100,10 @@ void add_guides(record::Page& page, record::OutputFolder& out) {
 
 record::Page page_of(const std::vector<Shown>& scenes, record::OutputFolder& out) {
     record::Page page("gloam demo");
-    page.paragraph("Ambient occlusion, rendered on " + scenes.front().run.report.device.name +
-                   ". Choose above each picture: the light with ambient occlusion, without it, and more. The "
-                   "error is the root mean square error against occlusion traced with rays.");
+    page.paragraph(
+        "Ambient occlusion, rendered on " + scenes.front().run.report["device"]["name"].get<std::string>() +
+        ". Choose above each picture: the light with ambient occlusion, without it, and more. The error "
+        "is the root mean square error against occlusion traced with rays.");
     for (const Shown& scene : scenes) {
         page.heading(scene.name + ": " + scene.what);
         add_pictures(page, out, scene.name + "_", scene.run);
@@ -126,12 +125,12 @@ void add_check(record::Page& page, const CheckOutcome& outcome) {
 }
 
 std::string pictures_line(const std::vector<Shown>& scenes) {
-    const RenderReport& first = scenes.front().run.report;
+    const Rendered& first = scenes.front().run;
     return fmt::format(
         "pictures  {} scenes of {} x {} pixels: a frame of the {} takes {:.3g} ms, its occlusion is {:.3f} "
         "off the truth",
-        scenes.size(), first.frames.back().extent.width, first.frames.back().extent.height, first.source,
-        frame_ms(first), frame_error(first).value_or(0.0));
+        scenes.size(), first.frame.extent.width, first.frame.extent.height, scenes.front().name, first.ms(),
+        first.error.value_or(0.0));
 }
 
 std::string check_line(const CheckOutcome& outcome) {

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <map>
 
 #include "cli/environment.hpp"
 #include "cli/framework/cost.hpp"
 #include "cli/occlusion/names.hpp"
-#include "cli/occlusion/pack/effect.hpp"
+#include "cli/occlusion/pass_text.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "effect/plan.hpp"
 #include "module/reflection.hpp"
 #include "module/spirv.hpp"
 
 namespace gloam::cli {
+
+std::string text_of(const effect::PlannedPass& pass, const scene::PassLibrary& library,
+                    shader::Language language) {
+    const effect::PassSource& source = pass.source;
+    std::map<std::uint32_t, std::uint32_t> constants;
+    for (const gpu::SpecializationConstant& one : source.constants) constants[one.id] = one.bits;
+    return library.text(source.file, source.defines, source.replaced, constants, language);
+}
+
 namespace {
 
 double bytes_of_level(const effect::PlannedImage& image, std::uint32_t level) {

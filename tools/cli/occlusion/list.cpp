@@ -19,6 +19,7 @@
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "module/compile.hpp"
+#include "scene/scene.hpp"
 #include "subject/lab.hpp"
 
 namespace gloam::cli {
@@ -31,6 +32,48 @@ struct ListOptions {
     bool markdown = false;
 };
 
+// The preset whose value is a setting's default: effect::default_preset, or `tssao-paper` for what that does
+// not read.
+effect::Preset default_preset_of(const effect::Setting& setting) {
+    effect::Preset preset = effect::preset_named(effect::default_preset);
+    return reads(preset.settings, setting) ? preset : effect::preset_named("tssao-paper");
+}
+
+// {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is that
+// of default_preset_of(), lengths for a radius of 1; "most" is null where there is none.
+nlohmann::ordered_json setting_json(const effect::Setting& setting) {
+    const effect::Preset preset = default_preset_of(setting);
+    const effect::SettingValue value = setting.get(preset.settings);
+    nlohmann::ordered_json json{{"name", setting.name},
+                                {"description", setting.meaning},
+                                {"unit", setting.unit},
+                                {"expected", effect::expected_of(setting)}};
+    if (!setting.choices.empty()) json["choices"] = setting.choices;
+    if (std::holds_alternative<double>(value)) {
+        json["least"] = setting.range.least;
+        json["most"] = std::isfinite(setting.range.most) ? nlohmann::ordered_json(setting.range.most)
+                                                         : nlohmann::ordered_json(nullptr);
+    }
+    json["default"] = json_of(value);
+    json["default_of"] = preset.name;
+    return json;
+}
+
+template <class Items>
+std::vector<Named> named(const Items& items) {
+    std::vector<Named> names;
+    for (const auto& item : items) names.push_back({item.name, item.description});
+    return names;
+}
+
+// With a description of each that `describe` gives.
+template <class Items, class Describe>
+std::vector<Named> named(const Items& items, const Describe& describe) {
+    std::vector<Named> names;
+    for (const auto& item : items) names.push_back({item.name, describe(item)});
+    return names;
+}
+
 std::vector<Named> equation_names() {
     std::vector<Named> names;
     for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
@@ -40,23 +83,49 @@ std::vector<Named> equation_names() {
     return names;
 }
 
-std::vector<Named> variant_names() {
-    std::vector<Named> names;
-    for (const shader::Variant& variant : shader::variants())
-        names.push_back({variant.name, variant.description});
-    return names;
+// With error and time.
+std::vector<Named> preset_names() {
+    return named(effect::presets(), [](const effect::Preset& preset) {
+        return fmt::format("error {:.3f}, {:.2f} times the time of fast: {}", preset.error, preset.time,
+                           preset.description);
+    });
+}
+
+// With value, unit and range.
+std::vector<Named> setting_names() {
+    return named(effect::setting_table(), [](const effect::Setting& setting) {
+        const effect::Preset preset = default_preset_of(setting);
+        return fmt::format("{} ({}: {}{}{}; {})", setting.meaning, preset.name,
+                           effect::text_of(setting.get(preset.settings)), setting.unit.empty() ? "" : " ",
+                           setting.unit, expected_of(setting));
+    });
+}
+
+std::vector<Named> scene_names() {
+    std::vector<scene::ViewInfo> scenes = scene::all_views();
+    std::erase_if(scenes, [](const scene::ViewInfo& view) { return view.kind != "scene"; });
+    return named(scenes);
+}
+
+// Of `gloam bench views`, with their halves.
+std::vector<Named> view_names() {
+    std::vector<scene::ViewInfo> views = scene::all_views();
+    std::erase_if(views, [](const scene::ViewInfo& view) { return view.half.empty(); });
+    return named(views, [](const scene::ViewInfo& view) {
+        return fmt::format("{} ({} half; {})", view.description, view.half, view.kind);
+    });
 }
 
 using Kinds = std::vector<std::pair<std::string, std::function<std::vector<Named>()>>>;
 
 Kinds all_kinds() {
     return {{"equations", equation_names},
-            {"methods", method_names},
+            {"methods", [] { return named(effect::methods()); }},
             {"numbers", [] { return names_of(catalogue::printed_rows()); }},
             {"presets", preset_names},
             {"scenes", scene_names},
             {"settings", setting_names},
-            {"variants", variant_names},
+            {"variants", [] { return named(shader::variants()); }},
             {"views", view_names}};
 }
 
@@ -146,7 +215,7 @@ nlohmann::ordered_json one_of(const std::string& kind, const std::vector<Named>&
         throw std::invalid_argument(
             fmt::format("{} \"{}\": expected {}", kind, name, fmt::join(known, ", ")));
     }
-    return kind == "settings"  ? json_of(effect::setting_named(name))
+    return kind == "settings"  ? setting_json(effect::setting_named(name))
            : kind == "presets" ? preset_json(*named)
            : kind == "methods" ? method_json(*named)
                                : named_json(*named);

@@ -16,13 +16,6 @@ struct Named {
     std::string description;
 };
 
-// Names for `gloam render`.
-[[nodiscard]] std::vector<Named> method_names();
-[[nodiscard]] std::vector<Named> preset_names();   // with error and time
-[[nodiscard]] std::vector<Named> setting_names();  // with value, unit and range
-[[nodiscard]] std::vector<Named> scene_names();
-[[nodiscard]] std::vector<Named> view_names();  // of `gloam bench views`, with their halves
-
 // What names stand for. Throws std::invalid_argument, for a name that fits several rows of the papers when it
 // has printed these on standard error.
 [[nodiscard]] catalogue::Found found_named(const std::vector<std::string>& names);

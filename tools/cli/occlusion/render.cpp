@@ -5,73 +5,26 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
-#include <set>
-#include <stdexcept>
-#include <string_view>
 #include <utility>
 
+#include "cli/commands.hpp"
 #include "cli/framework/open_device.hpp"
-#include "cli/occlusion/names.hpp"
-#include "cli/occlusion/settings.hpp"
 
 namespace gloam::cli {
 namespace {
 
-// A run of one method.
-struct Run {
-    RenderOptions options;
-    RenderInput input;
-    std::string prefix;  // of its files
-};
-
-// A run for each selected method; checks all names.
-std::vector<Run> runs_of(const RenderOptions& options) {
-    std::vector<std::string> methods = options.methods;
-    if (methods.empty()) methods.push_back(options.method);
-    if (methods.size() == 1 && methods.front() == "all") {
-        methods.clear();
-        for (const Named& method : method_names()) methods.push_back(method.name);
-    }
-    std::vector<std::string> presets = options.presets;
-    if (presets.empty()) presets.push_back(options.preset);
-    if (methods.size() > 1 && presets.size() > 1)
-        throw std::invalid_argument("--method and --preset: expected several of one of the two");
-    const bool several = methods.size() * presets.size() > 1;
-    if (several && !options.write_gbuffer.empty())
-        throw std::invalid_argument("--write-gbuffer goes with one method and one preset");
-    std::vector<Run> runs;
-    std::set<std::string> prefixes;
-    for (const std::string& preset : presets) {
-        for (const std::string& method : methods) {
-            Run run{.options = options, .input = {}, .prefix = {}};
-            run.options.method = method;
-            run.options.preset = preset;
-            if (several) run.prefix = name_of(run.options) + "_";
-            if (!prefixes.insert(run.prefix).second)
-                throw std::invalid_argument(
-                    fmt::format("{}: expected each once", presets.size() > 1 ? preset : method));
-            (void)settings_for(run.options, 1.0);
-            run.input = open_input(run.options, runs.empty() ? nullptr : &runs.front().input);
-            (void)TruthSource(run.options, run.input);
-            runs.push_back(std::move(run));
-        }
-    }
-    return runs;
-}
-
-void print_comparison(const std::vector<Rendered>& rendered) {
-    const RenderReport& first = rendered.front().report;
+void print_comparison(const std::vector<Rendered>& runs) {
+    const auto text_of = [&](const nlohmann::ordered_json& text) { return text.get<std::string>(); };
+    const nlohmann::ordered_json& first = runs.front().report;
     std::size_t width = 0;
-    for (const Rendered& run : rendered) width = std::max(width, run.report.name.size());
-    fmt::print("{} on {}\n{:<{}} {:>9} {:>8}\n", first.source, first.device.name, "run", width, "ms/frame",
-               "error");
-    for (const Rendered& run : rendered) {
-        const auto error = frame_error(run.report);
-        fmt::print("{:<{}} {:>9.3f} {:>8}\n", run.report.name, width, frame_ms(run.report),
-                   error ? fmt::format("{:.4f}", *error) : "-");
-    }
-    if (!first.truth.empty()) fmt::print("error: root mean square, against the {}\n", first.truth);
+    for (const Rendered& run : runs) width = std::max(width, run.name.size());
+    fmt::print("{} on {}\n{:<{}} {:>9} {:>8}\n", text_of(first["source"]), text_of(first["device"]["name"]),
+               "run", width, "ms/frame", "error");
+    for (const Rendered& run : runs)
+        fmt::print("{:<{}} {:>9.3f} {:>8}\n", run.name, width, run.ms(),
+                   run.error ? fmt::format("{:.4f}", *run.error) : "-");
+    if (!first["truth"].is_null())
+        fmt::print("error: root mean square, against the {}\n", text_of(first["truth"]));
 }
 
 std::vector<Option> options_of(RenderOptions& options) {
@@ -116,7 +69,7 @@ std::vector<Option> options_of(RenderOptions& options) {
          {.repeated = true, .commas = true},
          fmt::format(
              "gloam list presets; several, separated by commas, are compared on one sheet (default: {})",
-             options.preset)},
+             effect::default_preset)},
         {"--samples", &options.samples, between(1, effect::most_samples),
          "samples for each pixel in each frame (default: the preset's)"},
         {"--radius", &options.radius, "world units (default: the view's)"},
@@ -164,18 +117,17 @@ void take_scene_from_truth(RenderOptions& options) {
 
 // Returns the exit status: 0, or 1 if the validation layers reported messages.
 int run_render(const RenderOptions& options) {
-    std::vector<Run> runs = runs_of(options);
+    const RenderInput input = open_input(options);
     record::OutputFolder out(options.out);
     RenderBench bench(options);
-    std::vector<Rendered> rendered;
-    for (const Run& run : runs) {
-        rendered.push_back(render(run.options, run.input, bench, {&out, run.prefix}));
-        if (runs.size() == 1 && !options.quiet) fmt::print("{}", to_text(rendered.front().report));
-    }
-    out.write("sheet.png", sheet_of(rendered));
+    const std::vector<Rendered> runs = render(options, input, bench, &out);
+    out.write("sheet.png", sheet_of(runs));
     out.keep();
     if (!options.quiet) {
-        if (runs.size() > 1) print_comparison(rendered);
+        if (runs.size() == 1)
+            fmt::print("{}", to_text(runs.front()));
+        else
+            print_comparison(runs);
         fmt::print("pictures: {}\n", (out.path() / "sheet.png").string());
     }
     return validation_status(bench.device);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +16,10 @@
 #include "base/image_files.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/composite.hpp"
+#include "effect/directional.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
+#include "effect/pixel_classes.hpp"
 #include "pictures/light.hpp"
 #include "pictures/sheet.hpp"
 #include "record/output.hpp"
@@ -48,8 +51,8 @@ struct RenderOptions {
     std::filesystem::path gbuffer;  // folder of an engine's frames
     std::string depth = "linear";   // how they store depth and normals: scene::encoding_named()
     std::string normals = "view";
-    std::string method;                           // of one run; empty: the preset's
-    std::string preset = effect::default_preset;  // of one run
+    std::vector<std::string> methods;  // "all"; none: the presets'
+    std::vector<std::string> presets;  // none: the default; several of one of the two are compared
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;
     int frame = 0;       // of a scene that moves: the first
@@ -77,9 +80,25 @@ struct RenderOptions {
     std::filesystem::path write_gbuffer;                               // folder
     std::filesystem::path out = "gloam-out";
     MeshOptions mesh;
-    std::vector<std::string> methods;  // several: each is run, and a sheet compares them; "all"
-    std::vector<std::string> presets;  // likewise; several of one of the two
     bool quiet = false;
+};
+
+// What is rendered of an input: a method with the settings of a preset.
+struct RenderCandidate {
+    std::string preset;
+    std::string method;    // empty: the preset's
+    std::string name{};    // among several: its preset where presets are compared, else its method
+    std::string prefix{};  // of its files; empty: it is the only one
+};
+
+// The truth for a view.
+struct ViewTruth {
+    effect::Truth known;                           // empty: unknown
+    std::optional<scene::TracedTruth> geometry{};  // (G), traced; not for a G-buffer from elsewhere
+    std::optional<scene::TracedTruth> depth{};     // (D), traced
+
+    // Where it was traced: what `known` is made of.
+    [[nodiscard]] const scene::TracedTruth& best() const { return geometry ? *geometry : *depth; }
 };
 
 // The views to shade: one still view, on which frames accumulate, or a sequence of views.
@@ -88,62 +107,25 @@ struct RenderInput {
     std::vector<int> views;  // their numbers, which are also in the names of written files
     int first_frame = 0;     // of a scene: view 0 shows it
     int frames_per_view = 1;
-    int picture_samples = 1;  // on each side of a pixel, of lit pictures
-    std::function<scene::GBuffer(const gpu::Device&, int view)> load;
+    // With the guard band and the layers of the settings.
+    std::function<scene::GBuffer(const gpu::Device&, int view, const effect::Settings&)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
-    effect::TrueOcclusion truth;                // empty if it is unknown
+    // frame: of the scene. Empty: the truth is unknown.
+    std::function<ViewTruth(const scene::GBuffer& view, int frame, double radius)> truth;
     std::string truth_name;
+    // Every view of a sequence is compared; otherwise the last: tracing takes long, and a file has one image.
+    bool every_truth = true;
+    std::vector<RenderCandidate> candidates;
 };
 
 // Checks the names and files of the options, as far as that is possible without a device. Throws
-// std::invalid_argument or std::runtime_error with the error in one line. `like`: an input of the same
-// source, whose scene is used instead of reading it again; null: none.
-[[nodiscard]] RenderInput open_input(const RenderOptions& options, const RenderInput* like = nullptr);
-
-// The traced truth of one view.
-struct TracedView {
-    std::optional<scene::TracedTruth> geometry;  // (G); not for a G-buffer from elsewhere
-    scene::TracedTruth depth;                    // (D)
-};
-
-// The truth for a view.
-struct ViewTruth {
-    effect::Truth truth;               // empty: unknown
-    std::optional<TracedView> traced;  // with --truth
-};
-
-// The source of the truth in a call of `gloam render`: rays, a file, or a closed form.
-class TruthSource {
-  public:
-    // Reads the file of the options. Throws std::runtime_error with its name, std::invalid_argument for
-    // options that exclude each other.
-    TruthSource(const RenderOptions& options, const RenderInput& input);
-
-    [[nodiscard]] std::string name() const;  // empty: there is none
-
-    // Whether every view of a sequence is compared, or only the last: tracing takes long, and a file has one
-    // image.
-    [[nodiscard]] bool every_view() const;
-
-    // frame: of the scene.
-    [[nodiscard]] ViewTruth of(const scene::GBuffer& view, int frame, double radius) const;
-
-  private:
-    [[nodiscard]] TracedView traced(const scene::GBuffer& view, int frame, double radius) const;
-
-    const RenderOptions& options_;
-    const RenderInput& input_;
-    std::optional<base::FloatImage> reference_;
-    scene::Falloff falloff_ = scene::Falloff::linear;
-};
+// std::invalid_argument or std::runtime_error with the error in one line.
+[[nodiscard]] RenderInput open_input(const RenderOptions& options);
 
 // Writes the traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm
 // (the standard errors).
 void write_truth(record::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
-                 const TracedView& traced);
-
-// x, y, z of each vector.
-[[nodiscard]] std::vector<float> components_of(const std::vector<glm::vec3>& vectors);
+                 const ViewTruth& traced);
 
 // Writes a frame of docs/gbuffer-format.md. read_gbuffer() and link() restore the view from it, within the
 // rounding of the files.
@@ -157,62 +139,14 @@ void write_images(record::OutputFolder& folder, const std::string& stem, const e
 void write_tiles(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
                  const scene::GBuffer& view);
 
-// Errors of a frame against the truth.
-struct FrameErrors {
-    effect::Errors raw;
-    effect::Errors filtered;
-    std::optional<effect::Errors> filtered_depth;  // against the truth of the depth buffer alone
-    std::optional<effect::Metrics> metrics;        // of the filtered image; in a view's last frame
-    std::optional<effect::ClassErrors> by_class;   // of the filtered image; from the second frame on
-};
+// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
+void write_bent_normals(record::OutputFolder& folder, const std::string& stem,
+                        const effect::BentNormals& bent);
 
-// The report of a traced truth.
-struct TruthReport {
-    std::uint64_t rays = 0;               // for each pixel
-    std::uint64_t pixels = 0;             // with geometry
-    std::uint64_t unmatched = 0;          // of these, pixels whose surface the rays did not find
-    double standard_error = 0.0;          // root mean square over the pixels
-    std::optional<effect::Errors> depth;  // of the depth buffer's truth, against that of the geometry
-};
-
-// The use of the history in a frame.
-struct HistoryReport {
-    std::string cut;       // why there was no history; empty: there was one
-    double kept = 0.0;     // share of the pixels with geometry that have a history, [0, 1]
-    double samples = 0.0;  // in the history, mean over those pixels
-};
-
-// The report of a frame; its images are in files.
-struct FrameReport {
-    int number = 0;
-    std::optional<int> scene_frame;
-    gpu::Extent extent;
-    effect::Settings settings;
-    std::vector<effect::PassTime> times;
-    effect::TileShares tiles;
-    double samples = 0.0;           // asked of a pixel with a surface, mean
-    double mean_convergence = 0.0;  // over the pixels with geometry
-    HistoryReport history;
-    std::optional<double> flicker;  // of the filtered image, from the frame before
-    std::optional<TruthReport> truth;
-    std::optional<FrameErrors> errors;
-};
-
-struct RenderReport {
-    std::string source;
-    std::string name;  // of the run, among several: its preset where presets are compared, else its method
-    std::string preset;
-    std::string truth;  // the truth that the errors refer to
-    gpu::DeviceInfo device;
-    int repeat = 1;
-    std::vector<FrameReport> frames;
-};
-
-// render.json.
-[[nodiscard]] std::string to_json(const RenderReport& report);
-
-// A few lines for people: device, settings, and the last frame.
-[[nodiscard]] std::string to_text(const RenderReport& report);
+// STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), STEM_bounce.pfm (the
+// bounced part).
+void write_light(record::OutputFolder& folder, const std::string& stem,
+                 const effect::DirectionalLight& light);
 
 // Pictures of a frame for display, in 8-bit colour.
 struct Pictures {
@@ -226,14 +160,38 @@ struct Pictures {
     base::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
 };
 
-// One run of one method: its report, and the pictures of its last frame.
+// One candidate, rendered; all but the report is of its last frame.
 struct Rendered {
-    RenderReport report;
-    Pictures last;
+    std::string name;
+    nlohmann::ordered_json report;  // render.json
+    effect::Settings settings;
+    effect::Frame frame;
+    std::optional<double> error;  // root mean square, of the filtered image; nullopt without a truth
+    Pictures pictures;
+
+    // Sum of the passes; NaN where the device has no clock.
+    [[nodiscard]] double ms() const;
 };
 
-// The error at the bright end of the heat map.
-inline constexpr double brightest_error = 0.25;
+// The report of a frame, for render.json. view: without its guard band. cut: why there was no history; empty:
+// there was one.
+[[nodiscard]] nlohmann::ordered_json frame_json(int number, const effect::Settings& settings,
+                                                const effect::Frame& frame, const scene::GBuffer& view,
+                                                const std::string& cut);
+
+// Adds "truth", where it was traced, and "errors" to the report of a frame. classes: of its pixels; nullptr:
+// there was no frame before it. last: of its view, for which there are metrics as well.
+void add_errors(nlohmann::ordered_json& report, const effect::Frame& frame, const scene::GBuffer& view,
+                const ViewTruth& truth, const effect::PixelClasses* classes, bool last);
+
+// Their report. run: all of it but this.
+[[nodiscard]] nlohmann::ordered_json report_of(const RenderOptions& options, const RenderInput& input,
+                                               const RenderCandidate& candidate,
+                                               const gpu::DeviceInfo& device, const Rendered& run,
+                                               const nlohmann::ordered_json& frames);
+
+// A few lines for people: device, settings, and the last frame.
+[[nodiscard]] std::string to_text(const Rendered& run);
 
 // Pictures, lit by the pass that engines use. occlusion: a value for each pixel; truth: the same, or empty.
 // multi_bounce: light bounces among blockers (gloam_multi_bounce).
@@ -244,18 +202,9 @@ inline constexpr double brightest_error = 0.25;
 // Writes NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.
 void write_pictures(record::OutputFolder& folder, const Pictures& pictures);
 
-// Sum of the passes of the last frame, ms; NaN where the device has no clock.
-[[nodiscard]] double frame_ms(const RenderReport& report);
-
-// Root mean square error of the last frame's filtered image; nullopt without a truth.
-[[nodiscard]] std::optional<double> frame_error(const RenderReport& report);
-
-// "sweep, 3.2 ms, error 0.031": for captions.
-[[nodiscard]] std::string caption_of(const RenderReport& report);
-
 // A PNG sheet. For one run: lit without and with occlusion, the occlusion alone, and its error if the truth
 // is known. For several runs: the truth if it is known, then the occlusion of each with its name, time and
-// error. Throws std::invalid_argument for no runs.
+// error.
 [[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
 
 // Writes the pictures of a run into a page's folder, under names that begin with `prefix`, and adds them to
@@ -263,41 +212,18 @@ void write_pictures(record::OutputFolder& folder, const Pictures& pictures);
 void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
                   const Rendered& run);
 
-// The name of a run among several: its preset, of a file without folder and suffix, where presets are
-// compared, else its method. Throws like settings_for().
-[[nodiscard]] std::string name_of(const RenderOptions& options);
-
-// The common parts of runs of several methods on one input: the device, the passes, and the light of the last
-// rendered view, which does not depend on the method.
-class RenderBench {
-  public:
-    // Opens the device that the options name.
+// Where inputs are rendered: the device that options name, and the passes.
+struct RenderBench {
     explicit RenderBench(const RenderOptions& options);
-
-    // The light of the view with this number.
-    [[nodiscard]] const pictures::PictureLight& light_of(const RenderInput& input, int number,
-                                                         const scene::GBuffer& view, bool watched);
-
-    // Call it before a view of another input.
-    void forget_light() { lit_.reset(); }
 
     gpu::Device device;
     scene::PassLibrary passes;
     effect::Composite composite;
-
-  private:
-    std::optional<int> lit_;
-    pictures::PictureLight light_;
 };
 
-// The output of a run: written to `folder`, with names that begin with `prefix`.
-struct RenderOutput {
-    record::OutputFolder* folder = nullptr;  // null: nothing is written
-    std::string prefix = {};
-};
-
-// Renders the views of an input with one method and writes their files, PREFIXrender.json among them.
-[[nodiscard]] Rendered render(const RenderOptions& options, const RenderInput& input, RenderBench& bench,
-                              const RenderOutput& output);
+// Renders the views of an input with each candidate. folder: of the files, PREFIXrender.json among them;
+// nullptr: none are written.
+[[nodiscard]] std::vector<Rendered> render(const RenderOptions& options, const RenderInput& input,
+                                           const RenderBench& bench, record::OutputFolder* folder);
 
 }  // namespace gloam::cli

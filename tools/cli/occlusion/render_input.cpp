@@ -3,17 +3,16 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 #include <stdexcept>
 
+#include "base/number.hpp"
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"
-#include "cli/occlusion/names.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "cli/progress.hpp"
-#include "pictures/sheet.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/draw.hpp"
 #include "scene/mesh_scene.hpp"
@@ -27,13 +26,10 @@ namespace fs = std::filesystem;
 constexpr const char* mesh_options =
     "--eye, --look-at, --orbit, --fovy, --up and --no-ground go with a mesh file";
 
-bool is_among(const std::vector<Named>& names, const std::string& name) {
-    return std::ranges::any_of(names, [&](const Named& one) { return one.name == name; });
-}
-
 std::string scene_list() {
     std::string names;
-    for (const Named& scene : scene_names()) names += (names.empty() ? "" : ", ") + scene.name;
+    for (const scene::ViewInfo& view : scene::all_views())
+        if (view.kind == "scene") names += (names.empty() ? "" : ", ") + view.name;
     return names;
 }
 
@@ -41,18 +37,11 @@ std::string scene_list() {
 std::vector<double> parse_numbers(const char* option, const std::string& text, std::size_t count,
                                   const char* expected) {
     std::vector<double> numbers;
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    while (numbers.size() < count) {
-        double number = 0.0;
-        const auto [rest, error] = std::from_chars(at, end, number);
-        if (error != std::errc{} || !std::isfinite(number)) break;
-        numbers.push_back(number);
-        at = rest;
-        if (at == end || *at != ',') break;
-        ++at;
-    }
-    if (numbers.size() == count && at == end) return numbers;
+    for (const auto part : std::views::split(text, ','))
+        numbers.push_back(
+            base::number_from<double>(std::string_view(part.begin(), part.end())).value_or(NAN));
+    if (numbers.size() == count && std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
+        return numbers;
     throw std::invalid_argument(fmt::format("{} {}: expected {}", option, text, expected));
 }
 
@@ -83,7 +72,7 @@ scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
 scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
     const std::string& source = options.source;
     const scene::MeshView view = mesh_view(options.mesh, extent);
-    if (is_among(scene_names(), source) || is_among(view_names(), source)) {
+    if (std::ranges::count(scene::all_views(), source, &scene::ViewInfo::name) > 0) {
         if (options.mesh.given())
             throw std::invalid_argument(
                 fmt::format("\"{}\" has a camera of its own: {}", source, mesh_options));
@@ -107,41 +96,35 @@ void require_allowed(const std::string& what, gpu::Extent wide, const gpu::Devic
                                             wide.width, wide.height, device.name, device.max_image_size));
 }
 
-RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
+RenderInput from_scene(const RenderOptions& options) {
     const gpu::Extent extent = parse_size(options.size);
-    const auto scene = like != nullptr && like->scene
-                           ? like->scene
-                           : std::make_shared<const scene::Scene>(load_scene(options, extent));
+    const auto scene = std::make_shared<const scene::Scene>(load_scene(options, extent));
     const int frames = options.frames.value_or(1);
     const bool moves = scene->camera_path || !scene->objects.empty();
     const bool follows = moves && !options.still && frames > 1;
     RenderInput input{.name = scene->name,
                       .views = std::vector<int>(static_cast<std::size_t>(follows ? frames : 1)),
                       .first_frame = options.frame,
-                      .frames_per_view = follows ? 1 : frames};
+                      .frames_per_view = follows ? 1 : frames,
+                      .scene = scene};
     std::iota(input.views.begin(), input.views.end(), 0);
-    input.scene = scene;
-    input.picture_samples = options.antialias;
-    const effect::Settings settings = settings_for(options, scene->ao_radius);
-    const double guard = double{settings.guard};
-    const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));
     // If only the camera moves, its matrices determine all motion.
     const bool motion = follows && !scene->objects.empty();
-    input.load = [scene, extent, wide, guard, motion, layers = settings.own.layers, first = options.frame,
-                  encoding = scene::encoding_named(options.depth, options.normals)](const gpu::Device& device,
-                                                                                    int view) {
-        require_allowed(fmt::format("--size {}x{}, guard band included", extent.width, extent.height), wide,
-                        device.info());
-        scene::GBuffer shown = scene::draw(
-            *scene, extent,
-            {.frame = first + view, .motion = motion, .color = true, .layers = layers, .guard = guard});
+    input.load = [scene, extent, motion, first = options.frame,
+                  encoding = scene::encoding_named(options.depth, options.normals)](
+                     const gpu::Device& device, int view, const effect::Settings& settings) {
+        const double guard = double{settings.guard};
+        require_allowed(fmt::format("--size {}x{}, guard band included", extent.width, extent.height),
+                        scene::with_border(extent, scene::guard_border(extent, guard)), device.info());
+        scene::GBuffer shown = scene::draw(*scene, extent,
+                                           {.frame = first + view,
+                                            .motion = motion,
+                                            .color = true,
+                                            .layers = settings.own.layers,
+                                            .guard = guard});
         if (encoding != scene::Encoding{}) shown.stored = scene::stored_inputs(shown, encoding);
         return shown;
     };
-    if (options.source == "corner") {
-        input.truth = scene::corner_occlusion_at;
-        input.truth_name = "closed form";
-    }
     return input;
 }
 
@@ -166,7 +149,8 @@ RenderInput from_gbuffer(const RenderOptions& options) {
     }
     const bool alone = input.views.size() == 1;  // a frame of a sequence may show nothing but sky
     input.load = [folder = options.gbuffer, encoding = scene::encoding_named(options.depth, options.normals),
-                  alone, off_centre = glm::ivec2(0)](const gpu::Device& device, int view) mutable {
+                  alone, off_centre = glm::ivec2(0)](const gpu::Device& device, int view,
+                                                     const effect::Settings&) mutable {
         scene::GBuffer shown = scene::read_gbuffer(folder, view, encoding, off_centre);
         off_centre = shown.off_centre;
         const gpu::Extent wide = with_border(shown.extent, centring_border(shown));
@@ -184,91 +168,102 @@ RenderInput from_gbuffer(const RenderOptions& options) {
     return input;
 }
 
-}  // namespace
-
-RenderInput open_input(const RenderOptions& options, const RenderInput* like) {
-    if (!options.gbuffer.empty()) return from_gbuffer(options);
-    if (options.source.empty()) {
+// The truth of --truth: by rays.
+void add_traced(RenderInput& input, const RenderOptions& options, scene::Falloff falloff) {
+    scene::validate(scene::RaySettings{.radius = 1.0, .falloff = falloff, .rays = options.truth_rays});
+    if (!(options.truth_thickness > 0.0))
         throw std::invalid_argument(
-            fmt::format("nothing to render: give a scene ({}), a mesh file or --gbuffer DIR", scene_list()));
-    }
-    return from_scene(options, like);
+            fmt::format("--truth-thickness {}: expected > 0", options.truth_thickness));
+    input.truth_name = input.scene ? "traced geometry" : "traced depth buffer";
+    input.every_truth = options.truth_every;
+    input.truth = [&options, falloff, scene = input.scene, name = input.name](const scene::GBuffer& view,
+                                                                              int frame, double radius) {
+        const auto settings = [&](const char* what) {
+            return scene::TruthSettings{
+                .rays = {.radius = radius, .falloff = falloff, .rays = options.truth_rays},
+                .thickness = options.truth_thickness,
+                .progress = progress_bar(fmt::format("{}: truth of the {}", name, what)),
+                .cache = truth_cache_directory()};
+        };
+        ViewTruth truth;
+        if (scene) truth.geometry = scene::trace_geometry(*scene, frame, view, settings("geometry"));
+        truth.depth = scene::trace_depth(view, settings("depth buffer"));
+        truth.known = effect::truth_from(view, truth.best().occlusion);
+        return truth;
+    };
 }
 
-TruthSource::TruthSource(const RenderOptions& options, const RenderInput& input)
-    : options_(options), input_(input) {
+// By a PFM file.
+void add_reference(RenderInput& input, const std::string& file) {
+    input.truth_name = file;
+    input.every_truth = false;
+    input.truth = [file, image = base::read_pfm(file)](const scene::GBuffer& view, int, double) {
+        if (gpu::Extent{image.width, image.height} == view.extent && image.channels == 1)
+            return ViewTruth{.known = effect::truth_from(view, image.texels)};
+        throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1", file,
+                                                image.width, image.height, image.channels, view.extent.width,
+                                                view.extent.height));
+    };
+}
+
+void add_truth(RenderInput& input, const RenderOptions& options) {
     const auto falloff = scene::falloff_named(options.truth_falloff);
-    if (!falloff) {
+    if (!falloff)
         throw std::invalid_argument(
             fmt::format("--truth-falloff \"{}\": expected linear, quadratic or step", options.truth_falloff));
-    }
-    falloff_ = *falloff;
     if (options.truth_every && !options.trace_truth)
         throw std::invalid_argument("--truth-every goes with --truth that is traced, without a file");
-    if (options.trace_truth) {
-        scene::validate(scene::RaySettings{.radius = 1.0, .falloff = falloff_, .rays = options.truth_rays});
-        if (!(options.truth_thickness > 0.0)) {
-            throw std::invalid_argument(
-                fmt::format("--truth-thickness {}: expected > 0", options.truth_thickness));
+    if (options.trace_truth) return add_traced(input, options, *falloff);
+    if (!options.truth.empty()) return add_reference(input, options.truth);
+    if (options.source != "corner") return;
+    input.truth_name = "closed form";
+    input.truth = [](const scene::GBuffer& view, int, double radius) {
+        return ViewTruth{.known = effect::truth_of(view, radius, scene::corner_occlusion_at)};
+    };
+}
+
+// One for each selected method or preset; all names and settings are checked.
+std::vector<RenderCandidate> candidates_of(const RenderOptions& options) {
+    std::vector<std::string> methods = options.methods;
+    if (methods.empty()) methods.emplace_back();
+    if (methods.size() == 1 && methods.front() == "all") {
+        methods.clear();
+        for (const effect::MethodInfo& method : effect::methods()) methods.push_back(method.name);
+    }
+    std::vector<std::string> presets = options.presets;
+    if (presets.empty()) presets.emplace_back(effect::default_preset);
+    if (methods.size() > 1 && presets.size() > 1)
+        throw std::invalid_argument("--method and --preset: expected several of one of the two");
+    const bool several = methods.size() * presets.size() > 1;
+    if (several && !options.write_gbuffer.empty())
+        throw std::invalid_argument("--write-gbuffer goes with one method and one preset");
+    std::vector<RenderCandidate> candidates;
+    for (const std::string& preset : presets) {
+        for (const std::string& method : methods) {
+            RenderCandidate made{.preset = preset, .method = method};
+            made.name = settings_for(options, made, 1.0).method;
+            if (presets.size() > 1) made.name = fs::path(preset).stem().string();
+            if (several) made.prefix = made.name + "_";
+            if (std::ranges::count(candidates, made.name, &RenderCandidate::name) > 0)
+                throw std::invalid_argument(
+                    fmt::format("{}: expected each once", presets.size() > 1 ? preset : method));
+            candidates.push_back(std::move(made));
         }
-    } else if (!options.truth.empty()) {
-        reference_ = base::read_pfm(options.truth);
     }
+    return candidates;
 }
 
-std::string TruthSource::name() const {
-    if (options_.trace_truth) return input_.scene ? "traced geometry" : "traced depth buffer";
-    return reference_ ? options_.truth : input_.truth_name;
-}
+}  // namespace
 
-bool TruthSource::every_view() const {
-    return options_.trace_truth ? options_.truth_every : !reference_;
-}
-
-TracedView TruthSource::traced(const scene::GBuffer& view, int frame, double radius) const {
-    const auto settings = [&](const char* what) {
-        return scene::TruthSettings{
-            .rays = {.radius = radius, .falloff = falloff_, .rays = options_.truth_rays},
-            .thickness = options_.truth_thickness,
-            .progress = progress_bar(fmt::format("{}: truth of the {}", input_.name, what)),
-            .cache = truth_cache_directory()};
-    };
-    TracedView result;
-    if (input_.scene) {
-        result.geometry = scene::trace_geometry(*input_.scene, frame, view, settings("geometry"));
-    }
-    result.depth = scene::trace_depth(view, settings("depth buffer"));
-    return result;
-}
-
-ViewTruth TruthSource::of(const scene::GBuffer& view, int frame, double radius) const {
-    if (options_.trace_truth) {
-        ViewTruth result{.traced = traced(view, frame, radius)};
-        const scene::TracedTruth& best =
-            result.traced->geometry ? *result.traced->geometry : result.traced->depth;
-        result.truth = effect::truth_from(view, best.occlusion);
-        return result;
-    }
-    if (!reference_) {
-        return {.truth = input_.truth ? effect::truth_of(view, radius, input_.truth) : effect::Truth{}};
-    }
-    if (gpu::Extent{reference_->width, reference_->height} == view.extent && reference_->channels == 1)
-        return {.truth = effect::truth_from(view, reference_->texels)};
-    throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
-                                            options_.truth, reference_->width, reference_->height,
-                                            reference_->channels, view.extent.width, view.extent.height));
-}
-
-void write_truth(record::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
-                 const TracedView& traced) {
-    const auto write = [&](const std::string& name, const std::vector<float>& image) {
-        folder.write(prefix + name + ".pfm", base::to_pfm(image, size.width, size.height, 1));
-        folder.write(prefix + name + ".png", pictures::to_visibility_png(image, size.width, size.height));
-    };
-    const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
-    write("truth", best.occlusion);
-    write("truth_depth", traced.depth.occlusion);
-    folder.write(prefix + "truth_error.pfm", base::to_pfm(best.standard_error, size.width, size.height, 1));
+RenderInput open_input(const RenderOptions& options) {
+    std::vector<RenderCandidate> candidates = candidates_of(options);
+    if (options.gbuffer.empty() && options.source.empty())
+        throw std::invalid_argument(
+            fmt::format("nothing to render: give a scene ({}), a mesh file or --gbuffer DIR", scene_list()));
+    RenderInput input = options.gbuffer.empty() ? from_scene(options) : from_gbuffer(options);
+    add_truth(input, options);
+    input.candidates = std::move(candidates);
+    return input;
 }
 
 }  // namespace gloam::cli

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "pictures/sheet.hpp"
@@ -20,14 +22,15 @@ std::vector<float> previous_depths(const scene::GBuffer& view) {
     return depths;
 }
 
-}  // namespace
-
+// x, y, z of each vector.
 std::vector<float> components_of(const std::vector<glm::vec3>& vectors) {
     std::vector<float> texels;
     texels.reserve(3 * vectors.size());
     for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z});
     return texels;
 }
+
+}  // namespace
 
 void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffer& view) {
     const std::string prefix = scene::frame_prefix(number);
@@ -69,26 +72,57 @@ void write_tiles(record::OutputFolder& folder, const std::string& stem, const ef
     folder.write(stem + "_tiles.png", base::to_png(rgb, width, height));
 }
 
-namespace {
+void write_truth(record::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
+                 const ViewTruth& traced) {
+    const auto write = [&](const std::string& name, const std::vector<float>& image) {
+        folder.write(prefix + name + ".pfm", base::to_pfm(image, size.width, size.height, 1));
+        folder.write(prefix + name + ".png", pictures::to_visibility_png(image, size.width, size.height));
+    };
+    write("truth", traced.best().occlusion);
+    write("truth_depth", traced.depth->occlusion);
+    folder.write(prefix + "truth_error.pfm",
+                 base::to_pfm(traced.best().standard_error, size.width, size.height, 1));
+}
 
-constexpr std::size_t methods_in_a_row = 4;
+void write_bent_normals(record::OutputFolder& folder, const std::string& stem,
+                        const effect::BentNormals& bent) {
+    const auto [width, height] = bent.extent;
+    const std::vector<float> texels = components_of(bent.direction);
+    std::vector<std::uint8_t> picture;
+    for (const float value : texels)
+        picture.push_back(
+            static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(0.5F + 0.5F * value, 0.0F, 1.0F))));
+    folder.write(stem + "_bent.pfm", base::to_pfm(texels, width, height, 3));
+    folder.write(stem + "_bent.png", base::to_rgb_png(picture, width, height));
+    folder.write(stem + "_cone.pfm", base::to_pfm(bent.half_angle, width, height, 1));
+}
+
+void write_light(record::OutputFolder& folder, const std::string& stem,
+                 const effect::DirectionalLight& light) {
+    const auto [width, height] = light.extent;
+    std::vector<float> texels = components_of(light.direct);
+    const std::vector<float> bounced = components_of(light.bounced);
+    std::ranges::transform(texels, bounced, texels.begin(), std::plus{});
+    folder.write(stem + "_light.pfm", base::to_pfm(texels, width, height, 3));
+    folder.write(stem + "_light.png", base::to_rgb_png(base::srgb_of(texels), width, height));
+    folder.write(stem + "_bounce.pfm", base::to_pfm(bounced, width, height, 3));
+}
+
+namespace {
 
 std::string png_of(const Pictures& pictures, const base::RgbBytes& rgb) {
     return base::to_png(rgb, pictures.extent.width, pictures.extent.height);
 }
 
-std::vector<pictures::SheetPicture> pictures_of_one(const Rendered& run) {
-    const Pictures& last = run.last;
-    std::vector<pictures::SheetPicture> sheet{
-        {last.plain, "Light without ambient occlusion"},
-        {last.shaded, "With ambient occlusion"},
-        {last.visibility, "Occlusion alone: " + caption_of(run.report)}};
-    if (!last.error.empty()) {
-        sheet.push_back({last.error, fmt::format("Error against the truth: black 0, pale yellow {} and more",
-                                                 brightest_error)});
-    }
-    return sheet;
+// "sweep, 3.2 ms, error 0.031".
+std::string caption_of(const Rendered& run) {
+    std::string text = run.name;
+    if (std::isfinite(run.ms())) text += fmt::format(", {:.3g} ms", run.ms());
+    if (run.error) text += fmt::format(", error {:.3f}", *run.error);
+    return text;
 }
+
+constexpr double brightest_error = 0.25;  // at the bright end of the heat map
 
 }  // namespace
 
@@ -127,42 +161,33 @@ void write_pictures(record::OutputFolder& folder, const Pictures& pictures) {
     folder.write(pictures.name + "_error.png", png_of(pictures, pictures.error));
 }
 
-double frame_ms(const RenderReport& report) {
+double Rendered::ms() const {
     double sum = 0.0;
-    for (const effect::PassTime& time : report.frames.back().times) sum += time.ms;
+    for (const effect::PassTime& time : frame.times) sum += time.ms;
     return sum;
 }
 
-std::optional<double> frame_error(const RenderReport& report) {
-    const auto& errors = report.frames.back().errors;
-    if (!errors) return std::nullopt;
-    return errors->filtered.rmse;
-}
-
-std::string caption_of(const RenderReport& report) {
-    std::string text = report.name;
-    if (const double ms = frame_ms(report); std::isfinite(ms)) text += fmt::format(", {:.3g} ms", ms);
-    if (const auto error = frame_error(report)) text += fmt::format(", error {:.3f}", *error);
-    return text;
-}
-
 std::string sheet_of(const std::vector<Rendered>& runs) {
+    const Rendered& first = runs.front();
+    const auto& [name, extent, plain, shaded, visibility, truth, truth_lit, error] = first.pictures;
     std::vector<pictures::SheetPicture> sheet;
     if (runs.size() == 1) {
-        sheet = pictures_of_one(runs.front());
-    } else {
-        if (!runs.empty() && !runs.front().last.truth.empty())
-            sheet.push_back({runs.front().last.truth, "truth: " + runs.front().report.truth});
-        for (const Rendered& run : runs) sheet.push_back({run.last.visibility, caption_of(run.report)});
+        sheet = {{plain, "Light without ambient occlusion"},
+                 {shaded, "With ambient occlusion"},
+                 {visibility, "Occlusion alone: " + caption_of(first)}};
+        if (!error.empty())
+            sheet.push_back({error, fmt::format("Error against the truth: black 0, pale yellow {} and more",
+                                                brightest_error)});
+        return pictures::to_sheet_png(sheet, extent.width, extent.height, 2);
     }
-    const gpu::Extent extent = runs.empty() ? gpu::Extent{} : runs.front().last.extent;
-    const std::size_t columns = runs.size() == 1 ? 2 : methods_in_a_row;
-    return pictures::to_sheet_png(sheet, extent.width, extent.height, columns);
+    if (!truth.empty()) sheet.push_back({truth, "truth: " + first.report["truth"].get<std::string>()});
+    for (const Rendered& run : runs) sheet.push_back({run.pictures.visibility, caption_of(run)});
+    return pictures::to_sheet_png(sheet, extent.width, extent.height, 4);
 }
 
 void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
                   const Rendered& run) {
-    const Pictures& last = run.last;
+    const Pictures& last = run.pictures;
     std::vector<record::PagePicture> all;
     const auto add = [&](const char* name, const base::RgbBytes& rgb, const std::string& caption) {
         folder.write(prefix + name, png_of(last, rgb));
@@ -173,7 +198,7 @@ void add_pictures(record::Page& page, record::OutputFolder& folder, const std::s
     if (!last.truth_lit.empty()) add("truth.png", last.truth_lit, "ray-traced truth");
     add("visibility.png", last.visibility, "the occlusion alone");
     if (!last.error.empty()) add("error.png", last.error, "its error");
-    page.choose(all, caption_of(run.report) +
+    page.choose(all, caption_of(run) +
                          (last.error.empty()
                               ? ""
                               : fmt::format("; its error: pale yellow is {} and more", brightest_error)));

@@ -4,22 +4,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/occlusion/settings.hpp"
-#include "effect/methods.hpp"
-#include "effect/settings.hpp"
 
 namespace gloam::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string falloff_of(const effect::Settings& settings) {
-    return effect::method_named(settings.method).falloff;
-}
 
 ordered_json errors_json(const effect::Errors& errors) {
     return {{"rmse", errors.rmse},
@@ -44,139 +37,175 @@ ordered_json class_json(const effect::Errors& errors) {
     return json;
 }
 
-ordered_json frame_errors_json(const FrameErrors& errors) {
-    ordered_json json{{"compared", errors.raw.compared},
-                      {"raw", errors_json(errors.raw)},
-                      {"filtered", errors_json(errors.filtered)}};
-    if (errors.filtered_depth) json["filtered_against_depth"] = errors_json(*errors.filtered_depth);
-    if (errors.metrics) json["filtered_metrics"] = metrics_json(*errors.metrics);
-    if (errors.by_class) {
-        for (std::size_t i = 0; i < errors.by_class->size(); ++i)
-            json["filtered_by_class"][effect::pixel_class_names[i]] = class_json((*errors.by_class)[i]);
+ordered_json or_null(const std::string& text) {
+    return text.empty() ? ordered_json(nullptr) : ordered_json(text);
+}
+
+// The use of the history: the share of the pixels with geometry that have one, and its samples, their mean.
+ordered_json history_json(const effect::Frame& frame, const scene::GBuffer& view, const std::string& cut) {
+    double surface = 0.0;
+    double kept = 0.0;
+    double samples = 0.0;
+    for (std::size_t i = 0; i < frame.kept.size(); ++i) {
+        if (!std::isfinite(view.depth[i])) continue;
+        surface += 1.0;
+        kept += frame.kept[i] > 0.0F ? 1.0 : 0.0;
+        samples += double{frame.kept[i]};
     }
-    return json;
+    return {{"cut", or_null(cut)},
+            {"kept", kept / std::max(surface, 1.0)},
+            {"samples", samples / std::max(kept, 1.0)}};
 }
 
-ordered_json truth_json(const TruthReport& truth) {
-    ordered_json json{{"rays", truth.rays},
-                      {"pixels", truth.pixels},
-                      {"unmatched", truth.unmatched},
-                      {"standard_error", truth.standard_error}};
-    if (truth.depth) json["depth_against_geometry"] = errors_json(*truth.depth);
-    return json;
+// Over the pixels with geometry.
+double mean_convergence(const effect::Frame& frame, const scene::GBuffer& view) {
+    double sum = 0.0;
+    for (const float value : frame.convergence) sum += double{value};
+    const auto surface = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); });
+    return surface == 0 ? 0.0 : sum / static_cast<double>(surface);
 }
 
-ordered_json times_json(const std::vector<effect::PassTime>& times) {
-    ordered_json json = ordered_json::object();
-    for (const effect::PassTime& time : times) {
-        json[time.pass] = std::isfinite(time.ms) ? ordered_json(time.ms) : ordered_json(nullptr);
-    }
-    return json;
+// standard_error: root mean square over the pixels.
+ordered_json truth_json(const scene::TracedTruth& traced) {
+    double squares = 0.0;
+    for (const float error : traced.standard_error) squares += double{error} * double{error};
+    return {{"rays", traced.rays},
+            {"pixels", traced.pixels},
+            {"unmatched", traced.unmatched},
+            {"standard_error",
+             std::sqrt(squares / static_cast<double>(std::max<std::uint64_t>(1, traced.pixels)))}};
 }
 
-ordered_json history_json(const HistoryReport& history) {
-    return {{"cut", history.cut.empty() ? ordered_json(nullptr) : ordered_json(history.cut)},
-            {"kept", history.kept},
-            {"samples", history.samples}};
-}
-
-ordered_json frame_json(const FrameReport& frame) {
-    ordered_json json{{"frame", frame.number},
-                      {"width", frame.extent.width},
-                      {"height", frame.extent.height},
-                      {"history", history_json(frame.history)},
-                      {"radius", frame.settings.radius},
-                      {"bias", frame.settings.bias},
-                      {"times_ms", times_json(frame.times)},
-                      {"tiles",
-                       {{"background", frame.tiles.background},
-                        {"below_pixel", frame.tiles.below_pixel},
-                        {"half", frame.tiles.half},
-                        {"full", frame.tiles.full}}},
-                      {"samples", frame.samples},
-                      {"convergence", frame.mean_convergence}};
-    if (frame.scene_frame) json["scene_frame"] = *frame.scene_frame;
-    if (frame.flicker) json["flicker"] = *frame.flicker;
-    if (frame.truth) json["truth"] = truth_json(*frame.truth);
-    if (frame.errors) json["errors"] = frame_errors_json(*frame.errors);
-    return json;
-}
-
-std::string errors_line(const char* what, const effect::Errors& e) {
+std::string errors_line(const char* what, const ordered_json& errors) {
+    const auto number = [&](const char* name) { return errors.at(name).get<double>(); };
     return fmt::format("  {:<25} rmse {:.5f}, mean {:.5f}, 99 % below {:.5f}, max {:.5f}, bias {:+.5f}\n",
-                       what, e.rmse, e.mean, e.percentile_99, e.max, e.bias);
+                       what, number("rmse"), number("mean"), number("percentile_99"), number("max"),
+                       number("bias"));
 }
 
-std::string work_lines(const FrameReport& frame) {
+std::string work_lines(const effect::Frame& frame, const ordered_json& report) {
     std::string text;
     for (const effect::PassTime& time : frame.times)
         text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", time.pass, time.ms);
+    const effect::TileShares tiles = shares_of(frame.tiles);
     text += fmt::format(
         "\ntiles: {:.1f} % background, {:.1f} % below a pixel, {:.1f} % at half size, {:.1f} % in full",
-        100.0 * frame.tiles.background, 100.0 * frame.tiles.below_pixel, 100.0 * frame.tiles.half,
-        100.0 * frame.tiles.full);
+        100.0 * tiles.background, 100.0 * tiles.below_pixel, 100.0 * tiles.half, 100.0 * tiles.full);
     if (frame.samples == 0.0) return text + "\n";
     return text + fmt::format("\n{:.1f} samples of a pixel, mean convergence {:.3f}\n", frame.samples,
-                              frame.mean_convergence);
+                              report.at("convergence").get<double>());
+}
+
+std::string metrics_line(const ordered_json& metrics) {
+    const auto number = [&](const char* path) {
+        return metrics.at(ordered_json::json_pointer(path)).get<double>();
+    };
+    return fmt::format(
+        "  SSIM (structural similarity, 1: the same) {:.4f}; best remap ({:.3f} (v {:+.3f}))^{:.3f}: "
+        "rmse {:.5f}, SSIM {:.4f}\n",
+        number("/ssim"), number("/remap/b"), number("/remap/a"), number("/remap/c"), number("/remapped/rmse"),
+        number("/remapped_ssim"));
 }
 
 }  // namespace
 
-std::string to_json(const RenderReport& report) {
-    const FrameReport& last = report.frames.back();
-    ordered_json json{{"gloam", base::version()},
-                      {"device",
-                       {{"name", report.device.name},
-                        {"driver", report.device.driver},
-                        {"type", report.device.type},
-                        {"api_version", report.device.api_version}}},
-                      {"versions", versions()},
-                      {"source", report.source},
-                      {"method", last.settings.method},
-                      {"preset", report.preset},
-                      {"radius", last.settings.radius},
-                      {"falloff", falloff_of(last.settings)},
-                      {"width", last.extent.width},
-                      {"height", last.extent.height},
-                      {"settings", json_of(last.settings)},
-                      {"repeat", report.repeat},
-                      {"truth", report.truth.empty() ? ordered_json(nullptr) : ordered_json(report.truth)}};
-    json["frames"] = ordered_json::array();
-    for (const FrameReport& frame : report.frames) json["frames"].push_back(frame_json(frame));
-    return json.dump(2) + "\n";
+ordered_json frame_json(int number, const effect::Settings& settings, const effect::Frame& frame,
+                        const scene::GBuffer& view, const std::string& cut) {
+    ordered_json times = ordered_json::object();
+    for (const effect::PassTime& time : frame.times)
+        times[time.pass] = std::isfinite(time.ms) ? ordered_json(time.ms) : ordered_json(nullptr);
+    const effect::TileShares tiles = shares_of(frame.tiles);
+    return {{"frame", number},
+            {"width", frame.extent.width},
+            {"height", frame.extent.height},
+            {"history", history_json(frame, view, cut)},
+            {"radius", settings.radius},
+            {"bias", settings.bias},
+            {"times_ms", times},
+            {"tiles",
+             {{"background", tiles.background},
+              {"below_pixel", tiles.below_pixel},
+              {"half", tiles.half},
+              {"full", tiles.full}}},
+            {"samples", frame.samples},
+            {"convergence", mean_convergence(frame, view)}};
 }
 
-std::string to_text(const RenderReport& report) {
-    const FrameReport& last = report.frames.back();
-    const effect::Settings& s = last.settings;
+void add_errors(ordered_json& report, const effect::Frame& frame, const scene::GBuffer& view,
+                const ViewTruth& truth, const effect::PixelClasses* classes, bool last) {
+    const effect::Errors raw = effect::errors_of(frame.occlusion, truth.known);
+    ordered_json errors{{"compared", raw.compared},
+                        {"raw", errors_json(raw)},
+                        {"filtered", errors_json(effect::errors_of(frame.filtered, truth.known))}};
+    if (truth.depth) report["truth"] = truth_json(truth.best());
+    if (truth.geometry) {
+        const effect::Truth depth = effect::truth_from(view, truth.depth->occlusion);
+        report["truth"]["depth_against_geometry"] = errors_json(effect::errors_of(depth, truth.known));
+        errors["filtered_against_depth"] = errors_json(effect::errors_of(frame.filtered, depth));
+    }
+    if (last)
+        errors["filtered_metrics"] =
+            metrics_json(effect::metrics_of(frame.filtered, truth.known, view.extent));
+    if (classes != nullptr) {
+        const effect::ClassErrors by_class = effect::class_errors_of(frame.filtered, truth.known, *classes);
+        for (std::size_t i = 0; i < by_class.size(); ++i)
+            errors["filtered_by_class"][effect::pixel_class_names[i]] = class_json(by_class[i]);
+    }
+    report["errors"] = std::move(errors);
+}
+
+ordered_json report_of(const RenderOptions& options, const RenderInput& input,
+                       const RenderCandidate& candidate, const gpu::DeviceInfo& device, const Rendered& run,
+                       const ordered_json& frames) {
+    const effect::Settings& s = run.settings;
+    return {{"gloam", base::version()},
+            {"device",
+             {{"name", device.name},
+              {"driver", device.driver},
+              {"type", device.type},
+              {"api_version", device.api_version}}},
+            {"versions", versions()},
+            {"source", input.name},
+            {"method", s.method},
+            {"preset", candidate.preset},
+            {"radius", s.radius},
+            {"falloff", effect::method_named(s.method).falloff},
+            {"width", run.frame.extent.width},
+            {"height", run.frame.extent.height},
+            {"settings", json_of(s)},
+            {"repeat", options.repeat},
+            {"truth", or_null(input.truth_name)},
+            {"frames", frames}};
+}
+
+std::string to_text(const Rendered& run) {
+    const ordered_json& last = run.report.at("frames").back();
+    const auto text_of = [&](const char* name) { return run.report.at(name).get<std::string>(); };
+    const effect::Settings& s = run.settings;
+    const std::size_t frames = run.report.at("frames").size();
     std::string text = fmt::format(
-        "{}: {} ({}), {} samples a frame, radius {:g}, {} x {}, {} frame{} on {}\n", report.source, s.method,
-        report.preset, s.samples, s.radius, last.extent.width, last.extent.height, report.frames.size(),
-        report.frames.size() == 1 ? "" : "s", report.device.name);
-    text += (report.frames.size() > 1 ? "last frame: " : "") + work_lines(last);
+        "{}: {} ({}), {} samples a frame, radius {:g}, {} x {}, {} frame{} on {}\n", text_of("source"),
+        s.method, text_of("preset"), s.samples, s.radius, run.frame.extent.width, run.frame.extent.height,
+        frames, frames == 1 ? "" : "s", run.report.at("device").at("name").get<std::string>());
+    text += (frames > 1 ? "last frame: " : "") + work_lines(run.frame, last);
     const bool study = s.passes == effect::Passes::study;
-    if (study && report.frames.size() > 1) {
+    if (study && frames > 1)
         text += fmt::format("history at {:.1f} % of the pixels, of {:.0f} samples\n",
-                            100.0 * last.history.kept, last.history.samples);
-    }
-    if (!last.errors) return text;
+                            100.0 * last.at("history").at("kept").get<double>(),
+                            last.at("history").at("samples").get<double>());
+    if (!last.contains("errors")) return text;
+    const ordered_json& errors = last.at("errors");
     text += fmt::format("error against {}, {} pixels compared (rmse: root mean square error):\n",
-                        report.truth, last.errors->raw.compared);
-    if (study) text += errors_line("before the filter", last.errors->raw);
-    if (!study || filters(s)) text += errors_line("after the filter", last.errors->filtered);
-    if (last.errors->filtered_depth)
-        text += errors_line("against the depth buffer's", *last.errors->filtered_depth);
-    if (last.errors->metrics) {
-        const effect::Metrics& m = *last.errors->metrics;
-        text += fmt::format(
-            "  SSIM (structural similarity, 1: the same) {:.4f}; best remap ({:.3f} (v {:+.3f}))^{:.3f}: "
-            "rmse {:.5f}, SSIM {:.4f}\n",
-            m.similarity, m.remap.b, m.remap.a, m.remap.c, m.after_remap.rmse, m.similarity_after_remap);
-    }
-    if (last.truth) {
-        text += fmt::format("  truth: {} rays a pixel, standard error {:.5f}\n", last.truth->rays,
-                            last.truth->standard_error);
-    }
+                        text_of("truth"), errors.at("compared").get<std::size_t>());
+    if (study) text += errors_line("before the filter", errors.at("raw"));
+    if (!study || filters(s)) text += errors_line("after the filter", errors.at("filtered"));
+    if (errors.contains("filtered_against_depth"))
+        text += errors_line("against the depth buffer's", errors.at("filtered_against_depth"));
+    text += metrics_line(errors.at("filtered_metrics"));
+    if (last.contains("truth"))
+        text += fmt::format("  truth: {} rays a pixel, standard error {:.5f}\n",
+                            last.at("truth").at("rays").get<std::uint64_t>(),
+                            last.at("truth").at("standard_error").get<double>());
     return text;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -13,136 +12,52 @@
 #include "cli/framework/open_device.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "cli/progress.hpp"
-#include "effect/directional.hpp"
-#include "effect/errors.hpp"
-#include "effect/pixel_classes.hpp"
-#include "pictures/sheet.hpp"
 #include "scene/draw.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
 namespace {
 
-// A view that does not move.
-scene::GBuffer standing_still(scene::GBuffer view) {
-    view.motion.clear();
-    view.previous_position.clear();
-    view.camera.previous_view.reset();
-    view.camera.previous_from_current.reset();
-    return view;
-}
-
-// The relation of a view to the previous one.
-enum class ViewLink {
-    same,     // the same view again
-    follows,  // the next of a sequence
-    cut       // an unrelated view
-};
-
-// Follows the frames of one call of `gloam render`: the change of the picture from frame to frame, and the
-// pixels that a temporal method treats differently.
+// Follows the frames of one candidate: the change of the picture from frame to frame, and the pixels that a
+// temporal method treats differently.
 class RenderHistory {
   public:
-    // Takes the next frame. Views without normals have no relation to earlier ones.
-    void advance(const scene::GBuffer& view, ViewLink link, double radius, const std::vector<float>& image) {
-        flicker_.reset();
-        if (view.normal.empty()) {
-            view_.reset();
-            classes_.reset();
-            return;
-        }
-        const bool follows = view_ && link != ViewLink::cut;
-        if (!follows) classes_.emplace(effect::PixelClasses::Settings{.radius = radius});
+    std::optional<double> flicker;  // mean change at the same surface points; nullopt in the first frame
+
+    // Takes the next frame. follows: it has a relation to the one before; again: it shows the same view.
+    // Views without normals have no relation to earlier ones.
+    void advance(const scene::GBuffer& view, bool follows, bool again, double radius,
+                 const std::vector<float>& image) {
+        flicker.reset();
+        if (view.normal.empty()) return view_.reset();
         std::optional<effect::HistoryMap> history;
-        if (follows) history.emplace(link == ViewLink::same ? standing_still(view) : view, *view_);
-        if (history) flicker_ = effect::mean_change(*history, image, image_);
+        if (view_ && follows) {
+            history.emplace(again ? standing_still(view) : view, *view_);
+            flicker = effect::mean_change(*history, image, image_);
+        } else {
+            classes_.emplace(effect::PixelClasses::Settings{.radius = radius});
+        }
         classes_->advance(view, history);
         view_ = view;
         image_ = image;
     }
 
-    // Mean change at the same surface points since the frame before; nullopt in the first.
-    [[nodiscard]] const std::optional<double>& flicker() const { return flicker_; }
-
-    // The classes of the last frame's pixels; nullopt if there was no frame before it.
-    [[nodiscard]] const std::optional<effect::PixelClasses>& classes() const { return classes_; }
+    // Of the last frame's pixels; nullptr if there was no frame before it.
+    [[nodiscard]] const effect::PixelClasses* classes() const { return flicker ? &*classes_ : nullptr; }
 
   private:
+    static scene::GBuffer standing_still(scene::GBuffer view) {
+        view.motion.clear();
+        view.previous_position.clear();
+        view.camera.previous_view.reset();
+        view.camera.previous_from_current.reset();
+        return view;
+    }
+
     std::optional<scene::GBuffer> view_;
     std::vector<float> image_;
-    std::optional<double> flicker_;
     std::optional<effect::PixelClasses> classes_;
 };
-
-std::uint8_t byte_of(float value) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
-}
-
-}  // namespace
-
-std::string name_of(const RenderOptions& options) {
-    if (options.presets.size() > 1) return std::filesystem::path(options.preset).stem().string();
-    return settings_for(options, 1.0).method;
-}
-
-namespace {
-
-// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
-void write_bent_normals(record::OutputFolder& folder, const std::string& stem,
-                        const effect::BentNormals& bent) {
-    const auto [width, height] = bent.extent;
-    const std::vector<float> texels = components_of(bent.direction);
-    std::vector<std::uint8_t> picture;
-    for (const float value : texels) picture.push_back(byte_of(0.5F + 0.5F * value));
-    folder.write(stem + "_bent.pfm", base::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_bent.png", base::to_png(picture, width, height));
-    folder.write(stem + "_cone.pfm", base::to_pfm(bent.half_angle, width, height, 1));
-}
-
-// STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), STEM_bounce.pfm (the
-// bounced part).
-void write_light(record::OutputFolder& folder, const std::string& stem,
-                 const effect::DirectionalLight& light) {
-    const auto [width, height] = light.extent;
-    std::vector<float> texels = components_of(light.direct);
-    const std::vector<float> bounced = components_of(light.bounced);
-    std::ranges::transform(texels, bounced, texels.begin(), std::plus{});
-    folder.write(stem + "_light.pfm", base::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_light.png", base::to_png(base::srgb_of(texels), width, height));
-    folder.write(stem + "_bounce.pfm", base::to_pfm(bounced, width, height, 3));
-}
-
-// depth: the truth of the depth buffer, which is compared with that of the geometry.
-TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
-    const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
-    double squares = 0.0;
-    for (const float error : best.standard_error) squares += double{error} * double{error};
-    TruthReport report{.rays = best.rays, .pixels = best.pixels, .unmatched = best.unmatched};
-    report.standard_error = std::sqrt(squares / static_cast<double>(std::max<std::uint64_t>(1, best.pixels)));
-    if (traced.geometry) report.depth = effect::errors_of(depth, truth);
-    return report;
-}
-
-// Over the pixels with geometry.
-double mean_convergence(const effect::Frame& frame, const scene::GBuffer& view) {
-    double sum = 0.0;
-    for (const float value : frame.convergence) sum += double{value};
-    const auto surface = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); });
-    return surface == 0 ? 0.0 : sum / static_cast<double>(surface);
-}
-
-HistoryReport history_of(const effect::Frame& frame, const scene::GBuffer& view) {
-    double surface = 0.0;
-    double kept = 0.0;
-    double samples = 0.0;
-    for (std::size_t i = 0; i < frame.kept.size(); ++i) {
-        if (!std::isfinite(view.depth[i])) continue;
-        surface += 1.0;
-        kept += frame.kept[i] > 0.0F ? 1.0 : 0.0;
-        samples += double{frame.kept[i]};
-    }
-    return {.kept = kept / std::max(surface, 1.0), .samples = samples / std::max(kept, 1.0)};
-}
 
 // With the cones whose visibility, by the cosine around their axis, the pixels have.
 effect::BentNormals bent_of(const effect::Frame& frame, const scene::GBuffer& view) {
@@ -155,86 +70,99 @@ effect::BentNormals bent_of(const effect::Frame& frame, const scene::GBuffer& vi
     return bent;
 }
 
-// The work of one call.
+// The light of the view of an input that was shaded last. It does not depend on the candidate.
+class Lights {
+  public:
+    Lights(const RenderOptions& options, const RenderInput& input, const gpu::Device& device)
+        : options_(options), input_(input), device_(device) {}
+
+    [[nodiscard]] const pictures::PictureLight& of(int number, const scene::GBuffer& view) {
+        if (number_ == number) return light_;
+        pictures::LightingOptions options{.frame = input_.first_frame + number};
+        if (!options_.quiet && input_.views.size() == 1)
+            options.progress = progress_bar(input_.name + ": light");
+        // Fewer where the device has no images of that size.
+        const auto most = device_.info().max_image_size / std::max(view.extent.width, view.extent.height);
+        const std::uint32_t side =
+            std::clamp(most, 1U, input_.scene ? static_cast<std::uint32_t>(options_.antialias) : 1U);
+        // As many rays as one sample would send, so that smooth edges cost little.
+        if (side > 1) options.rays = std::max(1, options.rays / static_cast<int>(side * side));
+        const scene::GBuffer fine =
+            side == 1 ? view
+                      : scene::draw(*input_.scene, {view.extent.width * side, view.extent.height * side},
+                                    {.frame = options.frame, .color = true});
+        light_ = pictures::picture_light(view, fine, static_cast<int>(side), input_.scene.get(), options);
+        number_ = number;
+        return light_;
+    }
+
+  private:
+    const RenderOptions& options_;
+    const RenderInput& input_;
+    const gpu::Device& device_;
+    std::optional<int> number_;
+    pictures::PictureLight light_;
+};
+
+// The work of one candidate.
 class Renderer {
   public:
-    Renderer(const RenderOptions& options, const RenderInput& input, RenderBench& bench,
-             const RenderOutput& output)
+    Renderer(const RenderOptions& options, const RenderInput& input, const RenderCandidate& candidate,
+             const RenderBench& bench, Lights& lights, record::OutputFolder* folder)
         : options_(options),
           input_(input),
+          candidate_(candidate),
           bench_(bench),
-          output_(output),
-          truth_(options, input_),
+          lights_(lights),
+          folder_(folder),
           progress_(progress_bar(input_.name + ": frames", !options.quiet)) {
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
-        report_ = {.source = input_.name,
-                   .name = name_of(options),
-                   .preset = options.preset,
-                   .truth = truth_.name(),
-                   .device = bench_.device.info(),
-                   .repeat = options.repeat};
     }
 
     Rendered run() {
         for (const int number : input_.views) render_view(number);
-        if (output_.folder != nullptr)
-            output_.folder->write(output_.prefix + "render.json", to_json(report_));
+        made_.name = candidate_.name;
+        made_.report = report_of(options_, input_, candidate_, bench_.device.info(), made_, frames_);
+        if (folder_ != nullptr)
+            folder_->write(candidate_.prefix + "render.json", made_.report.dump(2) + "\n");
         if (gbuffer_out_) gbuffer_out_->keep();
-        return {std::move(report_), std::move(pictures_)};
+        return std::move(made_);
     }
 
   private:
     void render_view(int number) {
-        scene::GBuffer wide = input_.load(bench_.device, number);  // with its guard band
-        const effect::Settings settings = settings_for(options_, wide.ao_radius);
-        const std::string misfit =
-            before_ ? "" : scene::radius_out_of_proportion(wide, double{settings.radius});
-        if (!misfit.empty()) throw std::invalid_argument(input_.name + ": " + misfit);
-        const std::string coarse = before_ ? "" : scene::too_coarse_steps(wide, double{settings.radius});
-        if (!coarse.empty()) fmt::print(stderr, "gloam: {}: {}\n", input_.name, coarse);
+        scene::GBuffer wide =
+            input_.load(bench_.device, number, settings_for(options_, candidate_, 1.0));  // with guard band
+        const effect::Settings settings = settings_for(options_, candidate_, wide.ao_radius);
+        if (!before_) require_fitting(wide, double{settings.radius});
         const std::string cut = cut_before(number, wide, settings);
         if (cut.empty()) link(wide, before_->view);
         const scene::GBuffer view = scene::cropped(wide);
-        const ViewTruth truth = truth_at(number, view, settings);
+        const ViewTruth truth = truth_at(number, view, double{settings.radius});
         if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, wide);
         if (!effect_ || before_->view.extent != wide.extent)
             effect_.emplace(bench_.device, bench_.passes, wide.extent);
         cut.empty() ? effect_->advance(wide) : effect_->begin(wide, settings);
+        made_.settings = settings;
         for (int i = 0; i < input_.frames_per_view; ++i) {
-            const ViewLink linked = i > 0 ? ViewLink::same : cut.empty() ? ViewLink::follows : ViewLink::cut;
-            const effect::Frame frame = effect_->next(options_.repeat);
-            if (output_.folder != nullptr) write_images(*output_.folder, stem(number + i), frame);
-            history_.advance(view, linked, double{settings.radius}, frame.filtered);
-            FrameReport entry = entry_of(number + i, settings, frame, view);
-            if (i == 0) entry.history.cut = cut;
+            made_.frame = effect_->next(options_.repeat);
+            history_.advance(view, i > 0 || cut.empty(), i > 0, double{settings.radius},
+                             made_.frame.filtered);
             const bool last = i + 1 == input_.frames_per_view;
-            compare(entry, view, frame, truth, last);
-            if (last && is_shown(number)) show(number, number + i, view, frame, truth);
-            if (last) write_directions(number + i, wide, settings, frame);
-            if (output_.folder != nullptr && settings.resolution == effect::Resolution::tiles)
-                write_tiles(*output_.folder, stem(number + i), frame, wide);
-            report_.frames.push_back(std::move(entry));
-            progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
+            add_report(number + i, view, truth, i == 0 ? cut : "", last);
+            if (last) show(number, number + i, view, truth);
+            if (folder_ != nullptr) write_files(number + i, wide, last);
+            progress_(static_cast<double>(frames_.size()) /
+                      static_cast<double>(input_.views.size() * std::size_t(input_.frames_per_view)));
         }
         before_ = Before{number, settings.radius, std::move(wide)};
     }
 
-    // Writes the requested results besides the occlusion: bent normals, of the frame if it has some and the
-    // view has normals, and light.
-    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings,
-                          const effect::Frame& frame) {
-        if (output_.folder == nullptr || !(options_.bent_normals || options_.light)) return;
-        if (!directional_) directional_.emplace(bench_.device, bench_.passes);
-        if (options_.bent_normals)
-            write_bent_normals(
-                *output_.folder, stem(number),
-                settings.bent_normals && !wide.normal.empty()
-                    ? bent_of(frame, scene::cropped(wide))
-                    : directional_->bent_normals(wide, settings, {.interleave = options_.bent_interleave}));
-        if (options_.light) {
-            const effect::Sky sky = *options_.light == "sky" ? effect::clear_sky : effect::Sky{};
-            write_light(*output_.folder, stem(number), directional_->light(wide, settings, sky));
-        }
+    void require_fitting(const scene::GBuffer& view, double radius) const {
+        const std::string misfit = scene::radius_out_of_proportion(view, radius);
+        if (!misfit.empty()) throw std::invalid_argument(input_.name + ": " + misfit);
+        const std::string coarse = scene::too_coarse_steps(view, radius);
+        if (!coarse.empty()) fmt::print(stderr, "gloam: {}: {}\n", input_.name, coarse);
     }
 
     // The reason why the view has no history; empty: it has one.
@@ -247,72 +175,60 @@ class Renderer {
     }
 
     // Empty if the truth is unknown, or not requested for this view.
-    [[nodiscard]] ViewTruth truth_at(int number, const scene::GBuffer& view,
-                                     const effect::Settings& settings) {
-        if (number != input_.views.back() && !truth_.every_view()) return {};
-        ViewTruth truth = truth_.of(view, input_.first_frame + number, double{settings.radius});
-        if (truth.traced && output_.folder != nullptr) {
-            const bool only = input_.views.size() == 1 || !truth_.every_view();
-            write_truth(*output_.folder, output_.prefix + (only ? "" : scene::frame_prefix(number) + "_"),
-                        view.extent, *truth.traced);
+    [[nodiscard]] ViewTruth truth_at(int number, const scene::GBuffer& view, double radius) const {
+        if (!input_.truth || (number != input_.views.back() && !input_.every_truth)) return {};
+        ViewTruth truth = input_.truth(view, input_.first_frame + number, radius);
+        if (truth.depth && folder_ != nullptr) {
+            const bool only = input_.views.size() == 1 || !input_.every_truth;
+            write_truth(*folder_, candidate_.prefix + (only ? "" : scene::frame_prefix(number) + "_"),
+                        view.extent, truth);
         }
         return truth;
     }
 
-    [[nodiscard]] FrameReport entry_of(int number, const effect::Settings& settings,
-                                       const effect::Frame& frame, const scene::GBuffer& view) const {
-        FrameReport entry{.number = number,
-                          .extent = frame.extent,
-                          .settings = settings,
-                          .times = frame.times,
-                          .tiles = shares_of(frame.tiles),
-                          .samples = frame.samples,
-                          .mean_convergence = mean_convergence(frame, view),
-                          .history = history_of(frame, view),
-                          .flicker = history_.flicker()};
+    void add_report(int number, const scene::GBuffer& view, const ViewTruth& truth, const std::string& cut,
+                    bool last) {
+        nlohmann::ordered_json& report =
+            frames_.emplace_back(frame_json(number, made_.settings, made_.frame, view, cut));
         const bool follows = input_.frames_per_view == 1;
-        if (input_.scene) entry.scene_frame = input_.first_frame + (follows ? number : 0);
-        return entry;
+        if (input_.scene) report["scene_frame"] = input_.first_frame + (follows ? number : 0);
+        if (history_.flicker) report["flicker"] = *history_.flicker;
+        if (truth.known.empty()) return made_.error.reset();
+        add_errors(report, made_.frame, view, truth, history_.classes(), last);
+        made_.error = report.at("errors").at("filtered").at("rmse").get<double>();
     }
 
-    void compare(FrameReport& entry, const scene::GBuffer& view, const effect::Frame& frame,
-                 const ViewTruth& truth, bool last) {
-        if (truth.truth.empty()) return;
-        entry.errors = {effect::errors_of(frame.occlusion, truth.truth),
-                        effect::errors_of(frame.filtered, truth.truth)};
-        if (truth.traced) {
-            const effect::Truth depth = effect::truth_from(view, truth.traced->depth.occlusion);
-            entry.truth = report_of(*truth.traced, truth.truth, depth);
-            if (truth.traced->geometry)
-                entry.errors->filtered_depth = effect::errors_of(frame.filtered, depth);
-        }
-        if (history_.flicker() && history_.classes()) {
-            entry.errors->by_class =
-                effect::class_errors_of(frame.filtered, truth.truth, *history_.classes());
-        }
-        if (!last) return;
-        entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
+    // Makes the pictures of a view's last frame: of the last view, and of one candidate all that are written.
+    void show(int view_number, int frame_number, const scene::GBuffer& view, const ViewTruth& truth) {
+        const bool all = folder_ != nullptr && candidate_.prefix.empty();
+        if (view_number != input_.views.back() && !all) return;
+        made_.pictures = pictures_of(bench_.composite, stem(frame_number), lights_.of(view_number, view),
+                                     made_.frame.filtered, truth.known, options_.multi_bounce);
+        if (folder_ != nullptr) write_pictures(*folder_, made_.pictures);
     }
 
-    // Whether there are pictures of a view: the last, and of one run all that are written.
-    [[nodiscard]] bool is_shown(int number) const {
-        return number == input_.views.back() || (output_.folder != nullptr && output_.prefix.empty());
+    // last: of its view, with the requested results besides the occlusion: bent normals, of the frame if it
+    // has some and the view has normals, and light.
+    void write_files(int number, const scene::GBuffer& wide, bool last) {
+        write_images(*folder_, stem(number), made_.frame);
+        if (made_.settings.resolution == effect::Resolution::tiles)
+            write_tiles(*folder_, stem(number), made_.frame, wide);
+        if (!last || !(options_.bent_normals || options_.light)) return;
+        if (!directional_) directional_.emplace(bench_.device, bench_.passes);
+        if (options_.bent_normals)
+            write_bent_normals(*folder_, stem(number),
+                               made_.settings.bent_normals && !wide.normal.empty()
+                                   ? bent_of(made_.frame, scene::cropped(wide))
+                                   : directional_->bent_normals(wide, made_.settings,
+                                                                {.interleave = options_.bent_interleave}));
+        if (options_.light)
+            write_light(*folder_, stem(number),
+                        directional_->light(wide, made_.settings,
+                                            *options_.light == "sky" ? effect::clear_sky : effect::Sky{}));
     }
 
-    // Makes the pictures of a view's last frame.
-    void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
-              const ViewTruth& truth) {
-        const bool watched = !options_.quiet && input_.views.size() == 1;
-        const pictures::PictureLight& light = bench_.light_of(input_, view_number, view, watched);
-        pictures_ = pictures_of(bench_.composite, stem(frame_number), light, frame.filtered, truth.truth,
-                                options_.multi_bounce);
-        if (output_.folder != nullptr) write_pictures(*output_.folder, pictures_);
-    }
-
-    [[nodiscard]] std::string stem(int number) const { return output_.prefix + scene::frame_prefix(number); }
-
-    [[nodiscard]] std::size_t frame_count() const {
-        return input_.views.size() * static_cast<std::size_t>(input_.frames_per_view);
+    [[nodiscard]] std::string stem(int number) const {
+        return candidate_.prefix + scene::frame_prefix(number);
     }
 
     // The view before, with its guard band.
@@ -324,17 +240,18 @@ class Renderer {
 
     const RenderOptions& options_;
     const RenderInput& input_;
-    RenderBench& bench_;
-    const RenderOutput& output_;
-    TruthSource truth_;
+    const RenderCandidate& candidate_;
+    const RenderBench& bench_;
+    Lights& lights_;
+    record::OutputFolder* folder_;
     std::optional<record::OutputFolder> gbuffer_out_;
     std::optional<effect::AmbientOcclusion> effect_;
     std::optional<effect::Directional> directional_;
     std::optional<Before> before_;
     RenderHistory history_;
     std::function<void(double)> progress_;
-    RenderReport report_;
-    Pictures pictures_;  // of the last view
+    nlohmann::ordered_json frames_ = nlohmann::ordered_json::array();
+    Rendered made_;
 };
 
 }  // namespace
@@ -344,32 +261,13 @@ RenderBench::RenderBench(const RenderOptions& options)
       passes(glsl_directory(), cache_directory()),
       composite(device, passes) {}
 
-const pictures::PictureLight& RenderBench::light_of(const RenderInput& input, int number,
-                                                    const scene::GBuffer& view, bool watched) {
-    if (lit_ == number) return light_;
-    pictures::LightingOptions options{.frame = input.first_frame + number};
-    if (watched) options.progress = progress_bar(input.name + ": light");
-    // Fewer where the device has no images of that size.
-    const std::uint32_t most = device.info().max_image_size / std::max(view.extent.width, view.extent.height);
-    const int samples = std::min(input.picture_samples, static_cast<int>(std::max(most, 1U)));
-    if (samples == 1) {
-        light_ = pictures::picture_light(view, view, samples, input.scene.get(), options);
-    } else {
-        // As many rays as one sample would send, so that smooth edges cost little.
-        options.rays = std::max(1, options.rays / (samples * samples));
-        const auto side = static_cast<std::uint32_t>(samples);
-        const scene::GBuffer fine =
-            scene::draw(*input.scene, {view.extent.width * side, view.extent.height * side},
-                        {.frame = options.frame, .color = true});
-        light_ = pictures::picture_light(view, fine, samples, input.scene.get(), options);
-    }
-    lit_ = number;
-    return light_;
-}
-
-Rendered render(const RenderOptions& options, const RenderInput& input, RenderBench& bench,
-                const RenderOutput& output) {
-    return Renderer(options, input, bench, output).run();
+std::vector<Rendered> render(const RenderOptions& options, const RenderInput& input, const RenderBench& bench,
+                             record::OutputFolder* folder) {
+    std::vector<Rendered> runs;
+    Lights lights(options, input, bench.device);
+    for (const RenderCandidate& candidate : input.candidates)
+        runs.push_back(Renderer(options, input, candidate, bench, lights, folder).run());
+    return runs;
 }
 
 }  // namespace gloam::cli

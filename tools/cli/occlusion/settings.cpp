@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "base/files.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "cli/occlusion/render.hpp"
 #include "effect/methods.hpp"
@@ -31,29 +31,6 @@ std::string text_of(const ordered_json& value) {
     if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
     if (value.is_string()) return value.get<std::string>();
     return value.dump();
-}
-
-ordered_json json_of(const effect::Setting& setting) {
-    const effect::Preset preset = default_preset_of(setting);
-    const effect::SettingValue value = setting.get(preset.settings);
-    ordered_json json{{"name", setting.name},
-                      {"description", setting.meaning},
-                      {"unit", setting.unit},
-                      {"expected", effect::expected_of(setting)}};
-    if (!setting.choices.empty()) json["choices"] = setting.choices;
-    if (std::holds_alternative<double>(value)) {
-        json["least"] = setting.range.least;
-        json["most"] =
-            std::isfinite(setting.range.most) ? ordered_json(setting.range.most) : ordered_json(nullptr);
-    }
-    json["default"] = json_of(value);
-    json["default_of"] = preset.name;
-    return json;
-}
-
-effect::Preset default_preset_of(const effect::Setting& setting) {
-    effect::Preset preset = effect::preset_named(effect::default_preset);
-    return reads(preset.settings, setting) ? preset : effect::preset_named("tssao-paper");
 }
 
 ordered_json json_of(const effect::Settings& settings) {
@@ -111,10 +88,11 @@ void apply(effect::Settings& settings, const std::string& assignment) {
     effect::set(settings, name, assignment.substr(sign + 1));
 }
 
-effect::Settings settings_for(const RenderOptions& options, const std::optional<double>& view_radius) {
-    effect::Settings settings = preset_settings(options.preset);
-    if (!options.method.empty() && options.method != settings.method)
-        settings = with_method(settings, options.method);
+effect::Settings settings_for(const RenderOptions& options, const RenderCandidate& candidate,
+                              const std::optional<double>& view_radius) {
+    effect::Settings settings = preset_settings(candidate.preset);
+    if (!candidate.method.empty() && candidate.method != settings.method)
+        settings = with_method(settings, candidate.method);
     if (!options.radius && !view_radius) {
         throw std::invalid_argument("no radius: the G-buffer has no ao_radius, so give --radius");
     }
@@ -132,24 +110,16 @@ effect::Settings settings_for(const RenderOptions& options, const std::optional<
 
 namespace {
 
-// The two whole numbers of a text such as "640x360"; nothing for other text.
-std::optional<std::pair<std::uint32_t, std::uint32_t>> pair_from(std::string_view text) {
-    std::pair<std::uint32_t, std::uint32_t> pair;
-    const char* const end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, pair.first);
-    if (first.ec != std::errc{} || first.ptr == end || *first.ptr != 'x') return std::nullopt;
-    const auto second = std::from_chars(first.ptr + 1, end, pair.second);
-    if (second.ec != std::errc{} || second.ptr != end) return std::nullopt;
-    return pair;
-}
-
 // sides: the allowed ones, in words.
 gpu::Extent size_within(const std::string& text, std::uint32_t least, std::uint32_t most, const char* sides) {
-    const auto fits = [&](std::uint32_t side) { return side >= least && side <= most; };
-    const auto pair = pair_from(text);
-    if (pair && fits(pair->first) && fits(pair->second)) return {pair->first, pair->second};
-    throw std::invalid_argument(
-        fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {}, such as 640x360", text, sides));
+    const std::size_t times = std::min(text.find('x'), text.size());
+    const auto side = [&](std::string_view number) {
+        const auto pixels = base::number_from<std::uint32_t>(number);
+        if (times < text.size() && pixels && *pixels >= least && *pixels <= most) return *pixels;
+        throw std::invalid_argument(
+            fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {}, such as 640x360", text, sides));
+    };
+    return {side(text.substr(0, times)), side(text.substr(std::min(times + 1, text.size())))};
 }
 
 }  // namespace

@@ -12,20 +12,13 @@
 namespace gloam::cli {
 
 struct RenderOptions;
+struct RenderCandidate;
 
 // true or false, a number with the digits of single precision, or a name; infinity is "inf".
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::SettingValue& value);
 
 // The same as text that effect::set() reads: "on", "off", a number or a name.
 [[nodiscard]] std::string text_of(const nlohmann::ordered_json& value);
-
-// {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is that
-// of default_preset_of(), lengths for a radius of 1; "most" is null where there is none.
-[[nodiscard]] nlohmann::ordered_json json_of(const effect::Setting& setting);
-
-// The preset whose value is a setting's default: effect::default_preset, or `tssao-paper` for what that does
-// not read.
-[[nodiscard]] effect::Preset default_preset_of(const effect::Setting& setting);
 
 // The value of every setting that the passes read, by its name.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Settings& settings);
@@ -39,10 +32,10 @@ void apply(effect::Settings& settings, const std::string& assignment);
 // form, std::invalid_argument for what it sets.
 [[nodiscard]] effect::Settings preset_settings(const std::string& name_or_file);
 
-// Settings for a view: the preset and the method, scaled to the radius of the options or of the view, then
-// the other options, then every --set in order. Throws std::invalid_argument for invalid names and values,
-// and if there is no radius.
-[[nodiscard]] effect::Settings settings_for(const RenderOptions& options,
+// Settings for a view: those of the candidate, scaled to the radius of the options or of the view, then the
+// other options, then every --set in order. Throws std::invalid_argument for invalid names and values, and if
+// there is no radius.
+[[nodiscard]] effect::Settings settings_for(const RenderOptions& options, const RenderCandidate& candidate,
                                             const std::optional<double>& view_radius);
 
 // The value of --size: "640x360". Throws std::invalid_argument that names --size.

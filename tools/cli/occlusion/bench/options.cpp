@@ -136,7 +136,6 @@ std::vector<Option> query_options(ExperimentOptions& options) {
 
 // What is answered, and files.
 std::vector<Option> answer_options(ExperimentOptions& options) {
-    ExperimentPaths& paths = options.paths;
     return {{"--budget", &options.budget, "name the most exact within this time, such as 1ms"},
             {"--error", &options.error, positive, "name the fastest with at most this RMSE"},
             {"--from", &options.from, "results of --json or --out as one, instead of measuring"},
@@ -149,12 +148,12 @@ std::vector<Option> answer_options(ExperimentOptions& options) {
             device_option(options.device),
             validation_option(options.validation),
             driver_option(),
-            {"--json", &paths.json, "write every number to this file"},
-            {"--csv", &paths.csv, "a line for each candidate of each case"},
-            {"--page", &paths.page,
+            {"--json", &options.json, "write every number to this file"},
+            {"--csv", &options.csv, "a line for each candidate of each case"},
+            {"--page", &options.page,
              "page whose blocks of the tables' names, or the experiment's, are written anew"},
-            {"--report", &paths.report, "write a page with all tables"},
-            {"--out", &paths.out, "folder for results, pictures and the journal"},
+            {"--report", &options.report, "write a page with all tables"},
+            {"--out", &options.out, "folder for results, pictures and the journal"},
             {"--fail-if-missed", &options.fail_if_missed, "status 1 where a target is missed"}};
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/occlusion/bench/files.hpp"
 #include "experiment/experiment.hpp"
 
 namespace gloam::cli {
@@ -43,7 +42,12 @@ struct ExperimentOptions {
     std::vector<std::filesystem::path> compare;  // two results, or none
     std::string device;
     bool validation = false;
-    ExperimentPaths paths;
+    // Files of the results; those with an empty path are not written.
+    std::filesystem::path json;    // every number
+    std::filesystem::path csv;     // a line for each candidate of each case
+    std::filesystem::path page;    // whose blocks of the tables' names, or the experiment's, are written anew
+    std::filesystem::path report;  // a page of its own
+    std::filesystem::path out;     // folder for results, pictures and the journal
 };
 
 // has_query: of a description with a query of candidates.

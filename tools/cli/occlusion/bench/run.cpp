@@ -3,15 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "base/files.hpp"
+#include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
-#include "cli/occlusion/bench/files.hpp"
 #include "cli/occlusion/bench/options.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "cli/progress.hpp"
@@ -20,6 +22,8 @@
 #include "experiment/experiment.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"
+#include "pictures/sheet.hpp"
+#include "record/output.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::cli {
@@ -29,11 +33,128 @@ namespace fs = std::filesystem;
 constexpr const char* own_experiment = "FILE.json";
 using experiment::Experiment;
 
-scene::Inputs inputs_named(const std::string& name) {
-    if (name == "sampled") return scene::Inputs::sampled;
-    if (name == "storage") return scene::Inputs::storage;
-    return scene::Inputs::by_device;
+// The position of a line that must occur exactly once.
+std::size_t line_in(const std::string& page, const std::string& line) {
+    const std::size_t at = page.find(line);
+    if (at == std::string::npos || page.find(line, at + 1) != std::string::npos)
+        throw std::invalid_argument(fmt::format("the page: expected one line \"{}\"", line));
+    return at;
 }
+
+// Puts a text of whole lines between the lines "<!-- begin NAME -->" and "<!-- end NAME -->". Throws
+// std::invalid_argument with the name unless the page contains these two, in this order, exactly once.
+void replace_block(std::string& page, const std::string& name, const std::string& text) {
+    const std::string begin = fmt::format("<!-- begin {} -->\n", name);
+    const std::string end = fmt::format("<!-- end {} -->", name);
+    const std::size_t first = line_in(page, begin) + begin.size();
+    const std::size_t last = line_in(page, end);
+    if (last < first)
+        throw std::invalid_argument(fmt::format("the page: block {} ends before it begins", name));
+    page.replace(first, last - first, "\n" + text + "\n");
+}
+
+// The page with the blocks of the tables that have names, or with one of all tables.
+std::string page_with(std::string page, const Experiment& what, const experiment::Text& tables,
+                      const std::string& heading) {
+    bool named = false;
+    for (const experiment::Table& table : what.tables) {
+        if (table.name.empty()) continue;
+        named = true;
+        const auto text = tables.named.find(table.name);
+        replace_block(page, table.name, text == tables.named.end() ? "" : text->second);
+    }
+    if (!named) replace_block(page, what.name, heading + tables.text);
+    return page;
+}
+
+// Without what leads into another folder or has to be quoted.
+std::string file_name(std::string name) {
+    std::erase_if(name, [](char c) { return c == ',' || c == ':' || c == '(' || c == ')'; });
+    std::ranges::replace(name, ' ', '-');
+    return base::file_name_of(name);
+}
+
+// What was measured where, in a few lines.
+std::string heading_of(const experiment::Conditions& conditions, const experiment::Database& database) {
+    std::string text = database.text("SELECT count(*) FROM cases");
+    text += fmt::format(" cases on {} ({})", conditions.device, conditions.driver);
+    for (const auto& row : database.select("SELECT size FROM sizes").all)
+        text += fmt::format(",\n{} pixels", experiment::text_of(row[0]));
+    text += fmt::format(", {} rounds", database.text("SELECT coalesce(max(round), 0) FROM rounds"));
+    if (conditions.rays > 0)
+        text += fmt::format(",\nthe last {} of {} frames, the truth of {} rays a pixel", conditions.scored,
+                            conditions.frames, conditions.rays);
+    return text + ".\n";
+}
+
+// The files of one run. The constructor finds out whether they can be written, before the work.
+class ExperimentFiles {
+  public:
+    // Throws std::runtime_error for a file that cannot be written, and std::invalid_argument for a page
+    // without the experiment's blocks.
+    ExperimentFiles(const ExperimentOptions& options, const Experiment& what)
+        : options_(options),
+          what_(what),
+          old_page_(options.page.empty() ? "" : base::read_file(options.page)),
+          json_(options.json),
+          csv_(options.csv),
+          page_(options.page),
+          report_(options.report) {
+        if (!options.page.empty()) (void)page_with(old_page_, what, {}, "");
+        if (!options.out.empty()) out_.emplace(options.out);
+    }
+
+    // In the folder, which then stays even if the run fails; empty: there is none.
+    [[nodiscard]] fs::path journal() {
+        if (!out_) return {};
+        out_->keep();
+        return out_->path() / "journal.jsonl";
+    }
+
+    // Writes a picture into the folder.
+    void show(const experiment::Picture& picture) {
+        if (!out_) return;
+        constexpr double full_error = 0.1;  // as bright as the scale goes
+        const auto [width, height] = picture.extent;
+        const bool error = picture.kind == "error";
+        const bool part = picture.kind == "convergence" || picture.kind == "samples";
+        out_->write(file_name(picture.name) + ".png",
+                    error || part ? base::to_png(base::heat_rgb(picture.values, error ? full_error : 1.0), width, height)
+                                  : pictures::to_visibility_png(picture.values, width, height));
+        out_->keep();  // a run that is taken up again does not measure what the picture shows
+    }
+
+    // Prints the tables and the answers, and writes all files. Returns the exit status.
+    [[nodiscard]] int report(const experiment::Record& record) {
+        const experiment::Database database(record);
+        const experiment::Text tables = to_text(what_, database);
+        const std::string heading = heading_of(record.conditions(), database);
+        const experiment::Answers answers = answers_to(database, options_.budget, options_.error);
+        fmt::print("{}{}{}", heading, tables.text, answers.text);
+        const std::string json = to_json(database, record, versions());
+        const std::string csv = to_csv(database);
+        json_.write(json);
+        csv_.write(csv);
+        if (!options_.page.empty()) page_.write(page_with(old_page_, what_, tables, heading));
+        report_.write(fmt::format("# {}\n\n{}.\n\n{}{}\n", what_.name, what_.about, heading, tables.report));
+        if (out_) {
+            out_->write("results.json", json);
+            out_->write("results.csv", csv);
+            out_->keep();
+        }
+        return !answers.all || (tables.missed && options_.fail_if_missed) ? 1 : 0;
+    }
+
+  private:
+    const ExperimentOptions& options_;
+    const Experiment& what_;
+    std::string old_page_;
+    record::OutputFile json_;
+    record::OutputFile csv_;
+    record::OutputFile page_;
+    record::OutputFile report_;
+    std::optional<record::OutputFolder> out_;
+};
 
 experiment::Record record_in(const fs::path& file) {
     return experiment::read_record(file.string(), base::read_file(file));
@@ -46,36 +167,20 @@ int compare_files(const ExperimentOptions& options) {
     return options.fail_if_worse && found.got_worse ? 1 : 0;
 }
 
-// Prints the tables and the answers, and writes the files.
-int report_on(const Experiment& what, const experiment::Record& record, const ExperimentOptions& options,
-              ExperimentFiles& files) {
-    const experiment::Database database(record);
-    const experiment::Text tables = to_text(what, database);
-    const Measured measured{what, record, database, tables};
-    const std::string heading = heading_of(measured);
-    const experiment::Answers answers = answers_to(database, options.budget, options.error);
-    fmt::print("{}{}{}", heading, tables.text, answers.text);
-    files.write(measured, heading, versions());
-    return !answers.all || (tables.missed && options.fail_if_missed) ? 1 : 0;
-}
-
-int report_stored(const Experiment& what, const ExperimentOptions& options) {
-    std::vector<experiment::Record> parts;
-    for (const fs::path& file : options.from) parts.push_back(record_in(file));
-    const experiment::Record record = experiment::joined(parts);
-    ExperimentFiles files(options.paths, what);
-    return report_on(what, record, options, files);
-}
-
 int run_experiment(const ExperimentOptions& options) {
     if (options.only_single && options.only_temporal)
         throw std::invalid_argument("--temporal and --single: expected one of them, or none for both");
-    if (options.resume && options.paths.out.empty())
+    if (options.resume && options.out.empty())
         throw std::invalid_argument("--resume: expected --out, the folder whose journal is taken up again");
     if (!options.budget.empty()) (void)experiment::time_budget(options.budget);
     if (!options.compare.empty()) return compare_files(options);
     Experiment what = described(options);
-    if (!options.from.empty()) return report_stored(what, options);
+    if (!options.from.empty()) {
+        std::vector<experiment::Record> parts;
+        for (const fs::path& file : options.from) parts.push_back(record_in(file));
+        const experiment::Record record = experiment::joined(parts);
+        return ExperimentFiles(options, what).report(record);
+    }
     const fs::path meshes = options.meshes.empty() ? scene::installed_meshes() : options.meshes;
     choose_candidates(what, options);
     choose_cases(what, options.cases, options.half, meshes);
@@ -83,7 +188,8 @@ int run_experiment(const ExperimentOptions& options) {
     for (const std::string& size : what.sizes) sizes.push_back(judged_size(size));
     gpu::Device device = open_device(options.device, options.validation);
     scene::PassLibrary passes(glsl_directory(), cache_directory());
-    passes.inputs = inputs_named(options.inputs);
+    if (options.inputs != "device")
+        passes.inputs = options.inputs == "sampled" ? scene::Inputs::sampled : scene::Inputs::storage;
     experiment::Place place{.device = device,
                             .passes = passes,
                             .truth_cache = truth_cache_directory(),
@@ -91,7 +197,7 @@ int run_experiment(const ExperimentOptions& options) {
                             .preset_of = preset_settings,
                             .progress = [](const std::string& what) { return progress_bar(what); }};
     require_possible(what, place);
-    ExperimentFiles files(options.paths, what);
+    ExperimentFiles files(options, what);
     experiment::Record record({.experiment = what.name,
                                .device = device.info().name,
                                .driver = device.info().driver,
@@ -102,9 +208,9 @@ int run_experiment(const ExperimentOptions& options) {
     const record::Journal journal(files.journal(), line_of(record.conditions()), options.resume,
                                   [&](std::string_view line) { record.add_line(line); });
     place.keep = [&](const std::string& line) { journal.add(line); };
-    if (files.shows_pictures()) place.show = [&](const experiment::Picture& picture) { files.show(picture); };
+    place.show = [&](const experiment::Picture& picture) { files.show(picture); };
     run(what, sizes, place, record);
-    const int status = report_on(what, record, options, files);
+    const int status = files.report(record);
     const int messages = validation_status(device);
     return messages == 0 ? status : messages;
 }

@@ -9,6 +9,7 @@
 
 #include "reference/filter.hpp"
 #include "reference/sampling.hpp"
+#include "reference/temporal.hpp"
 #include "subject/images.hpp"
 
 // The study's passes in double, as the paper's equations have them, on a view that is drawn for them.
@@ -20,6 +21,7 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 using glm::ivec2;
+using namespace reference;
 
 inline constexpr ivec2 size(24, 20);
 inline constexpr float radius = 1.5F;
@@ -51,33 +53,7 @@ struct Case {
     float filter_cap = 1e18F;
 };
 
-struct Camera {
-    glm::vec2 p00_p11;
-    bool orthographic;
-
-    [[nodiscard]] dvec2 ray(ivec2 pixel) const {
-        return (2.0 * (dvec2(pixel) + 0.5) / dvec2(size) - 1.0) / dvec2(p00_p11);
-    }
-    [[nodiscard]] dvec3 position(ivec2 pixel, double depth) const {
-        return {ray(pixel) * (orthographic ? 1.0 : depth), -depth};
-    }
-    // In pixels; the centre of the first one is at 1/2.
-    [[nodiscard]] dvec2 place(dvec3 at) const {
-        return (dvec2(p00_p11) * dvec2(at) / (orthographic ? 1.0 : -at.z) / 2.0 + 0.5) * dvec2(size);
-    }
-    // Depth at which the ray of a pixel meets the plane through a point; the point's own where it does not.
-    [[nodiscard]] double plane_depth(ivec2 pixel, dvec3 point, dvec3 normal) const {
-        const dvec3 eye(orthographic ? ray(pixel) : dvec2(0.0), 0.0);
-        const double along = dot(normal, dvec3(ray(pixel), -1.0) - eye);
-        const double t = dot(normal, point - eye) / along;
-        return along < 0.0 && t > 0.0 ? t : -point.z;
-    }
-    // The larger half-axis of the projected radius, pixels.
-    [[nodiscard]] double reach(double depth) const {
-        const dvec2 axes = glm::abs(dvec2(p00_p11)) * dvec2(size) * double{radius} / 2.0;
-        return std::max(axes.x, axes.y) / (orthographic ? 1.0 : depth);
-    }
-};
+using Camera = GloamCamera;
 
 struct View {
     Camera camera;
@@ -106,14 +82,24 @@ inline Hit traced(dvec3 from, dvec3 along, dvec3 plate) {
     return hit;
 }
 
+// The ray of a pixel, at depth 1.
+inline dvec2 ray_of(const Camera& camera, ivec2 pixel) {
+    return gloam_camera_position(pixel, 1.0, camera);
+}
+
+// Where a point is in the image, in pixels; the centre of the first one is at 1/2.
+inline dvec2 place_of(const Camera& camera, dvec3 at) {
+    return gloam_camera_uv(at, camera) * dvec2(size);
+}
+
 // step: what the plate has moved by since the frame before.
 inline View seen(const Camera& camera, const glm::mat4& first_from_view, dvec3 step) {
     const glm::dmat4 matrix(first_from_view);
     View view{
         .camera = camera, .first_from_view = first_from_view, .depth = {}, .normal = {}, .positions = {}};
     const auto hit = [&](ivec2 pixel) {
-        const dvec3 from(camera.orthographic ? camera.ray(pixel) : dvec2(0.0), 0.0);
-        const dvec3 along(camera.orthographic ? dvec2(0.0) : camera.ray(pixel), -1.0);
+        const dvec3 from(camera.orthographic ? ray_of(camera, pixel) : dvec2(0.0), 0.0);
+        const dvec3 along(camera.orthographic ? dvec2(0.0) : ray_of(camera, pixel), -1.0);
         return traced(matrix * dvec4(from, 1.0), matrix * dvec4(along, 0.0), dvec3(-0.2, 0.0, -4.5) + step);
     };
     view.depth = make_image<float>(size, [&](ivec2 pixel) { return hit(pixel).depth; });
@@ -122,7 +108,7 @@ inline View seen(const Camera& camera, const glm::mat4& first_from_view, dvec3 s
     view.positions = make_image<glm::vec4>(size, [&](ivec2 pixel) {
         const Hit at = hit(pixel);
         if (std::isinf(at.depth)) return dvec4(0.0);
-        return matrix * dvec4(camera.position(pixel, at.depth), 1.0) -
+        return matrix * dvec4(gloam_camera_position(pixel, at.depth, camera), 1.0) -
                dvec4(at.on_plate ? step : dvec3(0.0), 1.0);
     });
     return view;
@@ -149,9 +135,9 @@ inline Wanted reprojected(const Case& one, const View& now, const View& before, 
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const double depth = now.depth.at<double>(pixel);
     if (std::isinf(depth)) return {{0.0, 0.0, 0.0, infinite}};
-    dvec3 previous = glm::dmat4(now.first_from_view) * dvec4(now.camera.position(pixel, depth), 1.0);
+    dvec3 previous = gloam_previous_view(pixel, depth, now.camera, now.first_from_view);
     if (one.moving) previous = now.positions.at<dvec4>(pixel);
-    const dvec2 place = before.camera.place(previous);
+    const dvec2 place = place_of(before.camera, previous);
     Wanted wanted{{0.0, 0.0, 0.0, -previous.z}};
     const dvec2 off = glm::min(place, dvec2(size) - place);
     wanted.decide(std::min(off.x, off.y), 1e-5, "edge of the image");
@@ -189,17 +175,19 @@ inline Wanted reprojected(const Case& one, const View& now, const View& before, 
     return wanted;
 }
 
+// The larger half-axis of the projected radius, pixels.
+inline double reach_of(const Camera& camera, double depth) {
+    const dvec2 axes = gloam_camera_radius(radius, depth, camera) * dvec2(size);
+    return std::max(axes.x, axes.y);
+}
+
 // TSSAO-AS, CS-N, ISSAO-LOD.
 inline int samples_of(const Case& one, double convergence, double depth, double reach) {
-    const int asked = convergence < double{c_spatial} ? 16 : 8;
-    const int least = std::min(static_cast<int>(one.samples_least), asked);
-    int samples = asked;
-    const double share = std::min(depth / double{one.samples_distance}, 1.0);
+    int samples = gloam_sample_count(convergence, c_spatial, 16, 8);
+    const int least = std::min(static_cast<int>(one.samples_least), samples);
     if (one.samples_distance > 0.0F)
-        samples = std::max(static_cast<int>(samples / (1.0 + samples * share)), least);
-    if (one.samples_radius > 0.0F)
-        samples =
-            std::clamp(static_cast<int>(samples * reach / double{one.samples_radius} + 0.5), least, samples);
+        samples = gloam_count_by_distance(depth, one.samples_distance, samples, least);
+    if (one.samples_radius > 0.0F) samples = gloam_count_by_radius(reach, one.samples_radius, least, samples);
     return samples;
 }
 
@@ -212,33 +200,35 @@ struct Fresh {
 
 // TSSAO-9: by how much a surface that may block a pixel has come nearer to it or gone from it.
 inline double change_at(const View& view, ivec2 pixel, ivec2 at, double farthest, Wanted& wanted) {
-    const auto place = [&](ivec2 p) { return view.camera.position(p, view.depth.at<double>(p)); };
+    const auto place = [&](ivec2 p) {
+        return gloam_camera_position(p, view.depth.at<double>(p), view.camera);
+    };
     const dvec3 now = place(at) - place(pixel);
-    const double before = length(view.positions.at<dvec4>(at) - view.positions.at<dvec4>(pixel));
-    const double above = dot(now, dvec3(view.normal.at<dvec4>(pixel)));
-    wanted.decide(above, 1e-5, "probe in the plane");
-    const bool blocks = above > 0.0 && std::min(length(now), before) <= farthest;
-    return blocks ? std::abs(length(now) - before) : 0.0;
+    const dvec3 before = view.positions.at<dvec4>(at) - view.positions.at<dvec4>(pixel);
+    const dvec3 normal = view.normal.at<dvec4>(pixel);
+    wanted.decide(dot(now, normal), 1e-5, "probe in the plane");
+    return gloam_probe_change(now, before, normal, farthest);
 }
 
 // TSSAO-3, -4 and -14: whether the surface under a sample blocks it.
 inline Fresh sampled(const Case& one, const View& view, ivec2 pixel, dvec4 history, int samples,
                      Wanted& wanted) {
     const double depth = view.depth.at<double>(pixel);
-    const dvec3 point = view.camera.position(pixel, depth);
+    const dvec3 point = gloam_camera_position(pixel, depth, view.camera);
     const dvec3 normal = view.normal.at<dvec4>(pixel);
-    const double reach = double{radius} * std::min(1.0, double{one.radius_cap} / view.camera.reach(depth));
-    const double rotation = one.lattice ? reference::gloam_lattice_rotation(pixel)
-                                        : reference::gloam_hash_rotation(pixel - one.border);
+    const double reach =
+        double{radius} * std::min(1.0, double{one.radius_cap} / reach_of(view.camera, depth));
+    const double rotation =
+        one.lattice ? gloam_lattice_rotation(pixel) : gloam_hash_rotation(pixel - one.border);
     const bool rotates = history.y / double{weight_max} < 0.5;
     Fresh fresh;
     for (int i = 1; i <= samples; ++i) {
-        const dvec3 s = reference::gloam_hemisphere_cosine(
-            reference::gloam_halton_3d(static_cast<unsigned>(history.z) + static_cast<unsigned>(i)));
-        const dvec3 turned = reference::gloam_rotate_hemisphere(s, rotates ? rotation : 0.0);
-        const dvec3 sample = point + reach * (reference::gloam_tangent_frame(normal) * turned);
+        const dvec3 s = gloam_hemisphere_cosine(
+            gloam_halton_3d(static_cast<unsigned>(history.z) + static_cast<unsigned>(i)));
+        const dvec3 turned = gloam_rotate_hemisphere(s, rotates ? rotation : 0.0);
+        const dvec3 sample = point + reach * (gloam_tangent_frame(normal) * turned);
         if (sample.z >= 0.0) continue;
-        const dvec2 place = view.camera.place(sample);
+        const dvec2 place = place_of(view.camera, sample);
         const dvec2 off = glm::abs(place - glm::round(place));
         if (inside(ivec2(glm::floor(place))))
             wanted.decide(std::min(off.x, off.y), 2e-5, "sample at a pixel's edge");
@@ -247,7 +237,8 @@ inline Fresh sampled(const Case& one, const View& view, ivec2 pixel, dvec4 histo
         if (one.invalidation > 0U && std::isfinite(buffer))
             fresh.change = std::max(fresh.change, change_at(view, pixel, at, reach + double{range}, wanted));
         if (one.rejects && depth - buffer > double{range}) continue;
-        const double in_front = view.camera.plane_depth(at, sample, normal) - buffer;
+        const double in_front =
+            gloam_plane_depth(ray_of(view.camera, at), sample, normal, view.camera.orthographic) - buffer;
         const double least = std::max(double{bias}, double{one.bias_depth} * depth);
         wanted.decide(in_front - least, 2e-6, "sample at the bias");
         wanted.decide(in_front - double{range}, 2e-6, "sample at the range");
@@ -262,16 +253,15 @@ inline Wanted blended(const Case& one, const View& view, const Image* before, iv
     const double depth = view.depth.at<double>(pixel);
     if (!inside(pixel, one.border)) return {{0.0, 0.0, 0.0, depth}};
     if (std::isinf(depth)) return {{0.0, 0.0, 0.0, depth}};
-    const double reach = view.camera.reach(depth);
+    const double reach = reach_of(view.camera, depth);
     if (reach < double{one.least_radius}) return {{0.0, weight_max, 0.0, depth}};
     const dvec4 old = before == nullptr ? dvec4(0.0) : before->at<dvec4>(pixel);
     const int samples = samples_of(one, old.y / double{weight_max}, depth, reach);
     Wanted wanted;
     const Fresh fresh = sampled(one, view, pixel, old, samples, wanted);
-    const double excess = before == nullptr ? 0.0 : std::max(fresh.change - double{change_tolerance}, 0.0);
-    double weight = old.y;
-    if (one.invalidation == 1U && excess > 0.0) weight = std::min(weight, 5.0);
-    if (one.invalidation == 2U) weight /= 1.0 + double{confidence_factor} * excess / double{radius};
+    const double weight =
+        gloam_invalidated_weight(old.y, before == nullptr ? 0.0 : fresh.change, radius, one.invalidation,
+                                 change_tolerance, 5.0, confidence_factor);
     const double count = weight + fresh.taken;
     double occlusion = count > 0.0 ? (weight * old.x + fresh.blocked) / count : 0.0;
     if (one.smoothing > 0.0F && fresh.taken > 0.0)
@@ -288,47 +278,42 @@ inline constexpr float filter_depth = 0.5F;
 inline constexpr int half_width = 2;
 inline constexpr float sigma_pixels = 1.25F;
 
-// CS-BLUR, ISSAO-7, SAO's blur: the weight of a neighbour, i taps away and apart in depth.
-inline double weight_of(const std::string& filter, int i, double apart, double cosine) {
-    if (filter == "sao") return reference::gloam_sao_blur_weight(i, apart, 1.0);
-    if (filter == "bilateral")
-        return std::exp(-(std::pow(i / double{sigma_pixels}, 2) + apart * apart) / 2.0);
-    return i == 0 ? 1.0 : std::pow(cosine / 2.0 + 0.5, 10.0) / std::sqrt(1.0 + std::abs(apart));
-}
-
-// The weighted mean along one axis; TSSAO-10 and -11 by convergence. source: what is smoothed.
+// The weighted mean along one axis: CS-BLUR, ISSAO-7, SAO's blur, and TSSAO-10 and -11 by convergence.
+// source: what is smoothed.
 inline double filtered(const Case& one, const View& view, const Image& history, const Image& source,
                        ivec2 pixel, ivec2 axis) {
     const auto occlusion = [&](ivec2 at) {
         return source.element.rows == 1 ? source.at<double>(at) : source.at<dvec4>(at).x;
     };
     const auto depth = [&](ivec2 at) { return history.at<dvec4>(at).w; };
-    const auto normal = [&](ivec2 at) { return dvec3(view.normal.at<dvec4>(at)); };
+    const auto scaled = [&](ivec2 at) { return depth(at) / double{filter_depth}; };
+    if (std::isinf(depth(pixel))) return occlusion(pixel);
+    if (one.filter == "bilateral")
+        return gloam_bilateral_filter(pixel, half_width * axis, size, sigma_pixels, 1.0, occlusion, scaled);
+    if (one.filter == "geometry")
+        return gloam_geometry_blur(pixel, axis, size, half_width, {10.0, 0.5}, occlusion, scaled,
+                                   [&](ivec2 at) { return dvec3(view.normal.at<dvec4>(at)); });
+    if (one.filter == "sao") {
+        GloamWeightedMean mean = gloam_weighted_mean_empty();
+        for (int i = -half_width; i <= half_width; ++i) {
+            const ivec2 at = pixel + 2 * i * axis;
+            if (!inside(at) || std::isinf(depth(at))) continue;
+            mean = gloam_weighted_mean_add(mean, occlusion(at),
+                                           gloam_sao_blur_weight(i, scaled(at) - scaled(pixel), 1.0));
+        }
+        return gloam_weighted_mean_value(mean, occlusion(pixel));
+    }
     const auto convergence = [&](ivec2 at) {
         return std::min(history.at<dvec4>(at).y / double{weight_max}, 1.0);
     };
     const double own = convergence(pixel);
-    const double reach = half_width * std::max(1.0 - own / double{c_adaptive}, 0.0);
     const double most = own > 0.0 ? double{one.filter_cap} * own : 1.0;
-    const double pixel_width = 2.0 / std::abs(double{view.camera.p00_p11.y}) / size.y;
-    const double sigma = double{sigma_pixels} * pixel_width * (view.camera.orthographic ? 1.0 : depth(pixel));
-    const bool by_convergence = one.filter == "convergence";
-    if (std::isinf(depth(pixel)) || (by_convergence && reach <= 0.0)) return occlusion(pixel);
-    dvec2 sum(0.0);
-    for (int i = -half_width; i <= half_width; ++i) {
-        const ivec2 at = pixel + i * axis * (one.filter == "sao" ? 2 : 1);
-        if (!inside(at) || std::isinf(depth(at))) continue;
-        const double apart = (depth(at) - depth(pixel)) / double{filter_depth};
-        const double distance =
-            glm::distance(view.camera.position(at, depth(at)), view.camera.position(pixel, depth(pixel)));
-        const double covered = std::clamp(reach + 1.0 - std::abs(i), 0.0, 1.0);
-        const double weight =
-            by_convergence
-                ? covered * std::exp(-std::pow(distance / sigma, 2) / 2.0) * std::min(convergence(at), most)
-                : weight_of(one.filter, i, apart, dot(normal(pixel), normal(at)));
-        sum += weight * dvec2(occlusion(at), 1.0);
-    }
-    return sum.y >= 1e-8 ? sum.x / sum.y : occlusion(pixel);
+    const double pixel_width = 2.0 / std::abs(view.camera.p00_p11.y) / size.y;
+    return gloam_convergence_filter(
+        pixel, axis, size, half_width, c_adaptive,
+        double{sigma_pixels} * pixel_width * (view.camera.orthographic ? 1.0 : depth(pixel)),
+        [&](ivec2 at) { return dvec2(occlusion(at), std::min(convergence(at), most)); },
+        [&](ivec2 at) { return gloam_camera_position(at, depth(at), view.camera); });
 }
 
 }  // namespace gloam::cli::study

@@ -5,21 +5,251 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
 #include "cli/occlusion/names.hpp"
-#include "cli/occlusion/subjects/passes.hpp"
+#include "cli/occlusion/subjects/study_definitions.hpp"
 #include "effect/methods.hpp"
 #include "effect/planned_run.hpp"
 #include "judge/run.hpp"
+#include "module/include.hpp"
+#include "numeric/numbers.hpp"
+#include "pass/pass.hpp"
 #include "scene/draw.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::cli {
 namespace {
 
-using check::Image;
+using namespace study;
+using check::Pass;
+using check::PassInputs;
+using check::PassResult;
+
+// Judges an image that a pass wrote, pixel by pixel: the question's inputs are pixels. wanted: appends what
+// one shall hold. promised: whether it is judged by the budget; none: each is.
+check::Answer judged(const check::Lab& lab, check::Question question, const Image& image,
+                     const std::string& scenario,
+                     const std::function<void(ivec2, std::vector<double>&)>& wanted,
+                     const std::function<bool(ivec2)>& promised = {}) {
+    const auto pixel_of = [](std::span<const check::Word> words) { return check::take_words<ivec2>(words); };
+    question.reference = [&](const auto&, auto words, std::vector<double>& outputs) {
+        outputs.clear();
+        wanted(pixel_of(words), outputs);
+    };
+    if (promised) question.promised = [&](auto words) { return promised(pixel_of(words)); };
+    check::Domain::Inputs inputs{.width = 2};
+    for (int i = 0; i < image.size.x * image.size.y; ++i) {
+        std::vector<check::Word> words;
+        check::append_words(ivec2(i % image.size.x, i / image.size.x), words);
+        inputs.add(words);
+    }
+    return check::judge(question, {.edges = false, .nan = lab.keeps_nan()}, inputs, image.words, {},
+                        scenario);
+}
+
+const Case cases[] = {
+    {.name = "as printed"},
+    {.name = "moving by confidence", .moving = true, .taps = 1, .invalidation = 2, .filter = "geometry"},
+    {.name = "moving by clamp", .orthographic = true, .moving = true, .invalidation = 1, .filter_cap = 1.5F},
+    {.name = "smoothed",
+     .taps = 0,
+     .smoothing = 0.25F,
+     .rejects = true,
+     .lattice = true,
+     .filter = "bilateral"},
+    {.name = "fewer",
+     .least_radius = 4.0F,
+     .radius_cap = 5.0F,
+     .samples_distance = 400.0F,
+     .samples_radius = 6.0F,
+     .samples_least = 9,
+     .filter = "sao"},
+    {.name = "none far away",
+     .moving = true,
+     .invalidation = 1,
+     .bias_depth = 0.04F,
+     .samples_distance = 5.0F,
+     .samples_least = 0,
+     .border = {2, 1}}};
+
+struct MethodValues {
+    float range, epsilon, intensity, thickness, angle_bias, mip_distance;
+    unsigned steps;
+    float disagreement, feature_thickness;
+    int layers;
+};
+
+// Told what an image of a pass shall hold.
+using Judge = std::function<void(const Image& image, const std::function<Wanted(ivec2)>& wanted)>;
+
+// The passes of both frames, as far as one of them needs the others. It is judged.
+class Frames {
+  public:
+    Frames(const check::Lab& lab, const Case& one, std::string judged, const Judge& judge)
+        : lab_(lab), one_(one), judged_(std::move(judged)), judge_with_(judge) {}
+
+    void run() {
+        const glm::mat4 moved =
+            glm::rotate(glm::translate(glm::mat4(1.0F), {0.21F, 0.05F, -0.33F}), 0.06F, {0.3F, 1, 0.1F});
+        const float scale = one_.orthographic ? 0.25F : 1.0F;
+        const View before =
+            seen({scale * glm::vec2(1.2F, -1.6F), size, one_.orthographic}, glm::mat4(1.0F), dvec3(0.0));
+        const View now = seen({scale * glm::vec2(1.15F, -1.5F), size, one_.orthographic}, moved,
+                              one_.moving ? dvec3(0.2, 0.1, 0.3) : dvec3(0.0));
+        const Image history = occlusion_of(before, nullptr);
+        const Image reprojected_history =
+            run("reproject", now, "depth_image", now.depth, "previous_position_image", now.positions,
+                "previous_history", history, "moving_objects", one_.moving, "taps", one_.taps,
+                "previous_orthographic", one_.orthographic, "previous_from_current", now.first_from_view,
+                "previous_p00_p11", glm::vec2(before.camera.p00_p11), "depth_tolerance", 0.02F)
+                .image("history");
+        judge("reproject", reprojected_history,
+              [&](ivec2 pixel) { return reprojected(one_, now, before, history, pixel); });
+        if (judged_ == "reproject") return;
+        const Image after = occlusion_of(now, &reprojected_history);
+        if (judged_ == "spatial_filter")
+            (void)smoothed(now, after, smoothed(now, after, now.depth, false), true);
+        if (judged_ != "remap") return;
+        PassInputs inputs{{"size", size}};
+        give(inputs, "depth_image", now.depth, "source_image", after, "remap_a", 0.1F, "remap_b", 0.9F,
+             "remap_c", 1.5F);
+        judge("remap", pass("remap").run(inputs).image("mapped_image"), [&](ivec2 pixel) -> Wanted {
+            const double own = after.at<dvec4>(pixel).x;
+            const double mapped =
+                1.0 - std::pow(std::max(double{0.9F} * (1.0 - own + double{0.1F}), 0.0), 1.5);
+            return {dvec4(std::isinf(now.depth.at<double>(pixel)) ? own : std::max(mapped, 0.0))};
+        });
+    }
+
+  private:
+    void judge(const std::string& name, const Image& image, const std::function<Wanted(ivec2)>& wanted) {
+        if (name == judged_) judge_with_(image, wanted);
+    }
+
+    // With the filter of the case.
+    [[nodiscard]] Pass pass(const std::string& name) const {
+        const std::filesystem::path path =
+            shader::resolve_include("passes/study/" + name + ".comp", {}, lab_.options().include_roots);
+        std::string text = shader::read_text(path);
+        const std::string usual = "filters/convergence";
+        if (const std::size_t at = text.find(usual); at != std::string::npos)
+            text.replace(at, usual.size(), "passes/study/filters/" + one_.filter);
+        return {lab_, name, lab_.compile({path.string(), text}, lab_.compile_options())};
+    }
+
+    // The values of a pass by their names, and those of the camera.
+    template <class... Values>
+    [[nodiscard]] PassResult run(const std::string& name, const View& view, const Values&... values) const {
+        PassInputs inputs{{"size", size}};
+        give(inputs, "p00_p11", glm::vec2(view.camera.p00_p11), "orthographic", view.camera.orthographic,
+             values...);
+        return pass(name).run(inputs);
+    }
+    template <class Value, class... Rest>
+    static void give(PassInputs& inputs, const char* name, const Value& value, const Rest&... rest) {
+        inputs.insert_or_assign(name, value);
+        if constexpr (sizeof...(Rest) > 0) give(inputs, rest...);
+    }
+
+    // The history of a view; before: that of the frame before, at its pixels.
+    [[nodiscard]] Image occlusion_of(const View& view, const Image* before) {
+        const MethodValues method{.range = range};
+        const PassResult result =
+            run("ambient_occlusion", view, "depth_image", view.depth, "normal_image", view.normal,
+                "layer_image", view.normal, "prepared_image", view.normal, "history_before",
+                before == nullptr ? view.normal : *before, "previous_position_image", view.positions,
+                "method_values", method, "keeps_history", before != nullptr, "watches_objects",
+                before != nullptr && one_.invalidation > 0, "table_size", table_size, "reject_taps",
+                one_.rejects, "on_lattice", one_.lattice, "samples_asked", 16U, "samples_converged", 8U,
+                "border", one_.border, "radius", radius, "bias", bias, "c_spatial", c_spatial, "weight_max",
+                weight_max, "c_rot", 0.5F, "least_radius", one_.least_radius, "shade_border", 0U,
+                "invalidation", one_.invalidation, "change_tolerance", change_tolerance, "weight_small", 5.0F,
+                "confidence_factor", confidence_factor, "samples_distance", one_.samples_distance,
+                "samples_radius", one_.samples_radius, "samples_least", one_.samples_least, "radius_cap",
+                one_.radius_cap, "smoothing", one_.smoothing, "bias_depth", one_.bias_depth);
+        const Image& after = result.image("history_after");
+        judge("ambient_occlusion", after, [&](ivec2 pixel) { return blended(one_, view, before, pixel); });
+        return after;
+    }
+
+    [[nodiscard]] Image smoothed(const View& view, const Image& history, const Image& along_x, bool along_y) {
+        const PassResult result =
+            run("spatial_filter", view, "history_image", history, "normal_image", view.normal,
+                "along_x_image", along_x, "along_y", along_y, "filter_half_width", half_width, "sigma_pixels",
+                sigma_pixels, "filter_depth", filter_depth, "c_adaptive", c_adaptive, "weight_max",
+                weight_max, "filter_cap", one_.filter_cap);
+        const ivec2 axis(along_y ? 0 : 1, along_y ? 1 : 0);
+        const Image& source = along_y ? along_x : history;
+        judge("spatial_filter", result.image("filtered_image"), [&](ivec2 pixel) -> Wanted {
+            return {dvec4(filtered(one_, view, history, source, pixel, axis))};
+        });
+        return result.image("filtered_image");
+    }
+
+    const check::Lab& lab_;
+    const Case& one_;
+    std::string judged_;
+    const Judge& judge_with_;
+};
+
+// Whether a pixel is another than it shall be where a decision lies within rounding.
+bool is_tied(const Image& image, ivec2 pixel, const Wanted& wanted) {
+    if (wanted.tie.empty()) return false;
+    const dvec4 got = image.element.rows == 1 ? dvec4(image.at<double>(pixel)) : image.at<dvec4>(pixel);
+    for (int c = 0; c < image.element.rows; ++c)
+        if (numeric::absolute_error(got[c], wanted.value[c]) > 1e-6 * std::max(1.0, wanted.value[c]))
+            return true;
+    return false;
+}
+
+// The answer to the question of a pass of that name.
+check::Answer answered(const check::Lab& lab, const check::Question& question, const std::string& pass) {
+    check::Answer answer = check::empty_answer(question, check::Verdict::budget);
+    for (const Case& one : cases) {
+        if (pass == "remap" && &one != cases) break;  // it has no other
+        Frames(lab, one, pass, [&](const Image& image, const std::function<Wanted(ivec2)>& wanted) {
+            constexpr int most_ties = 3;
+            int ties = 0;
+            for (int i = 0; i < size.x * size.y; ++i)
+                ties += is_tied(image, {i % size.x, i / size.x}, wanted({i % size.x, i / size.x})) ? 1 : 0;
+            answer.merge(judged(
+                lab, question, image, one.name,
+                [&](ivec2 pixel, std::vector<double>& numbers) {
+                    const dvec4 value = wanted(pixel).value;
+                    numbers.assign(&value[0], &value[0] + image.element.rows);
+                },
+                [&](ivec2 pixel) { return ties > most_ties || !is_tied(image, pixel, wanted(pixel)); }));
+        }).run();
+    }
+    answer.variant = lab.options().variant.name;
+    if (answer.failed()) answer.story = describe(question.signature, answer);
+    return answer;
+}
+
+// The study's passes ("PASS-reproject"), each run as it is on two frames of a moving camera, with several
+// settings. Every pixel is judged by what the paper's equations give in double for the same images; where a
+// decision of theirs lies within rounding, nothing is promised.
+std::vector<check::Question> study_passes() {
+    std::vector<check::Question> questions;
+    for (const std::string pass : {"reproject", "ambient_occlusion", "spatial_filter", "remap"}) {
+        std::string name = pass;
+        std::ranges::replace(name, '_', '-');
+        const bool history = pass == "reproject" || pass == "ambient_occlusion";
+        check::Question question{.name = "PASS-" + name,
+                                 .file = "passes/study/" + pass + ".comp",
+                                 .function = "main",
+                                 .signature = history ? check::SignatureOf<glm::vec4(ivec2)>::describe()
+                                                      : check::SignatureOf<float(ivec2)>::describe(),
+                                 .budget = {.ulp = 8, .absolute = 1e-6}};
+        question.answers = [question, pass](const check::Lab& lab) { return answered(lab, question, pass); };
+        questions.push_back(std::move(question));
+    }
+    return questions;
+}
 
 // By the meaning of its texels: of 32 bits the codes of depth, occlusion and weight, and what moved.
 Image by_meaning(const Image& image) {
