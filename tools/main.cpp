@@ -53,14 +53,6 @@ constexpr const char* first_steps =
     "  gloam check --device all           judge: every equation on every driver here\n\n"
     "gloam --help lists all commands, gloam COMMAND --help the options of one.\n";
 
-int fail(const std::exception& error) {
-    if (std::ferror(stdout) != 0 && dynamic_cast<const std::system_error*>(&error) != nullptr)
-        complain(fmt::format("standard output: {}", error.what()));
-    else
-        complain(error.what());
-    return could_not_run;
-}
-
 int run(int argc, char** argv) {
     using namespace gloam::cli;
     const Command program{
@@ -88,7 +80,10 @@ int status_of(int argc, char** argv) {
     try {
         return finished(run(argc, argv));
     } catch (const std::exception& error) {
-        return fail(error);
+        const bool is_output =
+            std::ferror(stdout) != 0 && dynamic_cast<const std::system_error*>(&error) != nullptr;
+        complain((is_output ? "standard output: " : "") + std::string(error.what()));
+        return could_not_run;
     }
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <map>
 
 #include "base/text.hpp"
 #include "cli/framework/check/check_run.hpp"
@@ -46,6 +48,27 @@ void print_undefined(const check::Answer& row) {
 
 void print_rows(const CheckOutcome& outcome, void (*print)(const check::Answer& row)) {
     for (const record::CheckReport& report : outcome.reports) std::ranges::for_each(report.rows, print);
+}
+
+// What came of the steps, a line for each variant that has some. Empty if no variant has steps.
+std::string step_summary(const std::vector<record::CheckReport>& reports) {
+    std::map<std::string, std::array<std::size_t, 4>> counts;  // as the columns
+    for (const record::CheckReport& report : reports) {
+        for (const check::Answer& row : report.rows) {
+            if (row.steps().empty()) continue;
+            auto& [modules, changed, failed, not_judged] = counts[row.variant];
+            const bool is_changed = row.reason != check::Reason::unchanged;
+            ++modules;
+            if (is_changed) ++changed;
+            if (row.failed()) ++failed;
+            if (is_changed && !row.failed() && !row.passed()) ++not_judged;
+        }
+    }
+    std::string text;
+    for (const auto& [variant, count] : counts)
+        text +=
+            fmt::format("{:>7} {:>8} {:>7} {:>11}  {}\n", count[0], count[1], count[2], count[3], variant);
+    return text.empty() ? text : "modules  changed  failed  not judged  variant\n" + text;
 }
 
 // What helps where the usual inputs of a user's function could not be judged.
@@ -166,23 +189,23 @@ std::vector<Option> options_of(CheckOptions& options) {
 
 Command check_command(EquationsNamed* equations) {
     static CheckOptions options{.named = equations};
-    return {
-        .name = "check",
-        .about = "run equations on a Vulkan or OpenGL device and judge every result",
-        .options = options_of(options),
-        .run =
-            [] {
-                if (!options.compilers.empty() && options.device.empty())
-                    options.device = check::interpreter_name;
-                return run_check(options);
-            },
-        .examples =
-            "  gloam check                                          every equation on the default device\n"
-            "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
-            "  gloam check --device all --variant all --html r.html every device, every compiler setting\n"
-            "  gloam check --quiet --junit results.xml              for continuous integration\n"
-            "  gloam check --failures failures                      each failure ready to report\n"
-            "  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own\n"};
+    return {.name = "check",
+            .about = "run equations on a Vulkan or OpenGL device and judge every result",
+            .options = options_of(options),
+            .run =
+                [] {
+                    if (!options.compilers.empty() && options.device.empty())
+                        options.device = check::interpreter_name;
+                    return run_check(options);
+                },
+            .examples =
+                R"(  gloam check                                          every equation on the default device
+  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them
+  gloam check --device all --variant all --html r.html every device, every compiler setting
+  gloam check --quiet --junit results.xml              for continuous integration
+  gloam check --failures failures                      each failure ready to report
+  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own
+)"};
 }
 
 }  // namespace gloam::cli

@@ -126,11 +126,10 @@ Drivers load_drivers() {
     return found;
 }
 
-Drivers require_good_drivers() {
-    Drivers found = load_drivers();
+void require_good_drivers() {
+    const Drivers found = load_drivers();
     if (found.devices.empty() && !found.broken.empty()) throw std::runtime_error(found.error);
     for (const BrokenDriver& driver : found.broken) say_skipped(driver);
-    return found;
 }
 
 namespace {
@@ -144,14 +143,10 @@ void require_driver(const fs::path& manifest) {
                                          alone.error.empty() ? "it gives none" : alone.error));
 }
 
-// Manifests of --driver.
-std::vector<fs::path>& asked_for() {
-    static std::vector<fs::path> manifests;
-    return manifests;
-}
+std::vector<fs::path> asked_for;  // manifests of --driver
 
 void tell_the_loader() {
-    std::vector<fs::path> all = asked_for();
+    std::vector<fs::path> all = asked_for;
     const auto swiftshader = gpu::find_swiftshader();
     const auto is_swiftshader = [&](const fs::path& manifest) {
         std::error_code none;
@@ -160,7 +155,7 @@ void tell_the_loader() {
     if (swiftshader && !gpu::drivers_are_chosen() && std::ranges::none_of(all, is_swiftshader))
         all.push_back(*swiftshader);
     gpu::add_drivers(all);
-    for (fs::path& manifest : asked_for()) {
+    for (fs::path& manifest : asked_for) {
         manifest = fs::absolute(manifest);
         require_driver(manifest);
     }
@@ -169,11 +164,11 @@ void tell_the_loader() {
 }  // namespace
 
 const std::vector<fs::path>& drivers_asked_for() {
-    return asked_for();
+    return asked_for;
 }
 
 Option driver_option() {
-    return {"--driver", &asked_for(), repeated,
+    return {"--driver", &asked_for, repeated,
             "manifest (ICD JSON file) of one more Vulkan driver; may be given again", tell_the_loader};
 }
 

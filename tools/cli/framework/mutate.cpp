@@ -46,16 +46,14 @@ Command mutate_command() {
                      "file of faults that no test can notice: FILE | LINE WITH THE FAULT | REASON"},
                     {"--json", &command.json, "file for all results"}},
         .run = [] { return run_mutate(command); },
-        .examples =
-            "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
-            "  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests\n\n"
-            "COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the "
-            "fault.\n"
-            "GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the "
-            "files) with\n"
-            "the fault, GLOAM_SHADERS_OF that folder, and GLOAM_SHADERS_CHANGED the changed file below it. "
-            "gloam and tests\n"
-            "that use its framework read the copy by themselves.\n",
+        .examples = R"(  gloam mutate shaders/tone.glsl -- ctest --test-dir build
+  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests
+
+COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the fault.
+GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the files) with
+the fault, GLOAM_SHADERS_OF that folder, and GLOAM_SHADERS_CHANGED the changed file below it. gloam and tests
+that use its framework read the copy by themselves.
+)",
         .behind_dashes = &command.command};
 }
 

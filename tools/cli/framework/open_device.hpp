@@ -51,7 +51,7 @@ struct Drivers : Listing {
 
 // The same for commands that need one device: names the broken drivers on standard error. Throws
 // std::runtime_error if only they have devices.
-Drivers require_good_drivers();
+void require_good_drivers();
 
 // "gloam: Vulkan driver FILE: its process ended ...; it is skipped", on standard error.
 void say_skipped(const BrokenDriver& driver);

@@ -123,7 +123,8 @@ void CheckRun::take(const record::DeviceSummary& on, const check::Answer& row) {
     show_progress();
 }
 
-void CheckRun::keep(const record::DeviceSummary& on, const check::Answer& failed, const FailureBundle& bundle) {
+void CheckRun::keep(const record::DeviceSummary& on, const check::Answer& failed,
+                    const FailureBundle& bundle) {
     write_failure(*failures_, on, failed, bundle, {command_for(options_, on, failed), versions()});
 }
 

@@ -57,29 +57,25 @@ FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, 
     const auto comments = [&](const std::string& how) {
         return comments_of(all, question, task, device, how);
     };
-    FailureBundle bundle;
-    if (!all.opengl.empty()) {
-        bundle.glsl = all.opengl;
-    } else {
-        bundle = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
-        // They run compute shaders and ask for no features.
-        if (all.team.kind != backend::Team::Kind::quad && !shader::has_float16(all.spirv)) {
-            // The script has no images; the program has those of single samplers, not of layers.
-            const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
-            const bool has_layers = std::ranges::any_of(
-                all.images, [](const auto& image) { return image.bound && image.words.empty(); });
-            if (!has_images)
-                bundle.amber = record::to_amber(all, comments("amber -v 1.2 -t spv1.5 repro.amber"));
-            if (!has_layers)
-                bundle.c_program = record::to_c_program(
-                    encoded(all), comments("cc repro.c -o repro -lvulkan -lm && ./repro"),
-                    device.name == check::interpreter_name ? "" : device.name);
-        }
-        bundle.steps = all.steps;
-        bundle.before = all.before;
-    }
-    bundle.rules = all.rules;
-    bundle.smallest = all.failure;
+    if (!all.opengl.empty()) return {.glsl = all.opengl, .rules = all.rules, .smallest = all.failure};
+    FailureBundle bundle{.glsl = all.glsl,
+                         .assembly = all.assembly,
+                         .spirv = all.spirv,
+                         .steps = all.steps,
+                         .rules = all.rules,
+                         .before = all.before,
+                         .smallest = all.failure};
+    // They run compute shaders and ask for no features.
+    if (all.team.kind == backend::Team::Kind::quad || shader::has_float16(all.spirv)) return bundle;
+    // The script has no images; the program has those of single samplers, not of layers.
+    const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
+    const bool has_layers =
+        std::ranges::any_of(all.images, [](const auto& image) { return image.bound && image.words.empty(); });
+    if (!has_images) bundle.amber = record::to_amber(all, comments("amber -v 1.2 -t spv1.5 repro.amber"));
+    if (!has_layers)
+        bundle.c_program =
+            record::to_c_program(encoded(all), comments("cc repro.c -o repro -lvulkan -lm && ./repro"),
+                                 device.name == check::interpreter_name ? "" : device.name);
     return bundle;
 }
 

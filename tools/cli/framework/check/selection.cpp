@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <ranges>
 #include <stdexcept>
 
@@ -178,26 +176,6 @@ std::string command_for(const CheckOptions& options, const record::DeviceSummary
     for (const auto& driver : drivers_asked_for())
         command += " --driver " + record::shell_word(driver.string());
     return options.validation ? command + " --validation" : command;
-}
-
-std::string step_summary(const std::vector<record::CheckReport>& reports) {
-    std::map<std::string, std::array<std::size_t, 4>> counts;  // as the columns
-    for (const record::CheckReport& report : reports) {
-        for (const check::Answer& row : report.rows) {
-            if (row.steps().empty()) continue;
-            auto& [modules, changed, failed, not_judged] = counts[row.variant];
-            const bool is_changed = row.reason != check::Reason::unchanged;
-            ++modules;
-            if (is_changed) ++changed;
-            if (row.failed()) ++failed;
-            if (is_changed && !row.failed() && !row.passed()) ++not_judged;
-        }
-    }
-    std::string text;
-    for (const auto& [variant, count] : counts)
-        text +=
-            fmt::format("{:>7} {:>8} {:>7} {:>11}  {}\n", count[0], count[1], count[2], count[3], variant);
-    return text.empty() ? text : "modules  changed  failed  not judged  variant\n" + text;
 }
 
 }  // namespace gloam::cli

@@ -24,8 +24,4 @@ inline constexpr const char* every_opengl = "gl";
 [[nodiscard]] std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
                                       const check::Answer& row);
 
-// What came of the steps, a line for each variant that has some: modules changed, failed, not judged. Empty
-// if no variant has steps.
-[[nodiscard]] std::string step_summary(const std::vector<record::CheckReport>& reports);
-
 }  // namespace gloam::cli
