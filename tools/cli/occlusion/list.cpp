@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <stdexcept>
 
 #include "base/version.hpp"
@@ -209,12 +209,9 @@ nlohmann::ordered_json one_of(const std::string& kind, const std::vector<Named>&
                               const std::string& name) {
     if (kind == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
     const auto named = std::ranges::find(all, name, &Named::name);
-    if (named == all.end()) {
-        std::vector<std::string> known;
-        for (const Named& one : all) known.push_back(one.name);
-        throw std::invalid_argument(
-            fmt::format("{} \"{}\": expected {}", kind, name, fmt::join(known, ", ")));
-    }
+    if (named == all.end())
+        throw std::invalid_argument(fmt::format("{} \"{}\": expected {}", kind, name,
+                                                fmt::join(all | std::views::transform(&Named::name), ", ")));
     return kind == "settings"  ? setting_json(effect::setting_named(name))
            : kind == "presets" ? preset_json(*named)
            : kind == "methods" ? method_json(*named)
@@ -282,15 +279,14 @@ ListOptions with_kind(ListOptions options) {
     if (options.kind == "numbers" && !options.names.empty()) options.kind = "equations";
     if (options.kind.empty() || std::ranges::count(kinds, options.kind, &Kinds::value_type::first) > 0)
         return options;
-    std::vector<std::string> known;
-    for (const auto& [kind, names] : kinds) known.push_back(kind);
     options.names.insert(options.names.begin(), options.kind);
     options.kind = "equations";
     try {
         (void)catalogue::find(catalogue::all_entries(glsl_directory()), {options.names.front()});
     } catch (const std::invalid_argument&) {
         throw std::invalid_argument(fmt::format("unknown kind \"{}\": expected {}, or a name of an equation",
-                                                options.names.front(), fmt::join(known, ", ")));
+                                                options.names.front(),
+                                                fmt::join(kinds | std::views::keys, ", ")));
     }
     return options;
 }
