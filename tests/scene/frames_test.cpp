@@ -8,7 +8,7 @@ GBuffer shot(const Scene& scene, int number, double guard = 0.0) {
     return draw(scene, {96, 54}, {.frame = number, .motion = true, .ids = true, .guard = guard});
 }
 
-// tests/tools/render_test.cpp has the cuts that files can have, tests/effect a pass that finds what link() finds.
+// tests/tools/render_test.cpp has the cuts of files, tests/effect a pass that finds what link() finds.
 TEST(FrameLink, WithoutMotionTheMatricesTell) {
     const Scene scene = make_scene("far");  // 128 km from the origin
     GBuffer drawn = shot(scene, 5);
