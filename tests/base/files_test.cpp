@@ -7,26 +7,18 @@
 
 namespace gloam::base::files_test {
 
-TEST(ReadFile, IsEveryByte) {
+TEST(ReadFile, IsEveryByteOrNamesWhatCannotBeRead) {
     const test::TemporaryDirectory scratch;
-    const auto path = scratch.path() / "a";
     const std::string bytes("a\0b\r\n\xff", 6);
-    std::ofstream(path, std::ios::binary) << bytes;
+    const auto path = scratch.write("a", bytes);
     EXPECT_EQ(read_file(path), bytes);
     EXPECT_EQ(read_file(path, bytes.size()), bytes);
-}
-
-TEST(ReadFile, WhatCannotBeReadIsNamed) {
-    const test::TemporaryDirectory scratch;
-    expect_error<std::runtime_error>([&] { (void)read_file(scratch.path() / "none"); },
-                                     {"none", "No such file"});
-    expect_error<std::runtime_error>([&] { (void)read_file(scratch.path()); },
-                                     {scratch.path().string(), "Is a directory"});
-}
-
-TEST(ReadFile, ADeviceWithoutEndIsTooLong) {
-    expect_error<std::runtime_error>([] { (void)read_file("/dev/zero", 100'000); },
-                                     {"/dev/zero: it is longer than 100000 bytes"});
+    const auto refuse = [](const std::filesystem::path& file, const std::string& why) {
+        expect_error<std::runtime_error>([&] { (void)read_file(file, 100'000); }, {file.string(), why});
+    };
+    refuse(scratch.path() / "none", "No such file");
+    refuse(scratch.path(), "Is a directory");
+    refuse("/dev/zero", "/dev/zero: it is longer than 100000 bytes");
 }
 
 namespace fs = std::filesystem;

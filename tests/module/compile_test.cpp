@@ -121,7 +121,7 @@ TEST_F(Include, FilesThatWereReadAreListedOnceEach) {
     const auto file = folder.write("a.glsl", "");
     const auto list = folder.path() / "list";
     {
-        const gloam::test::ScopedVariable output("GLOAM_DEPENDENCIES_OUTPUT", list.c_str());
+        const ScopedVariable output("GLOAM_DEPENDENCIES_OUTPUT", list.c_str());
         static_cast<void>(read_text(file));
         static_cast<void>(read_text(folder.path() / "." / "a.glsl"));
         ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (folder.path() / "none" / "list").c_str(), 1);
@@ -136,9 +136,9 @@ TEST_F(Include, AFileOfAnOverlaidFolderIsReadFromTheCopy) {
     const auto outside = folder.write("changed.glsl", "one");
     const auto copy = folder.write("copy/a/changed.glsl", "two");
     (void)folder.write("copy/changed.glsl", "two");
-    const gloam::test::ScopedVariable shaders("GLOAM_SHADERS", (folder.path() / "copy").c_str());
+    const ScopedVariable shaders("GLOAM_SHADERS", (folder.path() / "copy").c_str());
     EXPECT_EQ(read_text(changed), "one") << "a copy of which folder?";
-    const gloam::test::ScopedVariable of("GLOAM_SHADERS_OF", (folder.path() / "original").c_str());
+    const ScopedVariable of("GLOAM_SHADERS_OF", (folder.path() / "original").c_str());
     EXPECT_EQ(read_text(changed), "two");
     EXPECT_EQ(read_text(folder.path() / "copy" / ".." / "original" / "a" / "changed.glsl"), "two");
     EXPECT_EQ(read_text(missing), "one");

@@ -5,7 +5,7 @@
 #include "module/spirv.hpp"
 #include "support/files.hpp"
 
-namespace gloam::shader::test {
+namespace gloam::shader {
 
 inline std::filesystem::path fixture(std::string_view name) {
     return std::filesystem::path(FIXTURES) / name;
@@ -76,11 +76,5 @@ class Disassembly {
     }
     std::vector<Row> rows_;
 };
-
-}  // namespace gloam::shader::test
-
-namespace gloam::shader {
-
-using namespace test;
 
 }  // namespace gloam::shader

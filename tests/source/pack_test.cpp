@@ -21,20 +21,21 @@ std::size_t count_of(const std::string& text, const std::string& part) {
     return count;
 }
 
+// What a text has of math/hypot.glsl.
+const std::string hypot_text =
+    "// x squared.\n"
+    "float fx_square(float x) {\n"
+    "    return x * x;\n"
+    "}\n"
+    "\n"
+    "// Length of (x, y).\n"
+    "float fx_hypot(float x, float y) {\n"
+    "    return sqrt(fx_square(x) + fx_square(y));\n"
+    "}\n";
+
 TEST(Pack, PutsDependenciesFirstAndDropsTheScaffolding) {
     EXPECT_EQ(packed_fixture("math/hypot.glsl"),
-              "#version 450\n"
-              "// SPDX-License-Identifier: MIT\n"
-              "\n"
-              "// x squared.\n"
-              "float fx_square(float x) {\n"
-              "    return x * x;\n"
-              "}\n"
-              "\n"
-              "// Length of (x, y).\n"
-              "float fx_hypot(float x, float y) {\n"
-              "    return sqrt(fx_square(x) + fx_square(y));\n"
-              "}\n");
+              "#version 450\n// SPDX-License-Identifier: MIT\n\n" + hypot_text);
 }
 
 TEST(Pack, HoldsEachFileOnceInAnyOrder) {
@@ -75,23 +76,15 @@ TEST(Pack, DecidesConditionsAndKeepsComments) {
               "\n"
               "// Before the include.\n"
               "const float FX_HALF = 0.5;\n"
-              "\n"
-              "// x squared.\n"
-              "float fx_square(float x) {\n"
-              "    return x * x;\n"
-              "}\n"
-              "\n"
-              "// Length of (x, y).\n"
-              "float fx_hypot(float x, float y) {\n"
-              "    return sqrt(fx_square(x) + fx_square(y));\n"
-              "}\n"
-              "\n"
-              "#define FX_SCALE 2.0\n"
-              "\n"
-              "// Uses all of it.\n"
-              "float fx_odd(float x) {\n"
-              "    return FX_SCALE * fx_hypot(x, FX_HALF);\n"
-              "}\n");
+              "\n" +
+                  hypot_text +
+                  "\n"
+                  "#define FX_SCALE 2.0\n"
+                  "\n"
+                  "// Uses all of it.\n"
+                  "float fx_odd(float x) {\n"
+                  "    return FX_SCALE * fx_hypot(x, FX_HALF);\n"
+                  "}\n");
 }
 
 // The preprocessor's output holds the names of the texts, too: none may be taken for a mark of a line.
