@@ -64,6 +64,33 @@ std::string text_of(const Parameter& parameter) {
     return text;
 }
 
+// Applies the variant to the front end's module; each step produces a valid module.
+Spirv varied(Spirv module, const Variant& variant) {
+    validate(module);
+    const auto decorated = [&variant](Spirv words) {
+        if (variant.strict) words = with_no_contraction(words);
+        if (variant.relaxed) words = with_relaxed_precision(words);
+        return words;
+    };
+    // Decorates before the optimizer, so that it cannot contract, and after it, for instructions that it has
+    // created.
+    module = decorated(std::move(module));
+    if (variant.optimization != Optimization::none)
+        module = decorated(optimize(module, variant.optimization));
+    if (variant.strict || variant.relaxed || variant.optimization != Optimization::none) validate(module);
+    return module;
+}
+
+// The pieces keep their own line numbers; the last may end without a newline, in a comment.
+void check_pieces(Language language, Stage stage, std::vector<Source> pieces, bool add_main,
+                  const std::vector<std::filesystem::path>& include_roots) {
+    const std::string name = pieces.back().name;
+    const std::string local_size = stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
+    if (add_main) pieces.push_back({name + ", behind its end", "\n" + local_size + "void main() {}\n"});
+    internal::Parse parse(stage, internal::client_of(language), name, std::move(pieces), include_roots);
+    static_cast<void>(parse.link(internal::Unreached::dropped));
+}
+
 }  // namespace
 
 bool operator==(const Type& a, const Type& b) {
@@ -158,27 +185,6 @@ Variant variant(const std::string& name) {
     throw std::invalid_argument("unknown variant \"" + name + "\": expected " + names);
 }
 
-namespace {
-
-// Applies the variant to the front end's module; each step produces a valid module.
-Spirv varied(Spirv module, const Variant& variant) {
-    validate(module);
-    const auto decorated = [&variant](Spirv words) {
-        if (variant.strict) words = with_no_contraction(words);
-        if (variant.relaxed) words = with_relaxed_precision(words);
-        return words;
-    };
-    // Decorates before the optimizer, so that it cannot contract, and after it, for instructions that it has
-    // created.
-    module = decorated(std::move(module));
-    if (variant.optimization != Optimization::none)
-        module = decorated(optimize(module, variant.optimization));
-    if (variant.strict || variant.relaxed || variant.optimization != Optimization::none) validate(module);
-    return module;
-}
-
-}  // namespace
-
 Spirv compile(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
     Spirv module = internal::to_spirv(source, options.stage, options.include_roots,
@@ -199,20 +205,6 @@ std::string compiler_version() {
            std::to_string(glslang::GetSpirvGeneratorVersion()) + "), " + spvSoftwareVersionDetailsString() +
            ", " + internal::cross_version();
 }
-
-namespace {
-
-// The pieces keep their own line numbers; the last may end without a newline, in a comment.
-void check_pieces(Language language, Stage stage, std::vector<Source> pieces, bool add_main,
-                  const std::vector<std::filesystem::path>& include_roots) {
-    const std::string name = pieces.back().name;
-    const std::string local_size = stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
-    if (add_main) pieces.push_back({name + ", behind its end", "\n" + local_size + "void main() {}\n"});
-    internal::Parse parse(stage, internal::client_of(language), name, std::move(pieces), include_roots);
-    static_cast<void>(parse.link(internal::Unreached::dropped));
-}
-
-}  // namespace
 
 internal::Client internal::client_of(Language language) {
     return language == Language::vulkan450 ? Client::vulkan : Client::none;

@@ -24,93 +24,6 @@ constexpr std::size_t header_words = 5;
 constexpr std::uint32_t length_shift = 16;
 constexpr std::uint32_t opcode_mask = 0xffffu;
 
-}  // namespace
-
-std::string bytes_of(const Spirv& module) {
-    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(Spirv::value_type)};
-}
-
-std::optional<Spirv> module_of(std::string_view bytes) {
-    if (bytes.empty() || bytes.size() % sizeof(Spirv::value_type) != 0) return std::nullopt;
-    Spirv module(bytes.size() / sizeof(Spirv::value_type));
-    std::memcpy(module.data(), bytes.data(), bytes.size());
-    return module;
-}
-
-std::vector<Instruction> instructions(const Spirv& module) {
-    if (module.size() < header_words || module[0] != magic)
-        throw std::runtime_error("no SPIR-V module: its first word is not 0x07230203");
-    std::vector<Instruction> all;
-    for (std::size_t at = header_words; at < module.size();) {
-        const std::size_t length = module[at] >> length_shift;
-        if (length == 0 || length > module.size() - at)
-            throw std::runtime_error("no SPIR-V module: instruction of " + std::to_string(length) +
-                                     " words at word " + std::to_string(at) + " of " +
-                                     std::to_string(module.size()));
-        all.push_back({at, module[at] & opcode_mask, std::span(module).subspan(at, length)});
-        at += length;
-    }
-    return all;
-}
-
-Spirv without_names(const Spirv& module) {
-    Spirv bare;
-    for (const Instruction& one : instructions(module))
-        if (one.opcode < SpvOpSourceContinued || one.opcode > SpvOpLine)
-            bare.insert(bare.end(), one.words.begin(), one.words.end());
-    return bare;
-}
-
-bool has_float16(const Spirv& module) {
-    return std::ranges::any_of(instructions(module), [](const Instruction& one) {
-        return one.opcode == SpvOpCapability && one.word(1) == SpvCapabilityFloat16;
-    });
-}
-
-bool has_loop(const Spirv& module) {
-    return std::ranges::any_of(instructions(module),
-                               [](const Instruction& one) { return one.opcode == SpvOpLoopMerge; });
-}
-
-bool preserves_specials(const Spirv& module) {
-    return std::ranges::any_of(instructions(module), [](const Instruction& one) {
-        return one.opcode == SpvOpExecutionMode && one.word(2) == SpvExecutionModeSignedZeroInfNanPreserve;
-    });
-}
-
-std::vector<float> float_constants(const Spirv& module) {
-    constexpr std::uint32_t width = 32;
-    std::uint32_t type = 0;
-    std::set<float> numbers;
-    for (const Instruction& one : instructions(module)) {
-        if (one.opcode == SpvOpTypeFloat && one.word(2) == width) type = one.word(1);
-        if (one.opcode != SpvOpConstant || one.word(1) != type) continue;
-        const auto number = std::bit_cast<float>(one.word(3));
-        if (std::isfinite(number)) numbers.insert(number + 0.0F);  // -0 as 0, whichever comes first
-    }
-    return {numbers.begin(), numbers.end()};
-}
-
-std::string literal_string(const Instruction& instruction, std::size_t index) {
-    std::string text;
-    for (std::size_t i = index; i < instruction.words.size(); ++i) {
-        for (std::uint32_t shift = 0; shift < 32; shift += 8) {
-            const auto character = static_cast<char>(instruction.word(i) >> shift & 0xffu);
-            if (character == '\0') return text;
-            text.push_back(character);
-        }
-    }
-    return text;
-}
-
-Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands) {
-    Spirv words{static_cast<std::uint32_t>(operands.size() + 1) << length_shift | opcode};
-    words.insert(words.end(), operands.begin(), operands.end());
-    return words;
-}
-
-namespace {
-
 constexpr spv_target_env environment = SPV_ENV_VULKAN_1_2;
 
 // Collects what SPIRV-Tools says, one message after the other.
@@ -132,17 +45,6 @@ void ask_to_unroll(Spirv& module) {
     }
 }
 
-}  // namespace
-
-void validate(const Spirv& module) {
-    std::string messages;
-    spvtools::SpirvTools tools(environment);
-    tools.SetMessageConsumer(collect_into(messages));
-    if (!tools.Validate(module)) throw std::runtime_error("invalid SPIR-V: " + messages);
-}
-
-namespace {
-
 // The module after the passes that `add` registers, not validated.
 Spirv after_passes(const Spirv& module, const std::function<void(spvtools::Optimizer&)>& add) {
     std::string messages;
@@ -156,51 +58,6 @@ Spirv after_passes(const Spirv& module, const std::function<void(spvtools::Optim
         throw std::runtime_error("cannot optimise the SPIR-V module: " + messages);
     return result;
 }
-
-}  // namespace
-
-Spirv optimize(const Spirv& module, Optimization optimization) {
-    if (optimization == Optimization::none) return module;
-    Spirv optimized = after_passes(module, [optimization](spvtools::Optimizer& optimizer) {
-        if (optimization == Optimization::size)
-            optimizer.RegisterSizePasses();
-        else
-            optimizer.RegisterPerformancePasses();
-        if (optimization == Optimization::hoisting || optimization == Optimization::unrolling) {
-            optimizer.RegisterPass(spvtools::CreateLoopInvariantCodeMotionPass());
-            optimizer.RegisterPass(spvtools::CreateRedundancyEliminationPass());
-            optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
-        }
-    });
-    if (optimization == Optimization::unrolling) ask_to_unroll(optimized);
-    return optimized;
-}
-
-Spirv with_passes(const Spirv& module, const std::vector<std::string>& passes) {
-    return after_passes(module, [&passes](spvtools::Optimizer& optimizer) {
-        for (const std::string& pass : passes)
-            if (!optimizer.RegisterPassFromFlag(pass))
-                throw std::runtime_error(pass + " is no pass of SPIRV-Tools");
-    });
-}
-
-bool is_pass(const std::string& option) {
-    spvtools::Optimizer optimizer(environment);
-    optimizer.SetMessageConsumer({});
-    return optimizer.RegisterPassFromFlag(option);
-}
-
-std::string disassemble(const Spirv& module) {
-    std::string messages;
-    spvtools::SpirvTools tools(environment);
-    tools.SetMessageConsumer(collect_into(messages));
-    std::string text;
-    if (!tools.Disassemble(module, &text))
-        throw std::runtime_error("cannot disassemble the SPIR-V module: " + messages);
-    return text;
-}
-
-namespace {
 
 using spirv::Id;
 
@@ -286,6 +143,137 @@ Spirv decorate(const Spirv& module, SpvDecoration decoration, const std::vector<
 }
 
 }  // namespace
+
+std::string bytes_of(const Spirv& module) {
+    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(Spirv::value_type)};
+}
+
+std::optional<Spirv> module_of(std::string_view bytes) {
+    if (bytes.empty() || bytes.size() % sizeof(Spirv::value_type) != 0) return std::nullopt;
+    Spirv module(bytes.size() / sizeof(Spirv::value_type));
+    std::memcpy(module.data(), bytes.data(), bytes.size());
+    return module;
+}
+
+std::vector<Instruction> instructions(const Spirv& module) {
+    if (module.size() < header_words || module[0] != magic)
+        throw std::runtime_error("no SPIR-V module: its first word is not 0x07230203");
+    std::vector<Instruction> all;
+    for (std::size_t at = header_words; at < module.size();) {
+        const std::size_t length = module[at] >> length_shift;
+        if (length == 0 || length > module.size() - at)
+            throw std::runtime_error("no SPIR-V module: instruction of " + std::to_string(length) +
+                                     " words at word " + std::to_string(at) + " of " +
+                                     std::to_string(module.size()));
+        all.push_back({at, module[at] & opcode_mask, std::span(module).subspan(at, length)});
+        at += length;
+    }
+    return all;
+}
+
+Spirv without_names(const Spirv& module) {
+    Spirv bare;
+    for (const Instruction& one : instructions(module))
+        if (one.opcode < SpvOpSourceContinued || one.opcode > SpvOpLine)
+            bare.insert(bare.end(), one.words.begin(), one.words.end());
+    return bare;
+}
+
+bool has_float16(const Spirv& module) {
+    return std::ranges::any_of(instructions(module), [](const Instruction& one) {
+        return one.opcode == SpvOpCapability && one.word(1) == SpvCapabilityFloat16;
+    });
+}
+
+bool has_loop(const Spirv& module) {
+    return std::ranges::any_of(instructions(module),
+                               [](const Instruction& one) { return one.opcode == SpvOpLoopMerge; });
+}
+
+bool preserves_specials(const Spirv& module) {
+    return std::ranges::any_of(instructions(module), [](const Instruction& one) {
+        return one.opcode == SpvOpExecutionMode && one.word(2) == SpvExecutionModeSignedZeroInfNanPreserve;
+    });
+}
+
+std::vector<float> float_constants(const Spirv& module) {
+    constexpr std::uint32_t width = 32;
+    std::uint32_t type = 0;
+    std::set<float> numbers;
+    for (const Instruction& one : instructions(module)) {
+        if (one.opcode == SpvOpTypeFloat && one.word(2) == width) type = one.word(1);
+        if (one.opcode != SpvOpConstant || one.word(1) != type) continue;
+        const auto number = std::bit_cast<float>(one.word(3));
+        if (std::isfinite(number)) numbers.insert(number + 0.0F);  // -0 as 0, whichever comes first
+    }
+    return {numbers.begin(), numbers.end()};
+}
+
+std::string literal_string(const Instruction& instruction, std::size_t index) {
+    std::string text;
+    for (std::size_t i = index; i < instruction.words.size(); ++i) {
+        for (std::uint32_t shift = 0; shift < 32; shift += 8) {
+            const auto character = static_cast<char>(instruction.word(i) >> shift & 0xffu);
+            if (character == '\0') return text;
+            text.push_back(character);
+        }
+    }
+    return text;
+}
+
+Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands) {
+    Spirv words{static_cast<std::uint32_t>(operands.size() + 1) << length_shift | opcode};
+    words.insert(words.end(), operands.begin(), operands.end());
+    return words;
+}
+
+void validate(const Spirv& module) {
+    std::string messages;
+    spvtools::SpirvTools tools(environment);
+    tools.SetMessageConsumer(collect_into(messages));
+    if (!tools.Validate(module)) throw std::runtime_error("invalid SPIR-V: " + messages);
+}
+
+Spirv optimize(const Spirv& module, Optimization optimization) {
+    if (optimization == Optimization::none) return module;
+    Spirv optimized = after_passes(module, [optimization](spvtools::Optimizer& optimizer) {
+        if (optimization == Optimization::size)
+            optimizer.RegisterSizePasses();
+        else
+            optimizer.RegisterPerformancePasses();
+        if (optimization == Optimization::hoisting || optimization == Optimization::unrolling) {
+            optimizer.RegisterPass(spvtools::CreateLoopInvariantCodeMotionPass());
+            optimizer.RegisterPass(spvtools::CreateRedundancyEliminationPass());
+            optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
+        }
+    });
+    if (optimization == Optimization::unrolling) ask_to_unroll(optimized);
+    return optimized;
+}
+
+Spirv with_passes(const Spirv& module, const std::vector<std::string>& passes) {
+    return after_passes(module, [&passes](spvtools::Optimizer& optimizer) {
+        for (const std::string& pass : passes)
+            if (!optimizer.RegisterPassFromFlag(pass))
+                throw std::runtime_error(pass + " is no pass of SPIRV-Tools");
+    });
+}
+
+bool is_pass(const std::string& option) {
+    spvtools::Optimizer optimizer(environment);
+    optimizer.SetMessageConsumer({});
+    return optimizer.RegisterPassFromFlag(option);
+}
+
+std::string disassemble(const Spirv& module) {
+    std::string messages;
+    spvtools::SpirvTools tools(environment);
+    tools.SetMessageConsumer(collect_into(messages));
+    std::string text;
+    if (!tools.Disassemble(module, &text))
+        throw std::runtime_error("cannot disassemble the SPIR-V module: " + messages);
+    return text;
+}
 
 Spirv with_no_contraction(const Spirv& module) {
     return decorate(module, SpvDecorationNoContraction, instructions(module), is_float_arithmetic);

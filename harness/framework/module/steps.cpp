@@ -111,6 +111,28 @@ Spirv taken_unchecked(const std::string& step, const StepInput& input) {
     return made_apart([&] { return with_passes(input.module, words); });
 }
 
+// The passes that the installed program names in its help. Those that need a number get a small one.
+Words known_passes() {
+    base::ProcessResult help;
+    try {
+        help = base::run_process({std::string(optimizer), "--help"}, {}, {});
+    } catch (const std::system_error& error) {
+        throw std::invalid_argument(
+            fmt::format("spirv-opt, whose help names its passes, cannot be started: {}", error.what()));
+    }
+    Words passes{"-O", "-Os"};
+    for (std::string word : words_of(help.output)) {
+        word = word.substr(0, word.find_first_of("[=,."));
+        if (!word.starts_with("--") || std::ranges::find(passes, word) != passes.end()) continue;
+        if (is_pass(word)) {
+            passes.push_back(word);
+        } else if (is_pass(word + "=4")) {
+            passes.push_back(word + "=4");
+        }
+    }
+    return passes;
+}
+
 }  // namespace
 
 Spirv taken(const std::string& step, const StepInput& input) {
@@ -152,32 +174,6 @@ std::string with_parts(const std::string& step, const std::vector<std::string>& 
     }
     return joined(changed);
 }
-
-namespace {
-
-// The passes that the installed program names in its help. Those that need a number get a small one.
-Words known_passes() {
-    base::ProcessResult help;
-    try {
-        help = base::run_process({std::string(optimizer), "--help"}, {}, {});
-    } catch (const std::system_error& error) {
-        throw std::invalid_argument(
-            fmt::format("spirv-opt, whose help names its passes, cannot be started: {}", error.what()));
-    }
-    Words passes{"-O", "-Os"};
-    for (std::string word : words_of(help.output)) {
-        word = word.substr(0, word.find_first_of("[=,."));
-        if (!word.starts_with("--") || std::ranges::find(passes, word) != passes.end()) continue;
-        if (is_pass(word)) {
-            passes.push_back(word);
-        } else if (is_pass(word + "=4")) {
-            passes.push_back(word + "=4");
-        }
-    }
-    return passes;
-}
-
-}  // namespace
 
 std::vector<std::string> steps_from(const std::string& text) {
     constexpr std::string_view each = "{each}";

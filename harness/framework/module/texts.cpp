@@ -25,6 +25,12 @@ void check_as_it_is(const Source& source, Language language,
     check_compiles({source.name, text}, language, roots);
 }
 
+// A text that stands before others; none without definitions.
+std::vector<Source> before_all(const std::vector<std::string>& defines) {
+    if (defines.empty()) return {};
+    return {{.name = "--define", .text = definitions_of(defines)}};
+}
+
 }  // namespace
 
 std::string pack(const std::vector<Source>& sources, const PackRequest& request,
@@ -62,16 +68,6 @@ std::string definitions_of(const std::vector<std::string>& defines) {
     }
     return lines;
 }
-
-namespace {
-
-// A text that stands before others; none without definitions.
-std::vector<Source> before_all(const std::vector<std::string>& defines) {
-    if (defines.empty()) return {};
-    return {{.name = "--define", .text = definitions_of(defines)}};
-}
-
-}  // namespace
 
 Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots,
                   const std::vector<std::string>& defines) {

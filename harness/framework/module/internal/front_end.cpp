@@ -65,34 +65,6 @@ bool has_place(std::string_view message) {
     return false;
 }
 
-}  // namespace
-
-std::string error_lines(const std::string& log, const std::string& file) {
-    std::vector<std::string> errors;
-    bool in_error = false;
-    std::istringstream stream(log);
-    for (std::string line; std::getline(stream, line);) {
-        if (const auto error = error_of(line)) {
-            in_error = !is_summary(*error);
-            if (in_error) errors.push_back(*error);
-        } else if (in_error && line.starts_with(' ')) {
-            errors.back() += line;  // the rest of a message of several lines
-        } else {
-            in_error = false;
-        }
-    }
-    if (errors.empty()) return file + ": the compiler gave no reason";
-    std::string text;
-    for (const std::string& error : errors) {
-        if (!text.empty()) text += "\n";
-        if (!has_place(error)) text.append(file).append(": ");
-        text += tidied(error);
-    }
-    return base::for_terminal(text);  // it quotes the shader
-}
-
-namespace {
-
 constexpr const char* preamble = "#extension GL_GOOGLE_include_directive : enable\n";
 constexpr int version_when_missing = 110;
 
@@ -126,6 +98,30 @@ void set_client(glslang::TShader& shader, EShLanguage language) {
 }
 
 }  // namespace
+
+std::string error_lines(const std::string& log, const std::string& file) {
+    std::vector<std::string> errors;
+    bool in_error = false;
+    std::istringstream stream(log);
+    for (std::string line; std::getline(stream, line);) {
+        if (const auto error = error_of(line)) {
+            in_error = !is_summary(*error);
+            if (in_error) errors.push_back(*error);
+        } else if (in_error && line.starts_with(' ')) {
+            errors.back() += line;  // the rest of a message of several lines
+        } else {
+            in_error = false;
+        }
+    }
+    if (errors.empty()) return file + ": the compiler gave no reason";
+    std::string text;
+    for (const std::string& error : errors) {
+        if (!text.empty()) text += "\n";
+        if (!has_place(error)) text.append(file).append(": ");
+        text += tidied(error);
+    }
+    return base::for_terminal(text);  // it quotes the shader
+}
 
 Strings::Strings(const std::vector<Source>& pieces) {
     for (const Source& piece : pieces) {
