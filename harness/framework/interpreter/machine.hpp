@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "base/hidden.hpp"
 #include "interpreter/number.hpp"
 #include "interpreter/program.hpp"
 #include "interpreter/sampling.hpp"
@@ -159,9 +159,6 @@ template <class Number>
 class Machine {
   public:
     explicit Machine(const Program& program);
-    ~Machine();
-    Machine(Machine&&) noexcept;
-    Machine& operator=(Machine&&) noexcept;
 
     // Binds a buffer or image. It has no effect if the program does not use the binding. Writes of a shader
     // are visible to itself and to read() until the next run, which starts with the bound contents.
@@ -221,7 +218,7 @@ class Machine {
     void execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uint8_t& format);
 
     Program program_;
-    std::unique_ptr<internal::State<Number>> state_;
+    base::Hidden<internal::State<Number>> state_;
     std::uint64_t limit_ = 50'000'000;
     std::uint64_t steps_ = 0;
     Order order_ = Order::forward;

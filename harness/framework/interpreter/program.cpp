@@ -33,36 +33,6 @@ base::Reason reason_of(Error::Kind kind) {
     }
 }
 
-}  // namespace
-
-Error::Error(Kind kind, const std::string& message) : Failure(message, reason_of(kind)), kind_(kind) {}
-
-Program::Program(const shader::Spirv& module, std::span<const Constant> constants,
-                 const std::string& entry_point) {
-    const internal::Module read(module, constants);
-    code_ = std::make_shared<const internal::Code>(internal::Lowering(read).run(entry_point));
-}
-
-std::string name_of_operation(std::uint16_t opcode) {
-    return internal::name_of(opcode);
-}
-
-bool gives_truth(std::uint16_t opcode) {
-    const internal::Known* known = internal::known_operation(opcode);
-    return known != nullptr &&
-           (known->form == internal::Form::truth || known->form == internal::Form::to_one_truth);
-}
-
-bool Program::may_be_rearranged() const {
-    return code_->may_be_rearranged;
-}
-
-std::size_t Program::size() const {
-    return code_->instructions.size();
-}
-
-namespace {
-
 using internal::Code;
 using internal::Instruction;
 
@@ -90,6 +60,32 @@ std::string name_of_way(const Code& code, const Instruction& i, std::size_t way)
 }
 
 }  // namespace
+
+Error::Error(Kind kind, const std::string& message) : Failure(message, reason_of(kind)), kind_(kind) {}
+
+Program::Program(const shader::Spirv& module, std::span<const Constant> constants,
+                 const std::string& entry_point) {
+    const internal::Module read(module, constants);
+    code_ = std::make_shared<const internal::Code>(internal::Lowering(read).run(entry_point));
+}
+
+std::string name_of_operation(std::uint16_t opcode) {
+    return internal::name_of(opcode);
+}
+
+bool gives_truth(std::uint16_t opcode) {
+    const internal::Known* known = internal::known_operation(opcode);
+    return known != nullptr &&
+           (known->form == internal::Form::truth || known->form == internal::Form::to_one_truth);
+}
+
+bool Program::may_be_rearranged() const {
+    return code_->may_be_rearranged;
+}
+
+std::size_t Program::size() const {
+    return code_->instructions.size();
+}
 
 Coverage::Coverage(const Program& program) : program_(program), ran_(program.size()) {
     const Code& code = program.code();

@@ -82,51 +82,6 @@ void hull_into(std::array<Bounds, 4>& all, const std::array<Bounds, 4>& more) {
     for (std::size_t k = 0; k < 4; ++k) all.at(k) = numeric::hull(all.at(k), more.at(k));
 }
 
-}  // namespace
-
-std::size_t SampledView::word_of(std::uint32_t level, const std::array<std::uint32_t, 3>& texel) const {
-    const auto [width, height, depth] = backend::size_of_level(header, level);
-    const std::size_t index = (std::size_t{texel[2]} * height + texel[1]) * width + texel[0];
-    return (backend::texels_before(header, level) + index) * backend::texel_words;
-}
-
-SampledView sampled_view_of(std::span<const backend::Word> words,
-                            const backend::SamplerPrecision& precision) {
-    SampledView view{.header = backend::sampled_header(words),
-                     .texels = words.subspan(backend::sampled_header_words),
-                     .precision = precision};
-    if (view.header.texel == backend::SampledTexel::depth) view.largest = 1.0;
-    if (view.header.texel == backend::SampledTexel::real)
-        for (const backend::Word word : view.texels)
-            view.largest = std::max(view.largest, std::abs(static_cast<double>(std::bit_cast<float>(word))));
-    return view;
-}
-
-bool has_place(const SampledView& image, const SamplePoint& point) {
-    constexpr double most = 0x1p31;
-    const auto near_zero = [](const Bounds& x, double scale) {
-        return is_finite(x) && std::max(std::abs(x.low), std::abs(x.high)) * scale < most;
-    };
-    if (point.level.nan || point.level.high >= most) return false;
-    const auto size = backend::size_of_level(image.header, 0);
-    if (backend::is_cube(image.header.shape)) {
-        constexpr double largest = 0x1p126;  // its reciprocal is a normal number
-        double most = 0.0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Bounds& x = point.at.at(axis);
-            if (!is_finite(x) || std::max(std::abs(x.low), std::abs(x.high)) > largest) return false;
-            most = std::max(most, x.low > 0.0 ? x.low : -x.high);
-        }
-        return most >= internal::smallest_normal &&
-               (image.header.shape == SampledShape::cube || near_zero(point.at[3], 1.0));
-    }
-    for (std::size_t axis = 0; axis < internal::axes_of(image.header); ++axis)
-        if (!near_zero(point.at.at(axis), size.at(axis))) return false;
-    return image.header.shape != SampledShape::layers || near_zero(point.at[2], 1.0);
-}
-
-namespace {
-
 std::array<Bounds, 4> sampled_place(const SampledView& image, const SamplePoint& point, Precision precision) {
     if (point.component >= 0)
         return internal::gathered_level(Level(image, 0, point, precision, true),
@@ -143,53 +98,6 @@ std::array<Bounds, 4> sampled_place(const SampledView& image, const SamplePoint&
     }
     return all;
 }
-
-}  // namespace
-
-std::array<Bounds, 4> sampled(const SampledView& image, const SamplePoint& point, Precision precision) {
-    if (precision == Precision::permitted && !has_place(image, point)) {
-        const Bounds any = Bounds::anything();
-        return {any, any, any, any};
-    }
-    std::array<Bounds, 4> all{nothing, nothing, nothing, nothing};
-    for (const SamplePoint& place : places_of(image, point, precision))
-        hull_into(all, sampled_place(image, place, precision));
-    if (image.header.linear == 0 || point.component >= 0 || precision == Precision::exact) return all;
-    for (Bounds& bounds : all) {
-        const bool mixes = image.header.texel == backend::SampledTexel::depth && bounds.low < bounds.high;
-        // The rules promise no more than a share of the comparisons that hold.
-        if (mixes && !image.precision.filters_depth) bounds = {0.0, 1.0, false};
-        bounds = widened(bounds, smallest_half + half_error * image.largest, 0.0);
-    }
-    return all;
-}
-
-std::vector<std::array<std::size_t, 4>> sampled_texels(const SampledView& image, const SamplePoint& point,
-                                                       Precision precision) {
-    std::vector<std::array<std::size_t, 4>> all;
-    const bool gathers = point.component >= 0;
-    bool corner = false;
-    const auto add = [&](std::uint32_t at, const SamplePoint& place) {
-        const Level level(image, at, place, precision, gathers);
-        level.for_each([&](const Choice& x, const Choice& y, const Choice& z) {
-            std::array<std::size_t, 4> words{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                const auto word = level.word(x.texel + (gathers ? internal::gathered.at(k)[0] : 0),
-                                             y.texel + (gathers ? internal::gathered.at(k)[1] : 0), z.texel);
-                corner = corner || !word;
-                words.at(k) = word.value_or(outside);
-            }
-            if (std::ranges::find(all, words) == all.end()) all.push_back(words);
-        });
-    };
-    for (const SamplePoint& place : places_of(image, point, precision))
-        for (const Choice& choice : levels_of(image, gathers ? Bounds::point(0.0) : place.level, precision))
-            add(gathers ? 0 : static_cast<std::uint32_t>(choice.texel), place);
-    if (corner && precision == Precision::permitted) all.clear();
-    return all;
-}
-
-namespace {
 
 Bounds level_of_slopes(const SampledView& image, std::span<const Bounds> dx, std::span<const Bounds> dy,
                        Precision precision) {
@@ -235,6 +143,90 @@ bool has_slope(const internal::FacePoint& on, const Gradients& gradients) {
 }
 
 }  // namespace
+
+std::size_t SampledView::word_of(std::uint32_t level, const std::array<std::uint32_t, 3>& texel) const {
+    const auto [width, height, depth] = backend::size_of_level(header, level);
+    const std::size_t index = (std::size_t{texel[2]} * height + texel[1]) * width + texel[0];
+    return (backend::texels_before(header, level) + index) * backend::texel_words;
+}
+
+SampledView sampled_view_of(std::span<const backend::Word> words,
+                            const backend::SamplerPrecision& precision) {
+    SampledView view{.header = backend::sampled_header(words),
+                     .texels = words.subspan(backend::sampled_header_words),
+                     .precision = precision};
+    if (view.header.texel == backend::SampledTexel::depth) view.largest = 1.0;
+    if (view.header.texel == backend::SampledTexel::real)
+        for (const backend::Word word : view.texels)
+            view.largest = std::max(view.largest, std::abs(static_cast<double>(std::bit_cast<float>(word))));
+    return view;
+}
+
+bool has_place(const SampledView& image, const SamplePoint& point) {
+    constexpr double most = 0x1p31;
+    const auto near_zero = [](const Bounds& x, double scale) {
+        return is_finite(x) && std::max(std::abs(x.low), std::abs(x.high)) * scale < most;
+    };
+    if (point.level.nan || point.level.high >= most) return false;
+    const auto size = backend::size_of_level(image.header, 0);
+    if (backend::is_cube(image.header.shape)) {
+        constexpr double largest = 0x1p126;  // its reciprocal is a normal number
+        double most = 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Bounds& x = point.at.at(axis);
+            if (!is_finite(x) || std::max(std::abs(x.low), std::abs(x.high)) > largest) return false;
+            most = std::max(most, x.low > 0.0 ? x.low : -x.high);
+        }
+        return most >= internal::smallest_normal &&
+               (image.header.shape == SampledShape::cube || near_zero(point.at[3], 1.0));
+    }
+    for (std::size_t axis = 0; axis < internal::axes_of(image.header); ++axis)
+        if (!near_zero(point.at.at(axis), size.at(axis))) return false;
+    return image.header.shape != SampledShape::layers || near_zero(point.at[2], 1.0);
+}
+
+std::array<Bounds, 4> sampled(const SampledView& image, const SamplePoint& point, Precision precision) {
+    if (precision == Precision::permitted && !has_place(image, point)) {
+        const Bounds any = Bounds::anything();
+        return {any, any, any, any};
+    }
+    std::array<Bounds, 4> all{nothing, nothing, nothing, nothing};
+    for (const SamplePoint& place : places_of(image, point, precision))
+        hull_into(all, sampled_place(image, place, precision));
+    if (image.header.linear == 0 || point.component >= 0 || precision == Precision::exact) return all;
+    for (Bounds& bounds : all) {
+        const bool mixes = image.header.texel == backend::SampledTexel::depth && bounds.low < bounds.high;
+        // The rules promise no more than a share of the comparisons that hold.
+        if (mixes && !image.precision.filters_depth) bounds = {0.0, 1.0, false};
+        bounds = widened(bounds, smallest_half + half_error * image.largest, 0.0);
+    }
+    return all;
+}
+
+std::vector<std::array<std::size_t, 4>> sampled_texels(const SampledView& image, const SamplePoint& point,
+                                                       Precision precision) {
+    std::vector<std::array<std::size_t, 4>> all;
+    const bool gathers = point.component >= 0;
+    bool corner = false;
+    const auto add = [&](std::uint32_t at, const SamplePoint& place) {
+        const Level level(image, at, place, precision, gathers);
+        level.for_each([&](const Choice& x, const Choice& y, const Choice& z) {
+            std::array<std::size_t, 4> words{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                const auto word = level.word(x.texel + (gathers ? internal::gathered.at(k)[0] : 0),
+                                             y.texel + (gathers ? internal::gathered.at(k)[1] : 0), z.texel);
+                corner = corner || !word;
+                words.at(k) = word.value_or(outside);
+            }
+            if (std::ranges::find(all, words) == all.end()) all.push_back(words);
+        });
+    };
+    for (const SamplePoint& place : places_of(image, point, precision))
+        for (const Choice& choice : levels_of(image, gathers ? Bounds::point(0.0) : place.level, precision))
+            add(gathers ? 0 : static_cast<std::uint32_t>(choice.texel), place);
+    if (corner && precision == Precision::permitted) all.clear();
+    return all;
+}
 
 Bounds level_of(const SampledView& image, const SamplePoint& point, const Gradients& gradients,
                 Precision precision) {

@@ -4,8 +4,10 @@
 #include "interpreter/internal/opcodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "interpreter/internal/scalars.hpp"
 #include "interpreter/internal/state.hpp"
@@ -34,32 +36,21 @@ template <class N, class... Operands>
     return result;
 }
 
-template <class N, class F>
-void unary(State<N>& s, const Instruction& i) {
+// An operation on these operands, component by component.
+template <class N, class F, auto... Operands>
+void on_numbers(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
-        const N x = s.number(i, i.a + k);
-        s.set(i, i.result + k, assumed(i, apply(F{}, x), x));
+        const std::array<N, sizeof...(Operands)> all{s.number(i, i.*Operands + k)...};
+        const auto result = [&](const auto&... x) { return assumed(i, apply(F{}, x...), x...); };
+        s.set(i, i.result + k, std::apply(result, all));
     }
 }
-
 template <class N, class F>
-void binary(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k) {
-        const N x = s.number(i, i.a + k);
-        const N y = s.number(i, i.b + k);
-        s.set(i, i.result + k, assumed(i, apply(F{}, x, y), x, y));
-    }
-}
-
+inline constexpr auto unary = on_numbers<N, F, &Instruction::a>;
 template <class N, class F>
-void ternary(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k) {
-        const N x = s.number(i, i.a + k);
-        const N y = s.number(i, i.b + k);
-        const N z = s.number(i, i.c + k);
-        s.set(i, i.result + k, assumed(i, apply(F{}, x, y, z), x, y, z));
-    }
-}
+inline constexpr auto binary = on_numbers<N, F, &Instruction::a, &Instruction::b>;
+template <class N, class F>
+inline constexpr auto ternary = on_numbers<N, F, &Instruction::a, &Instruction::b, &Instruction::c>;
 
 // The value of a number; NaN of an interval, whose operations tell by themselves what is undefined.
 template <class N>

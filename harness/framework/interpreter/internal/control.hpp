@@ -3,7 +3,6 @@
 
 #include "interpreter/internal/opcodes.hpp"
 
-#include "interpreter/internal/atomics.hpp"
 #include "interpreter/internal/conversions.hpp"
 #include "interpreter/internal/integers.hpp"
 #include "interpreter/internal/samplers.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
+#include <map>
 
 #include "interpreter/internal/control.hpp"
 #include "interpreter/internal/integers.hpp"
@@ -59,69 +59,43 @@ template <class F, class N>
     }
 }
 
-[[nodiscard]] inline Word combined(std::uint32_t opcode, Word x, Word y) {
-    switch (opcode) {
-        case SpvOpGroupNonUniformIAdd:
-            return x + y;
-        case SpvOpGroupNonUniformIMul:
-            return x * y;
-        case SpvOpGroupNonUniformSMin:
-            return as_int(y) < as_int(x) ? y : x;
-        case SpvOpGroupNonUniformUMin:
-            return std::min(x, y);
-        case SpvOpGroupNonUniformSMax:
-            return as_int(y) > as_int(x) ? y : x;
-        case SpvOpGroupNonUniformUMax:
-            return std::max(x, y);
-        case SpvOpGroupNonUniformBitwiseAnd:
-        case SpvOpGroupNonUniformLogicalAnd:
-            return x & y;
-        case SpvOpGroupNonUniformBitwiseOr:
-        case SpvOpGroupNonUniformLogicalOr:
-            return x | y;
-        default:
-            return x ^ y;
-    }
-}
-
-[[nodiscard]] inline bool is_of_floats(std::uint32_t opcode) {
-    return opcode == SpvOpGroupNonUniformFAdd || opcode == SpvOpGroupNonUniformFMul ||
-           opcode == SpvOpGroupNonUniformFMin || opcode == SpvOpGroupNonUniformFMax;
-}
-
-// Of no invocation at all.
-[[nodiscard]] inline Word identity_of(std::uint32_t opcode) {
-    switch (opcode) {
-        case SpvOpGroupNonUniformIMul:
-        case SpvOpGroupNonUniformLogicalAnd:
-            return 1;
-        case SpvOpGroupNonUniformFMul:
-            return std::bit_cast<Word>(1.0F);
-        case SpvOpGroupNonUniformSMin:
-            return std::numeric_limits<std::int32_t>::max();
-        case SpvOpGroupNonUniformSMax:
-            return Word{1} << (word_bits - 1);
-        case SpvOpGroupNonUniformUMin:
-        case SpvOpGroupNonUniformBitwiseAnd:
-            return ~Word{0};
-        case SpvOpGroupNonUniformFMin:
-            return std::bit_cast<Word>(std::numeric_limits<float>::infinity());
-        case SpvOpGroupNonUniformFMax:
-            return std::bit_cast<Word>(-std::numeric_limits<float>::infinity());
-        default:
-            return 0;
-    }
+// How words become one: by an atomic operation; of no invocation at all the identity is left. Floats have
+// none.
+struct Reduction {
+    std::uint32_t atomic = 0;
+    Word identity = 0;
+    bool of_floats = false;
+};
+[[nodiscard]] inline const Reduction& reduction_of(std::uint32_t opcode) {
+    constexpr Word sign = Word{1} << (word_bits - 1);
+    static const std::map<std::uint32_t, Reduction> rows{
+        {SpvOpGroupNonUniformIAdd, {SpvOpAtomicIAdd, 0}},
+        {SpvOpGroupNonUniformIMul, {0, 1}},  // no atomic operation multiplies
+        {SpvOpGroupNonUniformSMin, {SpvOpAtomicSMin, ~sign}},
+        {SpvOpGroupNonUniformUMin, {SpvOpAtomicUMin, ~Word{0}}},
+        {SpvOpGroupNonUniformSMax, {SpvOpAtomicSMax, sign}},
+        {SpvOpGroupNonUniformUMax, {SpvOpAtomicUMax, 0}},
+        {SpvOpGroupNonUniformBitwiseAnd, {SpvOpAtomicAnd, ~Word{0}}},
+        {SpvOpGroupNonUniformBitwiseOr, {SpvOpAtomicOr, 0}},
+        {SpvOpGroupNonUniformBitwiseXor, {SpvOpAtomicXor, 0}},
+        {SpvOpGroupNonUniformLogicalAnd, {SpvOpAtomicAnd, 1}},
+        {SpvOpGroupNonUniformLogicalOr, {SpvOpAtomicOr, 0}},
+        {SpvOpGroupNonUniformLogicalXor, {SpvOpAtomicXor, 0}},
+        {SpvOpGroupNonUniformFAdd, {0, 0, true}},
+        {SpvOpGroupNonUniformFMul, {0, std::bit_cast<Word>(1.0F), true}},
+        {SpvOpGroupNonUniformFMin, {0, exponent_mask, true}},
+        {SpvOpGroupNonUniformFMax, {0, sign | exponent_mask, true}}};
+    return rows.at(opcode);
 }
 
 template <class N>
 [[nodiscard]] Value<N> reduced(std::uint32_t opcode, const std::vector<Value<N>>& all) {
-    if (all.empty()) {
-        const Word identity = identity_of(opcode);
-        return is_of_floats(opcode) ? Value<N>::of_float(identity) : Value<N>::of_bits(identity);
-    }
-    if (!is_of_floats(opcode)) {
+    const auto& [atomic, identity, of_floats] = reduction_of(opcode);
+    if (all.empty()) return of_floats ? Value<N>::of_float(identity) : Value<N>::of_bits(identity);
+    if (!of_floats) {
         Word result = all.front().bits();
-        for (std::size_t k = 1; k < all.size(); ++k) result = combined(opcode, result, all[k].bits());
+        for (std::size_t k = 1; k < all.size(); ++k)
+            result = atomic == 0 ? result * all[k].bits() : exchanged(atomic, result, all[k].bits(), 0);
         return Value<N>::of_bits(result);
     }
     std::vector<N> numbers;

@@ -6,6 +6,7 @@
 
 #include "interpreter/internal/opcodes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <optional>
@@ -79,6 +80,38 @@ inline constexpr Word magnitude_mask = 0x7fffffffU;  // of a float: all but its 
 // Position of the most significant set bit; -1 for none.
 [[nodiscard]] constexpr Word highest_bit(Word x) {
     return word_bits - 1U - static_cast<Word>(std::countl_zero(x));
+}
+
+// What an atomic operation leaves.
+[[nodiscard]] inline Word exchanged(std::uint32_t opcode, Word before, Word operand, Word expected) {
+    switch (opcode) {
+        case SpvOpAtomicIIncrement:
+            return before + 1U;
+        case SpvOpAtomicIDecrement:
+            return before - 1U;
+        case SpvOpAtomicIAdd:
+            return before + operand;
+        case SpvOpAtomicISub:
+            return before - operand;
+        case SpvOpAtomicSMin:
+            return as_int(operand) < as_int(before) ? operand : before;
+        case SpvOpAtomicUMin:
+            return std::min(before, operand);
+        case SpvOpAtomicSMax:
+            return as_int(operand) > as_int(before) ? operand : before;
+        case SpvOpAtomicUMax:
+            return std::max(before, operand);
+        case SpvOpAtomicAnd:
+            return before & operand;
+        case SpvOpAtomicOr:
+            return before | operand;
+        case SpvOpAtomicXor:
+            return before ^ operand;
+        case SpvOpAtomicCompareExchange:
+            return before == expected ? operand : before;
+        default:
+            return operand;  // store and exchange
+    }
 }
 
 template <class N, auto F>

@@ -71,6 +71,36 @@ bool holds(backend::Compare compare, const Bounds& reference, double depth, End 
     }
 }
 
+Bounds hull_with(const Bounds& bounds, double value) {
+    return numeric::hull(bounds, Bounds::point(value));
+}
+
+// The filtered value with these weights.
+double filtered(const Level& level, const std::array<long, 3>& at, const std::array<double, 3>& weight,
+                std::size_t component, End end) {
+    const auto row = [&](long y, long z) {
+        const double first = level.value(at[0], y, z, component, end);
+        return weight[0] == 0.0 ? first
+                                : mixed(first, level.value(at[0] + 1, y, z, component, end), weight[0]);
+    };
+    const auto plane = [&](long z) {
+        const double first = row(at[1], z);
+        return weight[1] == 0.0 ? first : mixed(first, row(at[1] + 1, z), weight[1]);
+    };
+    const double first = plane(at[2]);
+    return weight[2] == 0.0 ? first : mixed(first, plane(at[2] + 1), weight[2]);
+}
+
+// Whether the corner has the other end of this weight, which is the same.
+bool ends_meet(const Choice& choice, unsigned corner, unsigned bit) {
+    return (corner >> bit & 1U) != 0U && choice.weight.low == choice.weight.high;
+}
+
+// Of texels with one value, once.
+std::vector<End> ends_of(const Level& level) {
+    return level.has_ends() ? std::vector{End::low, End::high} : std::vector{End::low};
+}
+
 }  // namespace
 
 std::size_t axes_of(const backend::SampledHeader& header) {
@@ -155,40 +185,6 @@ double Level::value_of(std::size_t first, std::size_t component, End end) const 
     if (!compares) return texel;
     return holds(image_.header.compare, reference_, texel, end) ? 1.0 : 0.0;
 }
-
-namespace {
-
-Bounds hull_with(const Bounds& bounds, double value) {
-    return numeric::hull(bounds, Bounds::point(value));
-}
-
-// The filtered value with these weights.
-double filtered(const Level& level, const std::array<long, 3>& at, const std::array<double, 3>& weight,
-                std::size_t component, End end) {
-    const auto row = [&](long y, long z) {
-        const double first = level.value(at[0], y, z, component, end);
-        return weight[0] == 0.0 ? first
-                                : mixed(first, level.value(at[0] + 1, y, z, component, end), weight[0]);
-    };
-    const auto plane = [&](long z) {
-        const double first = row(at[1], z);
-        return weight[1] == 0.0 ? first : mixed(first, row(at[1] + 1, z), weight[1]);
-    };
-    const double first = plane(at[2]);
-    return weight[2] == 0.0 ? first : mixed(first, plane(at[2] + 1), weight[2]);
-}
-
-// Whether the corner has the other end of this weight, which is the same.
-bool ends_meet(const Choice& choice, unsigned corner, unsigned bit) {
-    return (corner >> bit & 1U) != 0U && choice.weight.low == choice.weight.high;
-}
-
-// Of texels with one value, once.
-std::vector<End> ends_of(const Level& level) {
-    return level.has_ends() ? std::vector{End::low, End::high} : std::vector{End::low};
-}
-
-}  // namespace
 
 // The value is linear in each weight, so that its extremes are at their ends.
 std::array<Bounds, 4> filtered_level(const Level& level) {

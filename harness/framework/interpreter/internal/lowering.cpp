@@ -71,26 +71,26 @@ std::uint32_t Lowering::new_edge() {
     return static_cast<std::uint32_t>(code_.edges.size() - 1);
 }
 
-std::uint32_t Lowering::edge_to(Id label, Scope& scope) {
+std::uint32_t Lowering::edge_to(Id label) {
     const std::uint32_t edge = new_edge();
-    scope.open_edges.push_back({edge, scope.block, label});
+    scope_.open_edges.push_back({edge, scope_.block, label});
     return edge;
 }
 
-Slot Lowering::slot_of(Id id, const Scope& scope) const {
-    if (const auto found = scope.slots.find(id); found != scope.slots.end()) return found->second;
+Slot Lowering::slot_of(Id id) const {
+    if (const auto found = scope_.slots.find(id); found != scope_.slots.end()) return found->second;
     if (const auto found = global_slots_.find(id); found != global_slots_.end()) return found->second;
     fail(Error::Kind::malformed, fmt::format("ID {} has no value", id));
 }
 
-Id Lowering::type_of(Id id, const Scope& scope) const {
-    if (const auto found = scope.types.find(id); found != scope.types.end()) return found->second;
+Id Lowering::type_of(Id id) const {
+    if (const auto found = scope_.types.find(id); found != scope_.types.end()) return found->second;
     if (const auto found = global_types_.find(id); found != global_types_.end()) return found->second;
     fail(Error::Kind::malformed, fmt::format("ID {} has no type", id));
 }
 
-const PointerInfo& Lowering::pointer_of(Id id, const Scope& scope) const {
-    if (const auto found = scope.pointers.find(id); found != scope.pointers.end()) return found->second;
+const PointerInfo& Lowering::pointer_of(Id id) const {
+    if (const auto found = scope_.pointers.find(id); found != scope_.pointers.end()) return found->second;
     if (const auto found = global_pointers_.find(id); found != global_pointers_.end()) return found->second;
     fail(Error::Kind::unknown_instruction,
          fmt::format("the pointer {} is not made by a variable or an access chain", id));
@@ -109,9 +109,9 @@ std::uint8_t Lowering::flags_of(Id result, Id type) const {
     return all;
 }
 
-void Lowering::remember_place(const shader::Instruction& i, const Scope& scope) {
+void Lowering::remember_place(const shader::Instruction& i) {
     place_.word = i.at;
-    place_.function = module_.name_of(scope.function->id);
+    place_.function = module_.name_of(scope_.function->id);
     const bool known = !code_.places.empty() && place_.line != 0 && code_.places.back().line == place_.line &&
                        code_.places.back().file == place_.file &&
                        code_.places.back().function == place_.function;
@@ -149,7 +149,7 @@ void Lowering::place_variable(const shader::Instruction& variable) {
             code_.built_ins.push_back({*decorations.built_in, info.target.offset, count});
         else
             undefine_variable(info, count, name);
-        if (variable.words.size() > 4) emit(copy, count, info.target.offset, slot_of(variable.word(4), {}));
+        if (variable.words.size() > 4) emit(copy, count, info.target.offset, slot_of(variable.word(4)));
     }
     global_pointers_[id] = info;
     global_types_[id] = variable.word(1);
@@ -170,9 +170,8 @@ void Lowering::place_globals() {
         global_slots_[id] = new_slots(module_.types.slots(type));
         global_types_[id] = type;
     }
-    Scope scope;
     Function none;
-    scope.function = &none;
+    scope_.function = &none;
     for (const shader::Instruction& i : module_.computed_constants) {
         // [length | OpSpecConstantOp, type, result, opcode, operands...] rewritten as an instruction with
         // that opcode.
@@ -186,7 +185,7 @@ void Lowering::place_globals() {
         words[0] = static_cast<std::uint32_t>(words.size()) << 16U | opcode;
         global_slots_[i.word(2)] = new_slots(module_.types.slots(i.word(1)));
         global_types_[i.word(2)] = i.word(1);
-        lower({.at = i.at, .opcode = opcode, .words = words}, scope);
+        lower({.at = i.at, .opcode = opcode, .words = words});
     }
     for (const shader::Instruction& variable : module_.variables) place_variable(variable);
 }
@@ -195,8 +194,8 @@ Code Lowering::run(const std::string& entry_point) {
     code_.places.push_back({});
     code_.variables.emplace_back();
     place_globals();
-    Scope scope;
-    lower_function(module_.function(module_.entry_point(entry_point)), scope);
+    scope_ = {};
+    lower_function(module_.function(module_.entry_point(entry_point)));
     emit(finish, 0, 0);
     for (const Edge& edge : code_.edges) {
         std::uint32_t copied = 0;
@@ -208,18 +207,18 @@ Code Lowering::run(const std::string& entry_point) {
 
 // Allocates slots for every result of the function before its first use, because a phi can refer to a later
 // result.
-void Lowering::allocate_results(const Function& function, Scope& scope) {
+void Lowering::allocate_results(const Function& function) {
     for (const shader::Instruction& i : function.body) {
         const auto [has_result, has_type] = shader::spirv::result_shape(i.opcode);
         if (!has_result || !has_type || i.opcode == SpvOpFunctionParameter) continue;
         const Type& type = module_.types.at(i.word(1));
-        scope.types[i.word(2)] = i.word(1);
+        scope_.types[i.word(2)] = i.word(1);
         if (type.kind == Type::Kind::pointer || type.kind == Type::Kind::void_) continue;
-        if (!scope.slots.contains(i.word(2))) scope.slots[i.word(2)] = new_slots(type.slots);
+        if (!scope_.slots.contains(i.word(2))) scope_.slots[i.word(2)] = new_slots(type.slots);
     }
 }
 
-void Lowering::lower_function(const Function& function, Scope& scope) {
+void Lowering::lower_function(const Function& function) {
     if (std::ranges::find(calls_, function.id) != calls_.end())
         fail(Error::Kind::malformed, module_.name_of(function.id) + " calls itself");
     const auto has_code = [](const shader::Instruction& i) {
@@ -229,11 +228,11 @@ void Lowering::lower_function(const Function& function, Scope& scope) {
         fail(Error::Kind::missing, module_.name_of(function.id) + " has no body");
     calls_.push_back(function.id);
     const Place caller = place_;
-    scope.function = &function;
-    allocate_results(function, scope);
+    scope_.function = &function;
+    allocate_results(function);
     if (module_.meets() && calls_.size() > 1) {
-        scope.returns.push_back(new_edge());
-        emit(construct, 0, 0).extra = scope.returns.back();
+        scope_.returns.push_back(new_edge());
+        emit(construct, 0, 0).extra = scope_.returns.back();
     }
     const auto enter_line = [this](const shader::Instruction& line) {
         place_.file = module_.string_of(line.word(1));
@@ -248,23 +247,22 @@ void Lowering::lower_function(const Function& function, Scope& scope) {
     }
     for (const shader::Instruction& i : function.body) {
         if (i.opcode == SpvOpLine && &i != &function.body.front()) enter_line(i);
-        lower(i, scope);
+        lower(i);
     }
-    close_edges(scope);
+    close_edges();
     place_ = caller;
     calls_.pop_back();
 }
 
-void Lowering::close_edges(Scope& scope) {
-    for (const Scope::OpenEdge& open : scope.open_edges) {
+void Lowering::close_edges() {
+    for (const Scope::OpenEdge& open : scope_.open_edges) {
         Edge& edge = code_.edges[open.edge];
-        const auto target = scope.blocks.find(open.to);
-        if (target == scope.blocks.end()) fail(Error::Kind::malformed, fmt::format("no block {}", open.to));
+        const auto target = scope_.blocks.find(open.to);
+        if (target == scope_.blocks.end()) fail(Error::Kind::malformed, fmt::format("no block {}", open.to));
         edge.target = target->second;
-        for (const Scope::Phi& phi : scope.phis[open.to]) {
+        for (const Scope::Phi& phi : scope_.phis[open.to]) {
             for (const auto& [value, before] : phi.values) {
-                if (before == open.from)
-                    edge.copies.push_back({phi.result, slot_of(value, scope), phi.count});
+                if (before == open.from) edge.copies.push_back({phi.result, slot_of(value), phi.count});
             }
         }
         for (const Edge::Copy& one : edge.copies) {
@@ -275,10 +273,10 @@ void Lowering::close_edges(Scope& scope) {
         }
     }
     const auto end = static_cast<std::uint32_t>(code_.instructions.size());
-    for (const std::uint32_t edge : scope.returns) code_.edges[edge].target = end;
+    for (const std::uint32_t edge : scope_.returns) code_.edges[edge].target = end;
 }
 
-void Lowering::lower(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower(const shader::Instruction& i) {
     switch (i.opcode) {
         case SpvOpNop:
         case SpvOpLine:
@@ -288,13 +286,12 @@ void Lowering::lower(const shader::Instruction& i, Scope& scope) {
         default:
             break;
     }
-    remember_place(i, scope);
-    if (lower_control(i, scope) || lower_memory(i, scope) || lower_composite(i, scope) ||
-        lower_matrix(i, scope) || lower_atomic(i, scope) || lower_image(i, scope) ||
-        lower_sampling(i, scope) || lower_group(i, scope))
+    remember_place(i);
+    if (lower_control(i) || lower_memory(i) || lower_composite(i) || lower_matrix(i) || lower_atomic(i) ||
+        lower_image(i) || lower_sampling(i) || lower_group(i))
         return;
-    if (i.opcode == SpvOpExtInst) return lower_extended(i, scope);
-    lower_componentwise(i, scope);
+    if (i.opcode == SpvOpExtInst) return lower_extended(i);
+    lower_componentwise(i);
 }
 
 }  // namespace gloam::interpreter::internal

@@ -32,7 +32,7 @@ class Lowering {
     [[nodiscard]] Code run(const std::string& entry_point);
 
   private:
-    // A copy of a function: its IDs, and the edges with unknown targets.
+    // A copy of a function that is being lowered: its IDs, and the edges with unknown targets.
     struct Scope {
         const Function* function = nullptr;
         std::unordered_map<Id, Slot> slots;
@@ -58,39 +58,38 @@ class Lowering {
 
     void place_globals();
     void place_variable(const shader::Instruction& variable);
-    void lower_function(const Function& function, Scope& scope);
-    void allocate_results(const Function& function, Scope& scope);
-    void close_edges(Scope& scope);
-    void lower(const shader::Instruction& i, Scope& scope);
-    bool lower_control(const shader::Instruction& i, Scope& scope);
-    bool lower_memory(const shader::Instruction& i, Scope& scope);
-    bool lower_composite(const shader::Instruction& i, Scope& scope);
-    bool lower_matrix(const shader::Instruction& i, Scope& scope);
-    bool lower_atomic(const shader::Instruction& i, Scope& scope);
-    void lower_fetch(const shader::Instruction& i, Scope& scope);
-    bool lower_image(const shader::Instruction& i, Scope& scope);
-    bool lower_sampling(const shader::Instruction& i, Scope& scope);
-    bool lower_group(const shader::Instruction& i, Scope& scope);
+    void lower_function(const Function& function);
+    void allocate_results(const Function& function);
+    void close_edges();
+    void lower(const shader::Instruction& i);
+    bool lower_control(const shader::Instruction& i);
+    bool lower_memory(const shader::Instruction& i);
+    bool lower_composite(const shader::Instruction& i);
+    bool lower_matrix(const shader::Instruction& i);
+    bool lower_atomic(const shader::Instruction& i);
+    void lower_fetch(const shader::Instruction& i);
+    bool lower_image(const shader::Instruction& i);
+    bool lower_sampling(const shader::Instruction& i);
+    bool lower_group(const shader::Instruction& i);
     Slot lower_difference(Slot of, std::uint32_t count, std::uint32_t pick, std::uint8_t how);
     Slot lower_slope(Slot of, std::uint32_t count, std::uint32_t axis, std::uint8_t how, bool fine);
     struct Coordinates {
         Slot first;
         std::uint32_t count;
     };
-    Coordinates lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how,
-                                const Scope& scope);
-    void lower_derivative(const shader::Instruction& i, Scope& scope);
-    void lower_collective(const shader::Instruction& i, Scope& scope);
+    Coordinates lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how);
+    void lower_derivative(const shader::Instruction& i);
+    void lower_collective(const shader::Instruction& i);
     void list_offsets(const PointerInfo& pointer, Instruction& instruction);
-    void lower_componentwise(const shader::Instruction& i, Scope& scope);
-    void lower_bits(const shader::Instruction& i, const Scope& scope);
-    void lower_extended(const shader::Instruction& i, Scope& scope);
-    void lower_call(const shader::Instruction& i, Scope& scope);
-    void lower_access_chain(const shader::Instruction& i, Scope& scope);
-    void lower_local_variable(const shader::Instruction& i, Scope& scope);
-    void lower_shuffle(const shader::Instruction& i, Scope& scope);
-    void lower_construct(const shader::Instruction& i, Scope& scope);
-    void lower_switch(const shader::Instruction& i, Scope& scope);
+    void lower_componentwise(const shader::Instruction& i);
+    void lower_bits(const shader::Instruction& i);
+    void lower_extended(const shader::Instruction& i);
+    void lower_call(const shader::Instruction& i);
+    void lower_access_chain(const shader::Instruction& i);
+    void lower_local_variable(const shader::Instruction& i);
+    void lower_shuffle(const shader::Instruction& i);
+    void lower_construct(const shader::Instruction& i);
+    void lower_switch(const shader::Instruction& i);
     void load(Slot result, const PointerInfo& from, std::uint8_t flags);
     void store(const PointerInfo& to, Slot value);
 
@@ -98,23 +97,24 @@ class Lowering {
     [[nodiscard]] std::uint32_t new_edge();
     // Leaves a variable unwritten.
     void undefine_variable(PointerInfo& variable, std::uint32_t count, const std::string& name);
-    [[nodiscard]] std::uint32_t edge_to(Id label, Scope& scope);
+    [[nodiscard]] std::uint32_t edge_to(Id label);
     [[nodiscard]] Slot new_slots(std::uint32_t count);
     [[nodiscard]] std::uint32_t new_pointer();
     [[nodiscard]] std::uint32_t pointer_index(const PointerInfo& info);
     [[nodiscard]] std::uint32_t new_list(const std::vector<std::uint32_t>& list);
-    [[nodiscard]] Slot slot_of(Id id, const Scope& scope) const;
-    [[nodiscard]] Id type_of(Id id, const Scope& scope) const;
-    [[nodiscard]] const PointerInfo& pointer_of(Id id, const Scope& scope) const;
+    [[nodiscard]] Slot slot_of(Id id) const;
+    [[nodiscard]] Id type_of(Id id) const;
+    [[nodiscard]] const PointerInfo& pointer_of(Id id) const;
     [[nodiscard]] std::uint8_t flags_of(Id result, Id type) const;
     // Whether an instruction of the function names the result of another one.
-    [[nodiscard]] static bool is_used(Id result, const Scope& scope);
+    [[nodiscard]] bool is_used(Id result) const;
     [[nodiscard]] bool is_relaxed(Id id) const { return module_.declared.decorations_of(id).relaxed; }
-    void remember_place(const shader::Instruction& i, const Scope& scope);
+    void remember_place(const shader::Instruction& i);
     [[noreturn]] void fail(Error::Kind kind, const std::string& message) const;
 
     const Module& module_;
     Code code_;
+    Scope scope_;
     std::unordered_map<Id, Slot> global_slots_;
     std::unordered_map<Id, Id> global_types_;
     std::unordered_map<Id, PointerInfo> global_pointers_;

@@ -10,16 +10,16 @@
 // What invocations of a quad or a group do together: derivatives, barriers, subgroup operations.
 namespace gloam::interpreter::internal {
 
-bool Lowering::is_used(Id result, const Scope& scope) {
+bool Lowering::is_used(Id result) const {
     // A literal of the same value counts, too; it does no harm.
-    return std::ranges::any_of(scope.function->body, [result](const shader::Instruction& i) {
+    return std::ranges::any_of(scope_.function->body, [result](const shader::Instruction& i) {
         const auto [has_result, has_type] = shader::spirv::result_shape(i.opcode);
         const bool makes_it = has_result && has_type && i.word(2) == result;
         return std::ranges::count(i.words, result) > (makes_it ? 1 : 0);
     });
 }
 
-bool Lowering::lower_group(const shader::Instruction& i, Scope& scope) {
+bool Lowering::lower_group(const shader::Instruction& i) {
     const auto constant = [&](std::size_t word) {
         const auto value = module_.integer(i.word(word));
         if (!value) fail(Error::Kind::unknown_instruction, "a barrier of a computed scope");
@@ -35,11 +35,11 @@ bool Lowering::lower_group(const shader::Instruction& i, Scope& scope) {
         return true;
     }
     if (i.opcode >= SpvOpDPdx && i.opcode <= SpvOpFwidthCoarse) {
-        lower_derivative(i, scope);
+        lower_derivative(i);
         return true;
     }
     if (i.opcode >= SpvOpGroupNonUniformElect && i.opcode <= SpvOpGroupNonUniformQuadSwap) {
-        lower_collective(i, scope);
+        lower_collective(i);
         return true;
     }
     return false;
@@ -68,13 +68,13 @@ Slot Lowering::lower_slope(Slot of, std::uint32_t count, std::uint32_t axis, std
     return any;
 }
 
-void Lowering::lower_derivative(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_derivative(const shader::Instruction& i) {
     constexpr std::uint32_t kinds = 3;  // along x, along y, the sum of both magnitudes
     const std::uint32_t kind = (i.opcode - SpvOpDPdx) % kinds;
     const bool fine = (i.opcode - SpvOpDPdx) / kinds == 1;
     const std::uint32_t count = module_.types.slots(i.word(1));
-    const Slot of = slot_of(i.word(3), scope);
-    const Slot result = slot_of(i.word(2), scope);
+    const Slot of = slot_of(i.word(3));
+    const Slot result = slot_of(i.word(2));
     const std::uint8_t how = flags_of(i.word(2), i.word(1));
     if (kind < 2) {
         emit(copy, count, result, lower_slope(of, count, kind == 0 ? row : column, how, fine));
@@ -91,9 +91,8 @@ void Lowering::lower_derivative(const shader::Instruction& i, Scope& scope) {
 
 // Of a sampler without a level: its coordinates, divided if they are projected, whose derivatives select the
 // level.
-Lowering::Coordinates Lowering::lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how,
-                                                const Scope& scope) {
-    const Type& sampled = module_.types.at(type_of(i.word(3), scope));
+Lowering::Coordinates Lowering::lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how) {
+    const Type& sampled = module_.types.at(type_of(i.word(3)));
     how.gradients = dimensions_of(module_.types.at(sampled.element));
     if (std::exchange(how.projected, false)) {
         const Slot divided = new_slots(how.gradients);
@@ -112,7 +111,7 @@ Lowering::Coordinates Lowering::lower_gradients(const shader::Instruction& i, Co
     return at;
 }
 
-void Lowering::lower_collective(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_collective(const shader::Instruction& i) {
     constexpr std::size_t first_operand = 4;  // behind the type, the result and the scope
     const auto constant = module_.integer(i.word(3));
     if (!constant || *constant != SpvScopeSubgroup)
@@ -124,12 +123,12 @@ void Lowering::lower_collective(const shader::Instruction& i, Scope& scope) {
     std::array<Slot, 2> operands{};
     std::uint32_t components = 0;
     for (std::size_t k = 0; k < operands.size() && word < i.words.size(); ++k, ++word) {
-        if (k == 0) components = module_.types.slots(type_of(i.word(word), scope));
-        operands.at(k) = slot_of(i.word(word), scope);
+        if (k == 0) components = module_.types.slots(type_of(i.word(word)));
+        operands.at(k) = slot_of(i.word(word));
     }
     if (operation > SpvGroupOperationClusteredReduce)
         fail(Error::Kind::unknown_instruction, fmt::format("the group operation {}", operation));
-    Instruction& instruction = emit(collective, module_.types.slots(i.word(1)), slot_of(i.word(2), scope),
+    Instruction& instruction = emit(collective, module_.types.slots(i.word(1)), slot_of(i.word(2)),
                                     operands[0], operands[1], i.opcode);
     instruction.stride = static_cast<std::uint8_t>(components);
     instruction.extra = operation;

@@ -62,46 +62,45 @@ struct Walk {
 
 }  // namespace
 
-bool Lowering::lower_memory(const shader::Instruction& i, Scope& scope) {
+bool Lowering::lower_memory(const shader::Instruction& i) {
     switch (i.opcode) {
         case SpvOpVariable:
-            lower_local_variable(i, scope);
+            lower_local_variable(i);
             return true;
         case SpvOpAccessChain:
         case SpvOpInBoundsAccessChain:
-            lower_access_chain(i, scope);
+            lower_access_chain(i);
             return true;
         case SpvOpLoad:
-            load(slot_of(i.word(2), scope), pointer_of(i.word(3), scope), flags_of(i.word(2), i.word(1)));
+            load(slot_of(i.word(2)), pointer_of(i.word(3)), flags_of(i.word(2), i.word(1)));
             return true;
         case SpvOpStore:
-            store(pointer_of(i.word(1), scope), slot_of(i.word(2), scope));
+            store(pointer_of(i.word(1)), slot_of(i.word(2)));
             return true;
         case SpvOpCopyMemory: {
-            const PointerInfo& from = pointer_of(i.word(2), scope);
+            const PointerInfo& from = pointer_of(i.word(2));
             const Slot between = new_slots(module_.types.slots(from.pointee));
             load(between, from, 0);
-            store(pointer_of(i.word(1), scope), between);
+            store(pointer_of(i.word(1)), between);
             return true;
         }
         case SpvOpImageTexelPointer: {
-            const PointerInfo& image = pointer_of(i.word(3), scope);
+            const PointerInfo& image = pointer_of(i.word(3));
             PointerInfo texel{.space = PointerInfo::Space::memory,
                               .is_static = false,
                               .target = image.target,
                               .index = new_pointer(),
                               .pointee = module_.types.at(i.word(1)).element};
             Instruction& instruction =
-                emit(image_texel, 1, texel.index, pointer_index(image), slot_of(i.word(4), scope));
-            instruction.c = module_.types.slots(type_of(i.word(4), scope));
-            scope.pointers[i.word(2)] = texel;
+                emit(image_texel, 1, texel.index, pointer_index(image), slot_of(i.word(4)));
+            instruction.c = module_.types.slots(type_of(i.word(4)));
+            scope_.pointers[i.word(2)] = texel;
             return true;
         }
         case SpvOpArrayLength: {
-            Walk walk{module_.types, pointer_of(i.word(3), scope), {}};
+            Walk walk{module_.types, pointer_of(i.word(3)), {}};
             walk.enter_member(i.word(4));
-            emit(array_length, 1, slot_of(i.word(2), scope), pointer_index(walk.at)).extra =
-                walk.element().first;
+            emit(array_length, 1, slot_of(i.word(2)), pointer_index(walk.at)).extra = walk.element().first;
             return true;
         }
         default:
@@ -109,20 +108,20 @@ bool Lowering::lower_memory(const shader::Instruction& i, Scope& scope) {
     }
 }
 
-void Lowering::lower_local_variable(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_local_variable(const shader::Instruction& i) {
     PointerInfo info{.pointee = module_.types.at(i.word(1)).element};
     const std::uint32_t count = module_.types.slots(info.pointee);
     info.target.offset = new_slots(count);
     if (i.words.size() > 4) {
-        emit(copy, count, info.target.offset, slot_of(i.word(4), scope));
+        emit(copy, count, info.target.offset, slot_of(i.word(4)));
     } else {
         undefine_variable(info, count, module_.name_of(i.word(2)));
     }
-    scope.pointers[i.word(2)] = info;
+    scope_.pointers[i.word(2)] = info;
 }
 
-void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
-    Walk walk{module_.types, pointer_of(i.word(3), scope), {}};
+void Lowering::lower_access_chain(const shader::Instruction& i) {
+    Walk walk{module_.types, pointer_of(i.word(3)), {}};
     const bool from_static = walk.at.is_static;
     if (!from_static) walk.at.target.offset = 0;
     for (std::size_t k = 4; k < i.words.size(); ++k) {
@@ -143,8 +142,8 @@ void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
             if (offset > 0xffffffffU) fail(Error::Kind::out_of_bounds, fmt::format("element {}", *constant));
             walk.at.target.offset = static_cast<std::uint32_t>(offset);
         } else {
-            const Type& index = module_.types.at(type_of(i.word(k), scope));
-            walk.steps.push_back({slot_of(i.word(k), scope), index.is_signed, stride, length});
+            const Type& index = module_.types.at(type_of(i.word(k)));
+            walk.steps.push_back({slot_of(i.word(k)), index.is_signed, stride, length});
         }
         walk.enter_element();
     }
@@ -156,7 +155,7 @@ void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
         code_.chains.push_back(std::move(chain_of));
         emit(chain, 0, walk.at.index).extra = static_cast<std::uint32_t>(code_.chains.size() - 1);
     }
-    scope.pointers[i.word(2)] = walk.at;
+    scope_.pointers[i.word(2)] = walk.at;
 }
 
 void Lowering::list_offsets(const PointerInfo& pointer, Instruction& instruction) {
@@ -213,30 +212,30 @@ void Lowering::store(const PointerInfo& to, Slot value) {
     }
 }
 
-bool Lowering::lower_atomic(const shader::Instruction& i, Scope& scope) {
+bool Lowering::lower_atomic(const shader::Instruction& i) {
     const bool in_range = i.opcode >= SpvOpAtomicLoad && i.opcode <= SpvOpAtomicXor;
     if (!in_range) return false;
     const bool is_store = i.opcode == SpvOpAtomicStore;
-    const PointerInfo& pointer = pointer_of(i.word(is_store ? 1 : 3), scope);
+    const PointerInfo& pointer = pointer_of(i.word(is_store ? 1 : 3));
     if (pointer.space == Space::resource)
         fail(Error::Kind::unknown_instruction, "an atomic operation on an image");
-    const Slot result = is_store ? new_slots(1) : slot_of(i.word(2), scope);
+    const Slot result = is_store ? new_slots(1) : slot_of(i.word(2));
     const bool in_memory = pointer.space != Space::slots;
     Instruction& instruction = emit(atomic, in_memory ? 1 : 0, result, pointer_index(pointer));
     instruction.c = i.opcode;
     if (in_memory) code_.resources[pointer.target.resource].written = true;
-    if (!is_store && is_used(i.word(2), scope)) instruction.flags |= flags::result_is_used;
+    if (!is_store && is_used(i.word(2))) instruction.flags |= flags::result_is_used;
     switch (i.opcode) {
         case SpvOpAtomicLoad:
         case SpvOpAtomicIIncrement:
         case SpvOpAtomicIDecrement:
             return true;
         case SpvOpAtomicStore:
-            instruction.b = slot_of(i.word(4), scope);
+            instruction.b = slot_of(i.word(4));
             return true;
         case SpvOpAtomicCompareExchange:
-            instruction.b = slot_of(i.word(7), scope);
-            instruction.extra = slot_of(i.word(8), scope);
+            instruction.b = slot_of(i.word(7));
+            instruction.extra = slot_of(i.word(8));
             return true;
         case SpvOpAtomicCompareExchangeWeak:
         case SpvOpAtomicFlagTestAndSet:
@@ -244,57 +243,57 @@ bool Lowering::lower_atomic(const shader::Instruction& i, Scope& scope) {
             fail(Error::Kind::unknown_instruction,
                  name_of(static_cast<std::uint16_t>(i.opcode)) + " is not known to the interpreter");
         default:
-            instruction.b = slot_of(i.word(6), scope);
+            instruction.b = slot_of(i.word(6));
             return true;
     }
 }
 
 // Blocks, branches and calls.
 
-bool Lowering::lower_control(const shader::Instruction& i, Scope& scope) {
+bool Lowering::lower_control(const shader::Instruction& i) {
     switch (i.opcode) {
         case SpvOpLabel:
-            scope.block = i.word(1);
-            scope.blocks[i.word(1)] = static_cast<std::uint32_t>(code_.instructions.size());
+            scope_.block = i.word(1);
+            scope_.blocks[i.word(1)] = static_cast<std::uint32_t>(code_.instructions.size());
             return true;
         case SpvOpPhi: {
             const Id type = i.word(1);
             if (module_.types.at(type).kind == Type::Kind::pointer)
                 fail(Error::Kind::unknown_instruction, "OpPhi of pointers");
-            Scope::Phi phi{slot_of(i.word(2), scope), module_.types.slots(type), {}};
+            Scope::Phi phi{slot_of(i.word(2)), module_.types.slots(type), {}};
             for (std::size_t k = 3; k + 1 < i.words.size(); k += 2)
                 phi.values.emplace_back(i.word(k), i.word(k + 1));
-            scope.phis[scope.block].push_back(std::move(phi));
+            scope_.phis[scope_.block].push_back(std::move(phi));
             return true;
         }
         case SpvOpSelectionMerge:
         case SpvOpLoopMerge:
-            if (module_.meets()) lower_construct(i, scope);
+            if (module_.meets()) lower_construct(i);
             return true;
         case SpvOpBranch: {
-            const std::uint32_t edge = edge_to(i.word(1), scope);
+            const std::uint32_t edge = edge_to(i.word(1));
             emit(jump, 0, 0).extra = edge;
             return true;
         }
         case SpvOpBranchConditional: {
-            const std::uint32_t yes = edge_to(i.word(2), scope);
-            const std::uint32_t no = edge_to(i.word(3), scope);
-            emit(branch, 0, 0, slot_of(i.word(1), scope), no).extra = yes;
+            const std::uint32_t yes = edge_to(i.word(2));
+            const std::uint32_t no = edge_to(i.word(3));
+            emit(branch, 0, 0, slot_of(i.word(1)), no).extra = yes;
             return true;
         }
         case SpvOpSwitch:
-            lower_switch(i, scope);
+            lower_switch(i);
             return true;
         case SpvOpReturnValue:
             if (module_.undefined.contains(i.word(1)))  // the end of a function, without a value
-                emit(undefine, module_.types.slots(scope.function->result_type), scope.result);
+                emit(undefine, module_.types.slots(scope_.function->result_type), scope_.result);
             else
-                emit(copy, module_.types.slots(scope.function->result_type), scope.result,
-                     slot_of(i.word(1), scope));
+                emit(copy, module_.types.slots(scope_.function->result_type), scope_.result,
+                     slot_of(i.word(1)));
             [[fallthrough]];
         case SpvOpReturn:
-            scope.returns.push_back(new_edge());
-            emit(jump, 0, 0).extra = scope.returns.back();
+            scope_.returns.push_back(new_edge());
+            emit(jump, 0, 0).extra = scope_.returns.back();
             return true;
         case SpvOpKill:
         case SpvOpTerminateInvocation:
@@ -304,32 +303,31 @@ bool Lowering::lower_control(const shader::Instruction& i, Scope& scope) {
             emit(unreachable, 0, 0);
             return true;
         case SpvOpFunctionCall:
-            lower_call(i, scope);
+            lower_call(i);
             return true;
         default:
             return false;
     }
 }
 
-void Lowering::lower_construct(const shader::Instruction& i, Scope& scope) {
-    const std::uint32_t behind = edge_to(i.word(1), scope);
-    const std::uint32_t continues = i.opcode == SpvOpLoopMerge ? edge_to(i.word(2), scope) + 1 : 0;
+void Lowering::lower_construct(const shader::Instruction& i) {
+    const std::uint32_t behind = edge_to(i.word(1));
+    const std::uint32_t continues = i.opcode == SpvOpLoopMerge ? edge_to(i.word(2)) + 1 : 0;
     emit(construct, 0, 0, 0, continues).extra = behind;
 }
 
-void Lowering::lower_switch(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_switch(const shader::Instruction& i) {
     Switch cases;
-    cases.otherwise = edge_to(i.word(2), scope);
+    cases.otherwise = edge_to(i.word(2));
     for (std::size_t k = 3; k + 1 < i.words.size(); k += 2)
-        cases.cases.emplace_back(i.word(k), edge_to(i.word(k + 1), scope));
+        cases.cases.emplace_back(i.word(k), edge_to(i.word(k + 1)));
     code_.switches.push_back(std::move(cases));
-    emit(switch_on, 0, 0, slot_of(i.word(1), scope)).extra =
-        static_cast<std::uint32_t>(code_.switches.size() - 1);
+    emit(switch_on, 0, 0, slot_of(i.word(1))).extra = static_cast<std::uint32_t>(code_.switches.size() - 1);
 }
 
 // Values do not change, so a parameter shares the slots of its argument. A pointer parameter has its
 // argument's target.
-void Lowering::lower_call(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_call(const shader::Instruction& i) {
     const Function& callee = module_.function(i.word(3));
     if (callee.parameters.size() + 4 != i.words.size())
         fail(Error::Kind::malformed,
@@ -338,19 +336,20 @@ void Lowering::lower_call(const shader::Instruction& i, Scope& scope) {
     Scope inner;
     for (std::size_t p = 0; p < callee.parameters.size(); ++p) {
         const Id argument = i.word(p + 4);
-        inner.types[callee.parameters[p]] = type_of(argument, scope);
-        if (module_.types.at(type_of(argument, scope)).kind == Type::Kind::pointer) {
-            const PointerInfo& to = inner.pointers[callee.parameters[p]] = pointer_of(argument, scope);
+        inner.types[callee.parameters[p]] = type_of(argument);
+        if (module_.types.at(type_of(argument)).kind == Type::Kind::pointer) {
+            const PointerInfo& to = inner.pointers[callee.parameters[p]] = pointer_of(argument);
             // The front end passes out parameters by a variable that the source does not have.
             if (to.variable != 0 && module_.name_of(argument) == "param")
                 code_.variables[to.variable] = module_.name_of(callee.parameters[p]);
         } else {
-            inner.slots[callee.parameters[p]] = slot_of(argument, scope);
+            inner.slots[callee.parameters[p]] = slot_of(argument);
         }
     }
-    if (module_.types.at(callee.result_type).kind != Type::Kind::void_)
-        inner.result = slot_of(i.word(2), scope);
-    lower_function(callee, inner);
+    if (module_.types.at(callee.result_type).kind != Type::Kind::void_) inner.result = slot_of(i.word(2));
+    std::swap(scope_, inner);
+    lower_function(callee);
+    scope_ = std::move(inner);
 }
 
 }  // namespace gloam::interpreter::internal

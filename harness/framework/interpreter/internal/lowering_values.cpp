@@ -30,13 +30,31 @@ std::pair<Slot, Id> part_of(const Types& types, Slot slot, Id type_id,
     return {slot, type_id};
 }
 
+// What an instruction asks of a sampler.
+struct SamplingForm {
+    bool implicit = false;  // the level
+    bool compares = false;
+    bool projected = false;
+    bool gathers = false;
+};
+
+std::optional<SamplingForm> form_of(std::uint32_t opcode) {
+    if (opcode == SpvOpImageGather || opcode == SpvOpImageDrefGather)
+        return SamplingForm{.compares = opcode == SpvOpImageDrefGather, .gathers = true};
+    if (opcode < SpvOpImageSampleImplicitLod || opcode > SpvOpImageSampleProjDrefExplicitLod)
+        return std::nullopt;
+    // They alternate: with an implicit level, with an explicit one; two that compare follow two that do not.
+    const std::uint32_t form = opcode - SpvOpImageSampleImplicitLod;
+    return SamplingForm{.implicit = form % 2 == 0, .compares = form % 4 >= 2, .projected = form >= 4};
+}
+
 }  // namespace
 
-bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
+bool Lowering::lower_composite(const shader::Instruction& i) {
     const Types& types = module_.types;
     const auto slots = [&] { return types.slots(i.word(1)); };
-    const auto result = [&] { return slot_of(i.word(2), scope); };
-    const auto operand = [&](std::size_t word) { return slot_of(i.word(word), scope); };
+    const auto result = [&] { return slot_of(i.word(2)); };
+    const auto operand = [&](std::size_t word) { return slot_of(i.word(word)); };
     switch (i.opcode) {
         case SpvOpUndef:
             emit(undefine, slots(), result());
@@ -45,11 +63,11 @@ bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
         case SpvOpCopyLogical:
         case SpvOpBitcast:
             if (types.at(i.word(1)).kind == Type::Kind::pointer) {
-                scope.pointers[i.word(2)] = pointer_of(i.word(3), scope);
+                scope_.pointers[i.word(2)] = pointer_of(i.word(3));
                 return true;
             }
             if (i.opcode == SpvOpBitcast) {
-                lower_bits(i, scope);
+                lower_bits(i);
             } else {
                 emit(copy, slots(), result(), operand(3)).flags = flags_of(i.word(2), i.word(1));
             }
@@ -57,14 +75,14 @@ bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
         case SpvOpCompositeConstruct: {
             Slot to = result();
             for (std::size_t k = 3; k < i.words.size(); ++k) {
-                const std::uint32_t count = types.slots(type_of(i.word(k), scope));
+                const std::uint32_t count = types.slots(type_of(i.word(k)));
                 emit(copy, count, to, operand(k)).flags = flags_of(i.word(2), i.word(1));
                 to += count;
             }
             return true;
         }
         case SpvOpCompositeExtract: {
-            const Slot from = part_of(types, operand(3), type_of(i.word(3), scope), i.from(4)).first;
+            const Slot from = part_of(types, operand(3), type_of(i.word(3)), i.from(4)).first;
             emit(copy, slots(), result(), from).flags = flags_of(i.word(2), i.word(1));
             return true;
         }
@@ -75,16 +93,16 @@ bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
             return true;
         }
         case SpvOpVectorShuffle:
-            lower_shuffle(i, scope);
+            lower_shuffle(i);
             return true;
         case SpvOpVectorExtractDynamic:
-            emit(extract_dynamic, types.slots(type_of(i.word(3), scope)), result(), operand(3), operand(4));
+            emit(extract_dynamic, types.slots(type_of(i.word(3))), result(), operand(3), operand(4));
             return true;
         case SpvOpVectorInsertDynamic:
             emit(insert_dynamic, slots(), result(), operand(3), operand(4), operand(5));
             return true;
         case SpvOpSelect: {
-            const bool by_component = types.slots(type_of(i.word(3), scope)) > 1;
+            const bool by_component = types.slots(type_of(i.word(3))) > 1;
             if (types.at(i.word(1)).kind == Type::Kind::pointer)
                 fail(Error::Kind::unknown_instruction, "OpSelect of pointers");
             Instruction& instruction = emit(select, slots(), result(), operand(3), operand(4), operand(5));
@@ -97,25 +115,25 @@ bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
     }
 }
 
-void Lowering::lower_bits(const shader::Instruction& i, const Scope& scope) {
-    const Type& from = module_.types.scalar_of(type_of(i.word(3), scope));
+void Lowering::lower_bits(const shader::Instruction& i) {
+    const Type& from = module_.types.scalar_of(type_of(i.word(3)));
     const Type& to = module_.types.scalar_of(i.word(1));
     const std::uint32_t count = module_.types.slots(i.word(1));
     const bool is_float = to.kind == Type::Kind::real;
     if (from.width == to.width) {
-        emit(is_float ? to_float : copy, count, slot_of(i.word(2), scope), slot_of(i.word(3), scope));
+        emit(is_float ? to_float : copy, count, slot_of(i.word(2)), slot_of(i.word(3)));
         return;
     }
-    emit(to.width == 32 ? pack_halves : unpack_halves, count, slot_of(i.word(2), scope),
-         slot_of(i.word(3), scope), is_float ? 1 : 0);
+    emit(to.width == 32 ? pack_halves : unpack_halves, count, slot_of(i.word(2)), slot_of(i.word(3)),
+         is_float ? 1 : 0);
 }
 
-void Lowering::lower_shuffle(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_shuffle(const shader::Instruction& i) {
     constexpr std::uint32_t undefined = 0xffffffffU;
-    const Slot first = slot_of(i.word(3), scope);
-    const Slot second = slot_of(i.word(4), scope);
-    const std::uint32_t components = module_.types.slots(type_of(i.word(3), scope));
-    const std::uint32_t in_all = components + module_.types.slots(type_of(i.word(4), scope));
+    const Slot first = slot_of(i.word(3));
+    const Slot second = slot_of(i.word(4));
+    const std::uint32_t components = module_.types.slots(type_of(i.word(3)));
+    const std::uint32_t in_all = components + module_.types.slots(type_of(i.word(4)));
     std::vector<std::uint32_t> from;
     for (const std::uint32_t component : i.from(5)) {
         if (component != undefined && component >= in_all)
@@ -123,24 +141,23 @@ void Lowering::lower_shuffle(const shader::Instruction& i, Scope& scope) {
         const std::uint32_t taken = component == undefined ? 0 : component;
         from.push_back(taken < components ? first + taken : second + taken - components);
     }
-    Instruction& instruction =
-        emit(gather, static_cast<std::uint32_t>(from.size()), slot_of(i.word(2), scope));
+    Instruction& instruction = emit(gather, static_cast<std::uint32_t>(from.size()), slot_of(i.word(2)));
     instruction.flags = flags_of(i.word(2), i.word(1));
     instruction.extra = new_list(from);
 }
 
 // Matrices: `count` is the number of rows of a result column, `extra` the number of products in a sum, c the
 // number of columns.
-bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
+bool Lowering::lower_matrix(const shader::Instruction& i) {
     const Types& types = module_.types;
     const auto shape = [&](std::size_t word) -> std::pair<std::uint32_t, std::uint32_t> {
-        const Type& type = types.at(type_of(i.word(word), scope));
+        const Type& type = types.at(type_of(i.word(word)));
         if (type.kind == Type::Kind::matrix) return {type.count, types.slots(type.element)};
         return {1, type.slots};
     };
     const auto product = [&](std::uint32_t rows, std::uint32_t sum, std::uint32_t columns) {
-        Instruction& instruction = emit(static_cast<std::uint16_t>(i.opcode), rows, slot_of(i.word(2), scope),
-                                        slot_of(i.word(3), scope), slot_of(i.word(4), scope), columns);
+        Instruction& instruction = emit(static_cast<std::uint16_t>(i.opcode), rows, slot_of(i.word(2)),
+                                        slot_of(i.word(3)), slot_of(i.word(4)), columns);
         instruction.extra = sum;
         instruction.flags = flags_of(i.word(2), i.word(1));
         if ((instruction.flags & flags::no_contraction) == 0) code_.may_be_rearranged = true;
@@ -149,12 +166,12 @@ bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
     switch (i.opcode) {
         case SpvOpTranspose: {
             const auto [columns, rows] = shape(3);
-            const Slot first = slot_of(i.word(3), scope);
+            const Slot first = slot_of(i.word(3));
             std::vector<std::uint32_t> from;
             for (std::uint32_t row = 0; row < rows; ++row)
                 for (std::uint32_t column = 0; column < columns; ++column)
                     from.push_back(first + column * rows + row);
-            emit(gather, rows * columns, slot_of(i.word(2), scope)).extra = new_list(from);
+            emit(gather, rows * columns, slot_of(i.word(2))).extra = new_list(from);
             return true;
         }
         case SpvOpMatrixTimesVector:
@@ -172,20 +189,19 @@ bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
     }
 }
 
-void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_componentwise(const shader::Instruction& i) {
     const auto opcode = static_cast<std::uint16_t>(i.opcode);
     const Known* known = known_operation(opcode);
     if (known == nullptr || i.words.size() < known->arity + 3U)
         fail(Error::Kind::unknown_instruction,
              fmt::format("{} is not known to the interpreter", name_of(opcode)));
-    const Id operand_type = type_of(i.word(3), scope);
+    const Id operand_type = type_of(i.word(3));
     const std::uint32_t count = module_.types.slots(known->has_count_of_operand() ? operand_type : i.word(1));
     const Type& scalar = module_.types.scalar_of(operand_type);
     const Type& to = module_.types.scalar_of(i.word(1));
     std::array<Slot, 4> operands{};
-    for (std::size_t k = 0; k < known->arity; ++k) operands.at(k) = slot_of(i.word(k + 3), scope);
-    Instruction& instruction =
-        emit(opcode, count, slot_of(i.word(2), scope), operands[0], operands[1], operands[2]);
+    for (std::size_t k = 0; k < known->arity; ++k) operands.at(k) = slot_of(i.word(k + 3));
+    Instruction& instruction = emit(opcode, count, slot_of(i.word(2)), operands[0], operands[1], operands[2]);
     instruction.extra = operands[3];
     instruction.flags = flags_of(i.word(2), i.word(1));
     if (known->reads_all_first()) instruction.flags |= flags::reads_first;
@@ -198,7 +214,7 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
         code_.may_be_rearranged = true;
 }
 
-void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
+void Lowering::lower_extended(const shader::Instruction& i) {
     if (!module_.declared.extended_sets.contains(i.word(3)) || i.word(4) >= GLSLstd450Count)
         fail(Error::Kind::unknown_instruction,
              "an extended instruction that is not of GLSL.std.450 (debugPrintfEXT)");
@@ -210,25 +226,25 @@ void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
     std::array<Slot, 3> operands{};
     const bool by_pointer = writes_through_pointer(opcode);
     for (std::size_t k = 0; k < (by_pointer ? 1U : known->arity); ++k)
-        operands.at(k) = slot_of(i.word(k + 5), scope);
+        operands.at(k) = slot_of(i.word(k + 5));
     const std::uint32_t count =
-        module_.types.slots(known->has_count_of_operand() ? type_of(i.word(5), scope) : i.word(1));
-    const Slot result = by_pointer ? new_slots(2 * count) : slot_of(i.word(2), scope);
+        module_.types.slots(known->has_count_of_operand() ? type_of(i.word(5)) : i.word(1));
+    const Slot result = by_pointer ? new_slots(2 * count) : slot_of(i.word(2));
     Instruction& instruction = emit(opcode, count, result, operands[0], operands[1], operands[2]);
     instruction.flags = flags_of(i.word(2), i.word(1));
     if (module_.types.at(i.word(1)).kind == Type::Kind::structure || by_pointer)
-        instruction.flags = flags_of(i.word(2), type_of(i.word(5), scope));
+        instruction.flags = flags_of(i.word(2), type_of(i.word(5)));
     if (known->reads_all_first()) instruction.flags |= flags::reads_first;
     if (!by_pointer) return;
-    emit(copy, count, slot_of(i.word(2), scope), result);
-    store(pointer_of(i.word(6), scope), result + count);
+    emit(copy, count, slot_of(i.word(2)), result);
+    store(pointer_of(i.word(6)), result + count);
 }
 
 // Images: fetches, loads, stores and sizes, without filtering.
 
-void Lowering::lower_fetch(const shader::Instruction& i, Scope& scope) {
-    const auto operand = [&](std::size_t word) { return slot_of(i.word(word), scope); };
-    const std::uint32_t components = module_.types.slots(type_of(i.word(4), scope));
+void Lowering::lower_fetch(const shader::Instruction& i) {
+    const auto operand = [&](std::size_t word) { return slot_of(i.word(word)); };
+    const std::uint32_t components = module_.types.slots(type_of(i.word(4)));
     // How integers of fewer bits become 32: texels are given with 32.
     constexpr std::uint32_t extensions = SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask;
     const std::uint32_t operands = i.words.size() > 5 ? i.word(5) & ~extensions : 0;
@@ -249,11 +265,9 @@ void Lowering::lower_fetch(const shader::Instruction& i, Scope& scope) {
     instruction.extra = level ? operand(6) + 1 : 0;
 }
 
-bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
-    const auto operand = [&](std::size_t word) { return slot_of(i.word(word), scope); };
-    const auto components = [&](std::size_t word) {
-        return module_.types.slots(type_of(i.word(word), scope));
-    };
+bool Lowering::lower_image(const shader::Instruction& i) {
+    const auto operand = [&](std::size_t word) { return slot_of(i.word(word)); };
+    const auto components = [&](std::size_t word) { return module_.types.slots(type_of(i.word(word))); };
     switch (i.opcode) {
         case SpvOpImage:
         case SpvOpSampledImage:
@@ -261,10 +275,10 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
             return true;
         case SpvOpImageFetch:
         case SpvOpImageRead:
-            lower_fetch(i, scope);
+            lower_fetch(i);
             return true;
         case SpvOpImageWrite: {
-            const Type& image = module_.types.at(type_of(i.word(1), scope));
+            const Type& image = module_.types.at(type_of(i.word(1)));
             Instruction& instruction = emit(image_store, std::min(components(3), channels_of(image)), 0,
                                             operand(1), operand(2), operand(3));
             instruction.extra = components(2);
@@ -287,29 +301,7 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
     }
 }
 
-namespace {
-
-// What an instruction asks of a sampler.
-struct SamplingForm {
-    bool implicit = false;  // the level
-    bool compares = false;
-    bool projected = false;
-    bool gathers = false;
-};
-
-std::optional<SamplingForm> form_of(std::uint32_t opcode) {
-    if (opcode == SpvOpImageGather || opcode == SpvOpImageDrefGather)
-        return SamplingForm{.compares = opcode == SpvOpImageDrefGather, .gathers = true};
-    if (opcode < SpvOpImageSampleImplicitLod || opcode > SpvOpImageSampleProjDrefExplicitLod)
-        return std::nullopt;
-    // They alternate: with an implicit level, with an explicit one; two that compare follow two that do not.
-    const std::uint32_t form = opcode - SpvOpImageSampleImplicitLod;
-    return SamplingForm{.implicit = form % 2 == 0, .compares = form % 4 >= 2, .projected = form >= 4};
-}
-
-}  // namespace
-
-bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
+bool Lowering::lower_sampling(const shader::Instruction& i) {
     const auto form = form_of(i.opcode);
     if (!form) return false;
     const auto [implicit, compares, projected, gathers] = *form;
@@ -319,19 +311,19 @@ bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
     const auto take = [&](std::uint32_t mask) -> std::optional<Slot> {
         if ((operands & mask) == 0) return std::nullopt;
         operands &= ~mask;
-        return slot_of(i.word(word++), scope);
+        return slot_of(i.word(word++));
     };
-    const auto components = [&](std::size_t at) { return module_.types.slots(type_of(i.word(at), scope)); };
+    const auto components = [&](std::size_t at) { return module_.types.slots(type_of(i.word(at))); };
     if (compares)
-        how.reference = slot_of(i.word(5), scope);
+        how.reference = slot_of(i.word(5));
     else if (gathers)
-        how.component = slot_of(i.word(5), scope);
+        how.component = slot_of(i.word(5));
     how.bias = take(SpvImageOperandsBiasMask);
     how.level = take(SpvImageOperandsLodMask);
     how.dx = take(SpvImageOperandsGradMask);
     if (how.dx) {
         how.gradients = components(word);
-        how.dy = slot_of(i.word(word++), scope);
+        how.dy = slot_of(i.word(word++));
     }
     for (const auto mask : {SpvImageOperandsConstOffsetMask, SpvImageOperandsOffsetMask}) {
         const auto offset = take(mask);
@@ -344,13 +336,13 @@ bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
         fail(Error::Kind::unknown_instruction,
              "a sampler with several offsets (textureGatherOffsets), or a least level");
     // Behind those there may be others, which are not used.
-    const Type& image = module_.types.at(module_.types.at(type_of(i.word(3), scope)).element);
+    const Type& image = module_.types.at(module_.types.at(type_of(i.word(3))).element);
     const std::uint32_t dimensions = dimensions_of(image) + (image.arrayed || how.projected ? 1 : 0);
-    Coordinates at{slot_of(i.word(4), scope), dimensions};
-    if (implicit) at = lower_gradients(i, at, how, scope);
+    Coordinates at{slot_of(i.word(4)), dimensions};
+    if (implicit) at = lower_gradients(i, at, how);
     code_.samplings.push_back(how);
-    Instruction& instruction = emit(image_sample, module_.types.slots(i.word(1)), slot_of(i.word(2), scope),
-                                    slot_of(i.word(3), scope), at.first);
+    Instruction& instruction =
+        emit(image_sample, module_.types.slots(i.word(1)), slot_of(i.word(2)), slot_of(i.word(3)), at.first);
     instruction.c = at.count;
     instruction.flags = flags_of(i.word(2), i.word(1));
     instruction.extra = static_cast<std::uint32_t>(code_.samplings.size() - 1);

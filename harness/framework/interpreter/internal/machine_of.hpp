@@ -74,7 +74,9 @@ inline constexpr bool has_intervals = !std::is_floating_point_v<N>;
 
 template <class N>
 Machine<N>::Machine(const Program& program)
-    : program_(program), state_(new internal::State<N>{.code = program_.code()}) {
+    : program_(program),
+      state_(new internal::State<N>{.code = program_.code()},
+             [](internal::State<N>* state) { delete state; }) {
     const internal::Code& code = program_.code();
     state_->slots.resize(code.slots);
     state_->pointers = code.pointers;
@@ -96,13 +98,6 @@ Machine<N>::Machine(const Program& program)
             throw Error(Error::Kind::unknown_instruction, internal::name_of(i.op), code.places[i.place]);
     }
 }
-
-template <class N>
-Machine<N>::~Machine() = default;
-template <class N>
-Machine<N>::Machine(Machine&&) noexcept = default;
-template <class N>
-Machine<N>& Machine<N>::operator=(Machine&&) noexcept = default;
 
 namespace internal {
 

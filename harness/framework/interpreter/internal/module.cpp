@@ -20,6 +20,27 @@ std::uint32_t bounded(std::uint64_t slots) {
     return static_cast<std::uint32_t>(slots);
 }
 
+[[noreturn]] void malformed(const std::string& message) {
+    throw Error(Error::Kind::malformed, message);
+}
+
+bool is_half(const Type& type) {
+    return type.kind == Type::Kind::real && type.width == 16;
+}
+
+std::vector<shader::Instruction> split(const shader::Spirv& words) {
+    try {
+        return shader::instructions(words);
+    } catch (const std::runtime_error& error) {
+        malformed(error.what());
+    }
+}
+
+bool samples_implicitly(std::uint32_t opcode) {
+    return opcode == SpvOpImageSampleImplicitLod || opcode == SpvOpImageSampleProjImplicitLod ||
+           opcode == SpvOpImageSampleDrefImplicitLod || opcode == SpvOpImageSampleProjDrefImplicitLod;
+}
+
 }  // namespace
 
 const Type& Types::at(Id id) const {
@@ -118,31 +139,6 @@ void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scal
                         "a load of something that is neither a number nor made of numbers");
     }
 }
-
-namespace {
-
-[[noreturn]] void malformed(const std::string& message) {
-    throw Error(Error::Kind::malformed, message);
-}
-
-bool is_half(const Type& type) {
-    return type.kind == Type::Kind::real && type.width == 16;
-}
-
-std::vector<shader::Instruction> split(const shader::Spirv& words) {
-    try {
-        return shader::instructions(words);
-    } catch (const std::runtime_error& error) {
-        malformed(error.what());
-    }
-}
-
-bool samples_implicitly(std::uint32_t opcode) {
-    return opcode == SpvOpImageSampleImplicitLod || opcode == SpvOpImageSampleProjImplicitLod ||
-           opcode == SpvOpImageSampleDrefImplicitLod || opcode == SpvOpImageSampleProjDrefImplicitLod;
-}
-
-}  // namespace
 
 Module::Module(const shader::Spirv& words, std::span<const Constant> specialized) {
     for (const Constant& constant : specialized) specialized_[constant.id] = constant.bits;

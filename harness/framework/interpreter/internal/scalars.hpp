@@ -12,73 +12,104 @@
 #include "numeric/interval.hpp"
 
 // The functions of GLSL on float and double, with the names that they have for numeric::Interval, so that one
-// template serves every number type. A float result is computed in double and rounded once.
-namespace gloam::interpreter::internal::scalars {
+// template serves every number type; and each operation as a function object, a template over the number
+// type: float, double or numeric::Interval.
+namespace gloam::interpreter::internal {
+namespace scalars {
 
 template <class T>
 concept Real = std::same_as<T, float> || std::same_as<T, double>;
 
-#define GLOAM_BY_DOUBLE(name, expression)             \
+}
+
+#define GLOAM_FUNCTION(Name, function)         \
+    struct Name {                              \
+        template <class... N>                  \
+        auto operator()(const N&... x) const { \
+            using namespace scalars;           \
+            return function(x...);             \
+        }                                      \
+    };
+#define GLOAM_OF_REALS(Name, Result, function, operands, expression) \
+    namespace scalars {                                              \
+    template <Real T>                                                \
+    Result function operands {                                       \
+        return expression;                                           \
+    }                                                                \
+    }                                                                \
+    GLOAM_FUNCTION(Name, function)
+// A float result is computed in double and rounded once.
+#define GLOAM_BY_DOUBLE(Name, function, expression)   \
+    namespace scalars {                               \
     template <Real T>                                 \
-    T name(T argument) {                              \
+    T function(T argument) {                          \
         const auto x = static_cast<double>(argument); \
         return static_cast<T>(expression);            \
-    }
-GLOAM_BY_DOUBLE(sqrt, std::sqrt(x))
-GLOAM_BY_DOUBLE(inversesqrt, 1.0 / std::sqrt(x))
-GLOAM_BY_DOUBLE(sin, std::sin(x))
-GLOAM_BY_DOUBLE(cos, std::cos(x))
-GLOAM_BY_DOUBLE(tan, std::tan(x))
-GLOAM_BY_DOUBLE(asin, std::asin(x))
-GLOAM_BY_DOUBLE(acos, std::acos(x))
-GLOAM_BY_DOUBLE(atan, std::atan(x))
-GLOAM_BY_DOUBLE(sinh, std::sinh(x))
-GLOAM_BY_DOUBLE(cosh, std::cosh(x))
-GLOAM_BY_DOUBLE(tanh, std::tanh(x))
-GLOAM_BY_DOUBLE(asinh, std::asinh(x))
-GLOAM_BY_DOUBLE(acosh, std::acosh(x))
-GLOAM_BY_DOUBLE(atanh, std::atanh(x))
-GLOAM_BY_DOUBLE(exp, std::exp(x))
-GLOAM_BY_DOUBLE(exp2, std::exp2(x))
-GLOAM_BY_DOUBLE(log, std::log(x))
-GLOAM_BY_DOUBLE(log2, std::log2(x))
-GLOAM_BY_DOUBLE(floor, std::floor(x))
-GLOAM_BY_DOUBLE(ceil, std::ceil(x))
-GLOAM_BY_DOUBLE(trunc, std::trunc(x))
-GLOAM_BY_DOUBLE(round, std::round(x))
-GLOAM_BY_DOUBLE(round_even, std::nearbyint(x))
-GLOAM_BY_DOUBLE(radians, x*(std::numbers::pi / 180.0))
-GLOAM_BY_DOUBLE(degrees, x * (180.0 / std::numbers::pi))
-#undef GLOAM_BY_DOUBLE
+    }                                                 \
+    }                                                 \
+    GLOAM_FUNCTION(Name, function)
+#define GLOAM_OPERATOR(Name, symbol)                    \
+    struct Name {                                       \
+        template <class N>                              \
+        auto operator()(const N& x, const N& y) const { \
+            return x symbol y;                          \
+        }                                               \
+    };
 
-#define GLOAM_OF_REALS(Result, name, operands, expression) \
-    template <Real T>                                      \
-    Result name operands {                                 \
-        return expression;                                 \
-    }
-GLOAM_OF_REALS(T, atan, (T y, T x),
+GLOAM_BY_DOUBLE(Sqrt, sqrt, std::sqrt(x))
+GLOAM_BY_DOUBLE(InverseSqrt, inversesqrt, 1.0 / std::sqrt(x))
+GLOAM_BY_DOUBLE(Sin, sin, std::sin(x))
+GLOAM_BY_DOUBLE(Cos, cos, std::cos(x))
+GLOAM_BY_DOUBLE(Tan, tan, std::tan(x))
+GLOAM_BY_DOUBLE(Asin, asin, std::asin(x))
+GLOAM_BY_DOUBLE(Acos, acos, std::acos(x))
+GLOAM_BY_DOUBLE(Atan, atan, std::atan(x))
+GLOAM_BY_DOUBLE(Sinh, sinh, std::sinh(x))
+GLOAM_BY_DOUBLE(Cosh, cosh, std::cosh(x))
+GLOAM_BY_DOUBLE(Tanh, tanh, std::tanh(x))
+GLOAM_BY_DOUBLE(Asinh, asinh, std::asinh(x))
+GLOAM_BY_DOUBLE(Acosh, acosh, std::acosh(x))
+GLOAM_BY_DOUBLE(Atanh, atanh, std::atanh(x))
+GLOAM_BY_DOUBLE(Exp, exp, std::exp(x))
+GLOAM_BY_DOUBLE(Exp2, exp2, std::exp2(x))
+GLOAM_BY_DOUBLE(Log, log, std::log(x))
+GLOAM_BY_DOUBLE(Log2, log2, std::log2(x))
+GLOAM_BY_DOUBLE(Floor, floor, std::floor(x))
+GLOAM_BY_DOUBLE(Ceil, ceil, std::ceil(x))
+GLOAM_BY_DOUBLE(Trunc, trunc, std::trunc(x))
+GLOAM_BY_DOUBLE(Round, round, std::round(x))
+GLOAM_BY_DOUBLE(RoundEven, round_even, std::nearbyint(x))
+GLOAM_BY_DOUBLE(Radians, radians, x*(std::numbers::pi / 180.0))
+GLOAM_BY_DOUBLE(Degrees, degrees, x * (180.0 / std::numbers::pi))
+
+GLOAM_OF_REALS(Atan2, T, atan, (T y, T x),
                static_cast<T>(std::atan2(static_cast<double>(y), static_cast<double>(x))))
-GLOAM_OF_REALS(T, pow, (T x, T y), static_cast<T>(std::pow(static_cast<double>(x), static_cast<double>(y))))
-GLOAM_OF_REALS(T, abs, (T x), std::abs(x))
-GLOAM_OF_REALS(T, sign, (T x), x > T(0) ? T(1) : (x < T(0) ? T(-1) : x))
-GLOAM_OF_REALS(T, min, (T a, T b), b < a || std::isnan(a) ? b : a)
-GLOAM_OF_REALS(T, max, (T a, T b), a < b || std::isnan(a) ? b : a)
-GLOAM_OF_REALS(T, clamp, (T x, T low, T high), scalars::min(scalars::max(x, low), high))
-GLOAM_OF_REALS(T, step, (T edge, T x), x < edge ? T(0) : T(1))
-GLOAM_OF_REALS(T, fract, (T x), x - std::floor(x))
-GLOAM_OF_REALS(T, mod, (T x, T y), x - y * std::floor(x / y))
-GLOAM_OF_REALS(T, remainder, (T x, T y), x - y * std::trunc(x / y))
-GLOAM_OF_REALS(T, mix, (T a, T b, T t), a*(T(1) - t) + b * t)
-GLOAM_OF_REALS(T, ldexp, (T x, int exponent), std::ldexp(x, exponent))
-GLOAM_OF_REALS(T, fma, (T a, T b, T c), std::fma(a, b, c))
-GLOAM_OF_REALS(bool, is_nan, (T x), std::isnan(x))
-GLOAM_OF_REALS(bool, is_infinite, (T x), std::isinf(x))
-#undef GLOAM_OF_REALS
+GLOAM_OF_REALS(Pow, T, pow, (T x, T y),
+               static_cast<T>(std::pow(static_cast<double>(x), static_cast<double>(y))))
+GLOAM_OF_REALS(Abs, T, abs, (T x), std::abs(x))
+GLOAM_OF_REALS(Sign, T, sign, (T x), x > T(0) ? T(1) : (x < T(0) ? T(-1) : x))
+GLOAM_OF_REALS(Min, T, min, (T a, T b), b < a || std::isnan(a) ? b : a)
+GLOAM_OF_REALS(Max, T, max, (T a, T b), a < b || std::isnan(a) ? b : a)
+GLOAM_OF_REALS(Clamp, T, clamp, (T x, T low, T high), scalars::min(scalars::max(x, low), high))
+GLOAM_OF_REALS(StepAt, T, step, (T edge, T x), x < edge ? T(0) : T(1))
+GLOAM_OF_REALS(Fract, T, fract, (T x), x - std::floor(x))
+GLOAM_OF_REALS(Mod, T, mod, (T x, T y), x - y * std::floor(x / y))
+GLOAM_OF_REALS(Remainder, T, remainder, (T x, T y), x - y * std::trunc(x / y))
+GLOAM_OF_REALS(Mix, T, mix, (T a, T b, T t), a*(T(1) - t) + b * t)
+GLOAM_OF_REALS(Fma, T, fma, (T a, T b, T c), std::fma(a, b, c))
+GLOAM_OF_REALS(IsNan, bool, is_nan, (T x), std::isnan(x))
+GLOAM_OF_REALS(IsInfinite, bool, is_infinite, (T x), std::isinf(x))
+
+namespace scalars {
 
 template <Real T>
 T smoothstep(T edge0, T edge1, T x) {
     const T t = scalars::clamp((x - edge0) / (edge1 - edge0), T(0), T(1));
     return t * t * (T(3) - T(2) * t);
+}
+template <Real T>
+T ldexp(T x, int exponent) {
+    return std::ldexp(x, exponent);
 }
 // Rounds towards zero. A value out of range is undefined in SPIR-V; it becomes the nearest representable one,
 // and NaN becomes zero.
@@ -105,71 +136,10 @@ T quantize_to_half(T x) {
                                               : std::copysign(magnitude, value));
 }
 
-}  // namespace gloam::interpreter::internal::scalars
+}  // namespace scalars
 
-// The operations as function objects, each a template over the number type: float, double or
-// numeric::Interval.
-namespace gloam::interpreter::internal {
-
-#define GLOAM_FUNCTION(Name, function)         \
-    struct Name {                              \
-        template <class... N>                  \
-        auto operator()(const N&... x) const { \
-            using namespace scalars;           \
-            return function(x...);             \
-        }                                      \
-    };
-#define GLOAM_OPERATOR(Name, symbol)                    \
-    struct Name {                                       \
-        template <class N>                              \
-        auto operator()(const N& x, const N& y) const { \
-            return x symbol y;                          \
-        }                                               \
-    };
-
-GLOAM_FUNCTION(Sqrt, sqrt)
-GLOAM_FUNCTION(InverseSqrt, inversesqrt)
-GLOAM_FUNCTION(Sin, sin)
-GLOAM_FUNCTION(Cos, cos)
-GLOAM_FUNCTION(Tan, tan)
-GLOAM_FUNCTION(Asin, asin)
-GLOAM_FUNCTION(Acos, acos)
-GLOAM_FUNCTION(Atan, atan)
-GLOAM_FUNCTION(Sinh, sinh)
-GLOAM_FUNCTION(Cosh, cosh)
-GLOAM_FUNCTION(Tanh, tanh)
-GLOAM_FUNCTION(Asinh, asinh)
-GLOAM_FUNCTION(Acosh, acosh)
-GLOAM_FUNCTION(Atanh, atanh)
-GLOAM_FUNCTION(Exp, exp)
-GLOAM_FUNCTION(Exp2, exp2)
-GLOAM_FUNCTION(Log, log)
-GLOAM_FUNCTION(Log2, log2)
-GLOAM_FUNCTION(Floor, floor)
-GLOAM_FUNCTION(Ceil, ceil)
-GLOAM_FUNCTION(Trunc, trunc)
-GLOAM_FUNCTION(Round, round)
-GLOAM_FUNCTION(RoundEven, round_even)
-GLOAM_FUNCTION(Fract, fract)
-GLOAM_FUNCTION(Radians, radians)
-GLOAM_FUNCTION(Degrees, degrees)
-GLOAM_FUNCTION(Abs, abs)
-GLOAM_FUNCTION(Sign, sign)
-GLOAM_FUNCTION(QuantizeToHalf, quantize_to_half)
-GLOAM_FUNCTION(IsNan, is_nan)
-GLOAM_FUNCTION(IsInfinite, is_infinite)
-GLOAM_FUNCTION(Atan2, atan)
-GLOAM_FUNCTION(Pow, pow)
-GLOAM_FUNCTION(Min, min)
-GLOAM_FUNCTION(Max, max)
-GLOAM_FUNCTION(StepAt, step)
-GLOAM_FUNCTION(Mod, mod)
-GLOAM_FUNCTION(Remainder, remainder)
-GLOAM_FUNCTION(Clamp, clamp)
 GLOAM_FUNCTION(SmoothStep, smoothstep)
-GLOAM_FUNCTION(Mix, mix)
-GLOAM_FUNCTION(Fma, fma)
-
+GLOAM_FUNCTION(QuantizeToHalf, quantize_to_half)
 GLOAM_OPERATOR(Add, +)
 GLOAM_OPERATOR(Subtract, -)
 GLOAM_OPERATOR(Multiply, *)
@@ -178,6 +148,8 @@ GLOAM_OPERATOR(Less, <)
 GLOAM_OPERATOR(LessEqual, <=)
 GLOAM_OPERATOR(Equal, ==)
 #undef GLOAM_FUNCTION
+#undef GLOAM_OF_REALS
+#undef GLOAM_BY_DOUBLE
 #undef GLOAM_OPERATOR
 
 template <std::integral I>
