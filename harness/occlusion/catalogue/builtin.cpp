@@ -178,9 +178,16 @@ Domain products() {
     });
 }
 
-// Defects met in drivers and compilers. Where Vulkan leaves the result open, the reference in double says
-// what one would wish.
-void append_probes(Entries& entries) {
+}  // namespace
+
+void append_builtins(Entries& entries) {
+    append_rounding(entries);
+    append_operators(entries);
+    append_parts(entries);
+    append_exponentials(entries);
+    append_vectors(entries);
+    // Defects met in drivers and compilers. Where Vulkan leaves the result open, the reference in double says
+    // what one would wish.
     const auto none = [](double, double, double) { return 0.0; };
     by_rules(entries, "PROBE-isnan", [](double x) { return std::isnan(x - x); }, {wide_floats()});
     by_rules(entries, "PROBE-self", [](double x) { return std::isnan(x); }, {wide_floats()});
@@ -198,17 +205,6 @@ void append_probes(Entries& entries) {
              {vector(3, uniform(-1, 1).and_value(-0.0F).and_value(0.0F))});
     by_rules(entries, "PROBE-remainder", [](int) { return 0; },
              {either(integers(1, 100), integers(1, 2147483647))});
-}
-
-}  // namespace
-
-void append_builtins(Entries& entries) {
-    append_rounding(entries);
-    append_operators(entries);
-    append_parts(entries);
-    append_exponentials(entries);
-    append_vectors(entries);
-    append_probes(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "catalogue/inputs.hpp"
+#include "numeric/numbers.hpp"
 #include "reference/filter.hpp"
 
 namespace gloam::catalogue {
@@ -11,14 +12,9 @@ namespace {
 
 using namespace check;
 
-using Mean = reference::GloamWeightedMean;
-
-constexpr double float_max = 0x1.fffffep127;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Values lengths() {
     return either(log_uniform(1e-3, 10), log_uniform(1e-37, 1e38))
-        .and_near({0x1p-126, float_max})
+        .and_near({0x1p-126, numeric::largest_float})
         .and_special();
 }
 
@@ -31,19 +27,21 @@ void append_gaussian(Entries& entries) {
     const Values squares = either(uniform(0, 1), lengths()).and_near({99.5}).and_special();
     add(entries, "TSSAO-10-g", &reference::gloam_gaussian, {squares, lengths()}, {.absolute = 3e-7}, {0, 1});
     add(entries, "TSSAO-10-g-scale", &reference::gloam_gaussian_scale, {lengths().and_near({0x1p100})},
-        {.ulp = 2.5}, {0, infinity});
+        {.ulp = 2.5}, {0, numeric::infinity});
     add(entries, "TSSAO-10-g-scaled", &reference::gloam_gaussian_scaled, {squares, lengths()},
         {.absolute = 3e-7}, {0, 1});
     add(entries, "TSSAO-10-sigma", &reference::gloam_filter_sigma,
         {log_uniform(1e-3, 1e6).and_special(), uniform(0.1, 2).and_special(),
          log_uniform(1, 16384).and_special(), uniform(0.25, 8).and_special()},
-        {.ulp = 4}, {0, float_max}, [](double d, double tangent, double height, double pixels) {
+        {.ulp = 4}, {0, numeric::largest_float}, [](double d, double tangent, double height, double pixels) {
             return moderate(1e-9, 1e9, d, tangent, height, pixels);
         });
 }
 
-void append_mean(Entries& entries) {
-    const Values value = uniform(0, 1).and_near({0.0, 1.0}).and_special();
+void append_windows_and_means(Entries& entries) {
+    add(entries, "TSSAO-11-window", &reference::gloam_window_coverage,
+        {integers(1, 8).and_near_integers({16777216}), uniform(0, 8).and_near({1.0, 2.0}).and_special()}, {},
+        {0, 1}, [](int offset, double reach) { return offset < 16 && !(reach > 16 && reach < 1e30); });
     const Values weight = either(uniform(0, 1), log_uniform(1e-12, 1)).and_special();
     // Sums of a few values: (sum, weight, low, high) with low <= sum / weight <= high.
     const Values mean = made_by<glm::vec4>([](numeric::Random& random) {
@@ -54,10 +52,10 @@ void append_mean(Entries& entries) {
                             return glm::vec4(random.uniform(low, high) * weight, weight, low, high);
                         }).only_as_drawn();
     add(entries, "TSSAO-10-empty", &reference::gloam_weighted_mean_empty, {}, {}, {0, 1});
-    add(entries, "TSSAO-10-add", &reference::gloam_weighted_mean_add, {mean, value, weight}, {.ulp = 1.5},
-        {0, float_max});
+    add(entries, "TSSAO-10-add", &reference::gloam_weighted_mean_add, {mean, shares(), weight}, {.ulp = 1.5},
+        {0, numeric::largest_float});
     add(entries, "TSSAO-10-mean", &reference::gloam_weighted_mean_value,
-        {mean.and_value(glm::vec4(0.5E-8F, 1e-8F, 0, 1), true), value}, {.ulp = 2.5, .backward_ulp = 1},
+        {mean.and_value(glm::vec4(0.5E-8F, 1e-8F, 0, 1), true), shares()}, {.ulp = 2.5, .backward_ulp = 1},
         {0, 1});
 }
 
@@ -105,29 +103,14 @@ std::vector<ImageScenario> surfaces() {
     return scenarios;
 }
 
-Values sigmas() {
-    return either(log_uniform(0.003, 0.3), log_uniform(1e-6, 1e6)).and_special();
-}
-
-Values scales() {
-    return either(log_uniform(3, 300), log_uniform(1e-6, 1e6)).and_special();
-}
-
-void append_window(Entries& entries) {
-    add(entries, "TSSAO-11-window", &reference::gloam_window_coverage,
-        {integers(1, 8).and_near_integers({16777216}), uniform(0, 8).and_near({1.0, 2.0}).and_special()}, {},
-        {0, 1}, [](int offset, double reach) { return offset < 16 && !(reach > 16 && reach < 1e30); });
-}
-
 void append_filtering(Entries& entries) {
     add(entries, "TSSAO-10-weight", &reference::gloam_convergence_weight,
-        {vector(3, uniform(-0.5, 0.5)).and_special(), uniform(0, 1), scales(), uniform(0, 1)},
+        {vector(3, uniform(-0.5, 0.5)).and_special(), uniform(0, 1),
+         either(log_uniform(3, 300), log_uniform(1e-6, 1e6)).and_special(), uniform(0, 1)},
         {.absolute = 5e-7}, {0, 1}, [](glm::dvec3 v, double coverage, double scale, double convergence) {
             return moderate(1e-15, 1e15, v) && moderate(1e-30, 1.0, coverage) && scale >= 1e-6 &&
                    convergence >= 0 && convergence <= 1;
         });
-    const Values axis = made_by<glm::ivec2>(
-        [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
     add(
         entries, "TSSAO-10",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
@@ -135,44 +118,10 @@ void append_filtering(Entries& entries) {
             return reference::gloam_convergence_filter(pixel, along, size, half_width, c_adaptive, sigma,
                                                        values_of(images), positions_of(images));
         },
-        {image_pixel(), axis, image_size().only_as_drawn(),
+        {image_pixel(), image_axes(), image_size().only_as_drawn(),
          integers(0, 6).and_near_integers({0, 2147483646L}), uniform(0, 1).and_near({0.2}).and_special(),
-         sigmas()},
+         either(log_uniform(0.003, 0.3), log_uniform(1e-6, 1e6)).and_special()},
         {.absolute = 8e-7}, {0, 1}, nullptr, surfaces());
-}
-
-void append_sao_filters(Entries& entries) {
-    add(entries, "CS-Q-blur", &reference::gloam_sao_blur_weight,
-        {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
-         either(signed_log_uniform(1e-6, 1), any_float()).and_special(),
-         either(log_uniform(10, 10000), any_float()).and_special()},
-        {.absolute = 2e-7}, {0, 0.445});
-}
-
-void append_mssao_levels(Entries& entries) {
-    const Values depth = either(uniform(1, 3), log_uniform(1e-37, 1e38)).and_special();
-    const Values near_ones = made_by<glm::vec4>([](numeric::Random& random) {
-        glm::vec4 depths(0);
-        for (int i = 0; i < 4; ++i) depths[i] = 2.0F + 0.125F * static_cast<float>(random.below(5));
-        return depths;
-    });
-    add(entries, "CS-F-rank", &reference::gloam_depth_rank,
-        {either(vector(4, depth), near_ones), integers(-1, 4)});
-    add(entries, "CS-F-weights", &reference::gloam_mssao_weights,
-        {either(vector(4, depth), near_ones), either(uniform(0, 1), constant(0.25F)).and_special()},
-        {.backward_ulp = 1}, {0, 1});
-    add(entries, "CS-F-normal", &reference::gloam_mssao_normal,
-        {unit_vector(3).and_special(), unit_vector(3).and_special()}, {.absolute = 4e-7},
-        {-1.000001, 1.000001},
-        [](glm::dvec3 a, glm::dvec3 b) { return moderate(0.0, 1e18, a, b) && glm::length(a + b) >= 0.25; });
-    const Values power = either(uniform(0.25, 10), constant(1.0F)).and_near({0.0}).and_special();
-    add(entries, "CS-F-upsample", &reference::gloam_mssao_upsample_weight,
-        {uniform(0, 1).and_special(), either(signed_log_uniform(1e-3, 10), any_float()).and_special(),
-         uniform(-1, 1).and_near({-1.0, 1.0}).and_special(), power, power},
-        {.absolute = 3e-6}, {0, 1}, [](double, double dz, double cosine, double a, double b) {
-            return moderate(0.0, 1e18, dz) && moderate(0.0, 1e9, cosine) && moderate(0.25, 16, a, b) &&
-                   a < 1e9 && b < 1e9;
-        });
 }
 
 constexpr const char* occlusion_name = "gloam_fetch_occlusion";
@@ -186,7 +135,12 @@ ImageSet occlusion_image(glm::ivec2 size, numeric::Random& random) {
     return {{occlusion_name, make_image<float>(size, value)}};
 }
 
-void append_dual(Entries& entries) {
+}  // namespace
+
+void append_filter(Entries& entries) {
+    append_gaussian(entries);
+    append_windows_and_means(entries);
+    append_filtering(entries);
     add(
         entries, "CS-E-dual",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, double tolerance) {
@@ -195,18 +149,33 @@ void append_dual(Entries& entries) {
         },
         {image_pixel(), image_size().only_as_drawn(), uniform(0, 0.3).and_special()}, {.backward_ulp = 1}, {},
         nullptr, image_scenarios(occlusion_image));
-}
-
-}  // namespace
-
-void append_filter(Entries& entries) {
-    append_gaussian(entries);
-    append_window(entries);
-    append_mean(entries);
-    append_filtering(entries);
-    append_dual(entries);
-    append_sao_filters(entries);
-    append_mssao_levels(entries);
+    add(entries, "CS-Q-blur", &reference::gloam_sao_blur_weight,
+        {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
+         either(signed_log_uniform(1e-6, 1), any_float()).and_special(),
+         either(log_uniform(10, 10000), any_float()).and_special()},
+        {.absolute = 2e-7}, {0, 0.445});
+    const Values depth = either(uniform(1, 3), log_uniform(1e-37, 1e38)).and_special();
+    const Values near_ones = made_by<glm::vec4>([](numeric::Random& random) {
+        glm::vec4 depths(0);
+        for (int i = 0; i < 4; ++i) depths[i] = 2.0F + 0.125F * static_cast<float>(random.below(5));
+        return depths;
+    });
+    add(entries, "CS-F-rank", &reference::gloam_depth_rank,
+        {either(vector(4, depth), near_ones), integers(-1, 4)});
+    add(entries, "CS-F-weights", &reference::gloam_mssao_weights,
+        {either(vector(4, depth), near_ones), either(uniform(0, 1), constant(0.25F)).and_special()},
+        {.backward_ulp = 1}, {0, 1});
+    add(entries, "CS-F-normal", &reference::gloam_mssao_normal, {normals(), normals()}, {.absolute = 4e-7},
+        {-1.000001, 1.000001},
+        [](glm::dvec3 a, glm::dvec3 b) { return moderate(0.0, 1e18, a, b) && glm::length(a + b) >= 0.25; });
+    const Values power = either(uniform(0.25, 10), constant(1.0F)).and_near({0.0}).and_special();
+    add(entries, "CS-F-upsample", &reference::gloam_mssao_upsample_weight,
+        {uniform(0, 1).and_special(), either(signed_log_uniform(1e-3, 10), any_float()).and_special(),
+         uniform(-1, 1).and_near({-1.0, 1.0}).and_special(), power, power},
+        {.absolute = 3e-6}, {0, 1}, [](double, double dz, double cosine, double a, double b) {
+            return moderate(0.0, 1e18, dz) && moderate(0.0, 1e9, cosine) && moderate(0.25, 16, a, b) &&
+                   a < 1e9 && b < 1e9;
+        });
 }
 
 }  // namespace gloam::catalogue

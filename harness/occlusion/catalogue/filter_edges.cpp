@@ -38,10 +38,6 @@ ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
     return images;
 }
 
-std::vector<ImageScenario> surfaces() {
-    return image_scenarios(noisy_surface);
-}
-
 void append_bilateral(Entries& entries) {
     const Values pixels = either(uniform(0.5, 4), log_uniform(1e-30, 1e30)).and_special();
     const Values lengths = either(log_uniform(0.01, 2), log_uniform(1e-30, 1e30)).and_special();
@@ -51,9 +47,6 @@ void append_bilateral(Entries& entries) {
         {.absolute = 4e-7}, {0, 1}, [](glm::dvec2 offset, double difference, double, double) {
             return moderate(1e-15, 1e15, offset, difference);
         });
-}
-
-void append_bilateral_mean(Entries& entries) {
     const Values sigma_d = uniform(0.5, 4).and_special();
     const Values sigma_r = log_uniform(0.01, 2).and_special();
     // Few taps, because the number of paths of an interval grows with every tap.
@@ -68,14 +61,17 @@ void append_bilateral_mean(Entries& entries) {
                                                      scalars_of(images, depth_name));
         },
         {image_pixel(), half_width, image_size(), sigma_d, sigma_r}, {.absolute = 6e-7}, {0, 1}, nullptr,
-        surfaces());
+        image_scenarios(noisy_surface));
 }
 
 auto normals_of(const ImageSet& images) {
     return [&images](glm::ivec2 pixel) { return images.at(normal_name).at<glm::dvec3>(pixel); };
 }
 
-void append_geometry_weight(Entries& entries) {
+}  // namespace
+
+void append_filter_edges(Entries& entries) {
+    append_bilateral(entries);
     add(entries, "CS-BLUR-weight", &reference::gloam_geometry_weight,
         {unit_vector(3).and_value(glm::vec3(0)).and_special(), unit_vector(3).and_value(glm::vec3(0)),
          either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_special(),
@@ -83,12 +79,7 @@ void append_geometry_weight(Entries& entries) {
         {.absolute = 3e-6}, {0, 1}, [](glm::dvec3 n, glm::dvec3, double, double by_normal, double by_depth) {
             return moderate(1e-9, 1.1, n) && by_normal >= 1 && by_normal <= 17 && by_depth <= 3;
         });
-}
-
-void append_geometry_blur(Entries& entries) {
     const Values powers = vector({uniform(1, 16), uniform(0, 1)});
-    const Values axis = made_by<glm::ivec2>(
-        [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
     add(
         entries, "CS-BLUR",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
@@ -97,25 +88,13 @@ void append_geometry_blur(Entries& entries) {
                                                   scalars_of(images, occlusion_name),
                                                   scalars_of(images, depth_name), normals_of(images));
         },
-        {image_pixel(), axis, image_size().only_as_drawn(), integers(0, 4).and_near_integers({0}), powers},
-        {.absolute = 1e-6}, {0, 1}, nullptr, surfaces());
-}
-
-void append_filter_resolution(Entries& entries) {
+        {image_pixel(), image_axes(), image_size().only_as_drawn(), integers(0, 4).and_near_integers({0}),
+         powers},
+        {.absolute = 1e-6}, {0, 1}, nullptr, image_scenarios(noisy_surface));
     const Values size = integers(0, 1 << 30);
     add(entries, "HALF-size", &reference::gloam_half_size,
         {either(vector(2, integers(0, 9)), vector(2, size))});
     add(entries, "HALF-source", &reference::gloam_half_source, {vector(2, integers(-(1 << 29), 1 << 29))});
-}
-
-}  // namespace
-
-void append_filter_edges(Entries& entries) {
-    append_bilateral(entries);
-    append_bilateral_mean(entries);
-    append_geometry_weight(entries);
-    append_geometry_blur(entries);
-    append_filter_resolution(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -183,7 +183,7 @@ void append_texels(Entries& entries) {
 }
 
 // What brings a pixel of an image of 100 x 100 to the frame before.
-Values cameras() {
+Values cameras_before() {
     return made_by<glm::mat4x3>([](numeric::Random& random) {
                const auto column = [&](int own, float size, float most) {
                    const auto part = [&] { return static_cast<float>(random.uniform(-most, most)); };
@@ -197,10 +197,17 @@ Values cameras() {
         .only_as_drawn();
 }
 
-void append_history(Entries& entries) {
+}  // namespace
+
+void append_frame(Entries& entries) {
+    append_axes(entries);
+    append_pairs(entries);
+    append_levels(entries);
+    append_texels(entries);
     const Values depth = uniform(0.5, 10).only_as_drawn();
     add(entries, "FRAME-before", &reference::gloam_frame_before,
-        {vector(2, uniform(0, 100)).only_as_drawn(), depth, cameras(), booleans()}, {.absolute = 5e-6});
+        {vector(2, uniform(0, 100)).only_as_drawn(), depth, cameras_before(), booleans()},
+        {.absolute = 5e-6});
     const Values near = uniform(0.9, 1.1).and_value(65504.0F).only_as_drawn();
     add(entries, "FRAME-moved", &reference::gloam_frame_moved,
         {near, vector(4, near).only_as_drawn(), uniform(1, 1e4).and_value(32752.0F).only_as_drawn(),
@@ -215,16 +222,6 @@ void append_history(Entries& entries) {
         {0, 1.00001});
     add(entries, "FRAME-blend", &reference::gloam_frame_blend, {part, part, part, part, part, part},
         {.absolute = 4e-7}, {-1e-6, 1.00001});
-}
-
-}  // namespace
-
-void append_frame(Entries& entries) {
-    append_axes(entries);
-    append_pairs(entries);
-    append_levels(entries);
-    append_texels(entries);
-    append_history(entries);
 }
 
 }  // namespace gloam::catalogue

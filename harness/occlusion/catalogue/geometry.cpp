@@ -71,17 +71,7 @@ bool ordinary_projection(double b, double p22, double p32) {
     return moderate(1e-30, 1e30, b, p22, p32);
 }
 
-// True projections have an element of magnitude 1 or more. Smaller elements would cancel against the 1 of
-// OpenGL's range.
-bool true_perspective_gl(double b, double p22, double p32) {
-    return ordinary_projection(b, p22, p32) && !(std::abs(p22) < 1.0);
-}
-
-bool true_orthographic_gl(double b, double p22, double p32) {
-    return ordinary_projection(b, p22, p32) && !(std::abs(p32) < 1.0);
-}
-
-void append_background(Entries& entries) {
+void append_depths(Entries& entries) {
     const Values depth = any_float().and_special().and_near({0x1p-126, 3.402823466e38});
     const Values component = either(uniform(-1, 1), any_float()).and_special().and_near({3.402823466e38});
     add(entries, "FINITE", &reference::gloam_is_finite, {depth});
@@ -97,18 +87,20 @@ void append_background(Entries& entries) {
         {part.and_special(), part.and_special().and_near({0x1p126})}, {.ulp = 2.5},
         {0x1p-126, numeric::infinity},
         [](double a, double b) { return moderate(1e-30, 1e30, a) && !(std::abs(a / b) < 1e-37); });
-}
-
-void append_depths(Entries& entries) {
-    append_background(entries);
     add_depth(entries, "DEPTH-perspective-vk", &reference::gloam_linear_depth_perspective_vk, perspective_vk,
               3, ordinary_projection);
+    // True projections have an element of magnitude 1 or more. Smaller elements would cancel against the 1 of
+    // OpenGL's range.
     add_depth(entries, "DEPTH-perspective-gl", &reference::gloam_linear_depth_perspective_gl, perspective_gl,
-              3.5, true_perspective_gl);
+              3.5, [](double b, double p22, double p32) {
+                  return ordinary_projection(b, p22, p32) && !(std::abs(p22) < 1.0);
+              });
     add_depth(entries, "DEPTH-orthographic-vk", &reference::gloam_linear_depth_orthographic_vk,
               orthographic_vk, 3, ordinary_projection);
     add_depth(entries, "DEPTH-orthographic-gl", &reference::gloam_linear_depth_orthographic_gl,
-              orthographic_gl, 4, true_orthographic_gl);
+              orthographic_gl, 4, [](double b, double p22, double p32) {
+                  return ordinary_projection(b, p22, p32) && !(std::abs(p32) < 1.0);
+              });
 }
 
 constexpr double huge = 3.5e38;
@@ -129,7 +121,17 @@ Values scales() {
 constexpr double smallest = 1e-12;
 constexpr double largest = 1e12;
 
-void append_projections(Entries& entries) {
+void append_coordinates(Entries& entries) {
+    add(entries, "LENGTH", &reference::gloam_positive_length,
+        {either(any_float(), uniform(-2, 2)).and_special()}, {}, {0, huge});
+    const Values coordinate = either(integers(-16, 8192), integers(-2147483648L, 2147483647L));
+    add(entries, "NDC-pixel", &reference::gloam_ndc_from_pixel,
+        {vector(2, coordinate), vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
+        {.ulp = 2.5}, {-1e10, 1e10}, [](glm::ivec2 pixel, glm::ivec2) {
+            return std::abs(static_cast<double>(pixel.x)) <= 4194304 &&
+                   std::abs(static_cast<double>(pixel.y)) <= 4194304;
+        });
+    add(entries, "UV-ndc", &reference::gloam_uv_from_ndc, {ndcs()}, {.ulp = 1}, {-huge, huge});
     const auto unproject = [&](const char* id, auto reference, double ulp) {
         add(entries, id, reference, {ndcs(), depths(), scales()}, {.ulp = ulp}, {-huge, huge},
             [](const auto&... inputs) { return moderate(smallest, largest, inputs...); });
@@ -144,9 +146,6 @@ void append_projections(Entries& entries) {
     };
     ndc("NDC-perspective", &reference::gloam_ndc_perspective, 3);
     ndc("NDC-orthographic", &reference::gloam_ndc_orthographic, 1);
-}
-
-void append_radii(Entries& entries) {
     const Values radius = log_uniform(1e-3, 1e2).and_special();
     const auto in = [&](const char* id, auto reference, double ulp, const Domain& domain) {
         add(entries, id, reference, domain, {.ulp = ulp}, {0, huge},
@@ -157,19 +156,6 @@ void append_radii(Entries& entries) {
     const Domain uv{radius, depths(), scales()};
     in("RADIUS-uv", &reference::gloam_projected_radius_uv, 3, uv);
     in("RADIUS-uv-orthographic", &reference::gloam_projected_radius_uv_orthographic, 1, uv);
-}
-
-void append_coordinates(Entries& entries) {
-    add(entries, "LENGTH", &reference::gloam_positive_length,
-        {either(any_float(), uniform(-2, 2)).and_special()}, {}, {0, huge});
-    const Values coordinate = either(integers(-16, 8192), integers(-2147483648L, 2147483647L));
-    add(entries, "NDC-pixel", &reference::gloam_ndc_from_pixel,
-        {vector(2, coordinate), vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
-        {.ulp = 2.5}, {-1e10, 1e10}, [](glm::ivec2 pixel, glm::ivec2) {
-            return std::abs(static_cast<double>(pixel.x)) <= 4194304 &&
-                   std::abs(static_cast<double>(pixel.y)) <= 4194304;
-        });
-    add(entries, "UV-ndc", &reference::gloam_uv_from_ndc, {ndcs()}, {.ulp = 1}, {-huge, huge});
 }
 
 // A position in front of the eye.
@@ -225,36 +211,6 @@ void add_neighbors(Entries& entries, const char* id, auto reference) {
         promised_normal<orthographic>);
 }
 
-void append_directions(Entries& entries) {
-    const auto place = [](std::span<Word> words) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto center = from_word<double>(words[axis]);
-            const double behind = from_word<double>(words[3 + axis]) * (axis == 2 ? 1.0 : -1.0);
-            words[3 + axis] = to_word(center + behind);
-            words[6 + axis] = to_word(center + from_word<double>(words[6 + axis]));
-        }
-    };
-    add(entries, "NORMAL-direction", &reference::gloam_neighbor_direction,
-        Domain{centers(), steps(true), steps(true)}.adjusted(place), {.ulp = 6, .backward_ulp = 1},
-        {-1.000001, 1.000001}, [](const auto&... positions) { return moderate(1e-12, 1e12, positions...); });
-    add(entries, "NORMAL-facing", &reference::gloam_facing_normal,
-        {unit_vector(3).and_special(), unit_vector(3).and_special(),
-         vector_of_length(3, log_uniform(1e-3, 1e3)).and_special()},
-        {.absolute = 3e-6}, {-1.000001, 1.000001}, [](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
-            return moderate(1e-10, 2.0, x, y) && moderate(1e-10, 1e10, viewer) &&
-                   std::isfinite(viewer.x + viewer.y + viewer.z) && well_conditioned(x, y, viewer);
-        });
-}
-
-void append_safe_normalize(Entries& entries) {
-    // Half of the lengths have squares in half precision, too.
-    const Values any = either(vector_of_length(3, log_uniform(0.01, 200)),
-                              either(vector_of_length(3, log_uniform(1e-37, 3e38)), vector(3, any_float())));
-    add(entries, "NORMALIZE", &reference::gloam_safe_normalize,
-        {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))}, {.ulp = 5, .absolute = 1e-18},
-        {-1.000001, 1.000001});
-}
-
 // A reference that fetches depths, from the images of a scenario.
 template <class Reference>
 auto fetching_depth(Reference reference) {
@@ -271,24 +227,39 @@ void add_from_depth(Entries& entries, const char* id, auto reference, Budget bud
         budget, codomain, nullptr, depth_scenarios(depth_prototype));
 }
 
-void append_normals(Entries& entries) {
-    append_safe_normalize(entries);
-    add_neighbors<false>(entries, "NORMAL", &reference::gloam_normal_from_neighbors);
-    add_neighbors<true>(entries, "NORMAL-orthographic", &reference::gloam_normal_from_neighbors_orthographic);
-    append_directions(entries);
-    add_from_depth(entries, "POSITION-depth", &reference::gloam_camera_surface, {.ulp = 4}, {-1e6, 1e6});
-    add_from_depth(entries, "NORMAL-depth", &reference::gloam_camera_normal, {.absolute = 1.8e-5},
-                   {-1.000001, 1.000001});
-}
-
 }  // namespace
 
 void append_geometry(Entries& entries) {
     append_depths(entries);
     append_coordinates(entries);
-    append_projections(entries);
-    append_radii(entries);
-    append_normals(entries);
+    // Half of the lengths have squares in half precision, too.
+    const Values any = either(vector_of_length(3, log_uniform(0.01, 200)),
+                              either(vector_of_length(3, log_uniform(1e-37, 3e38)), vector(3, any_float())));
+    add(entries, "NORMALIZE", &reference::gloam_safe_normalize,
+        {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))}, {.ulp = 5, .absolute = 1e-18},
+        {-1.000001, 1.000001});
+    add_neighbors<false>(entries, "NORMAL", &reference::gloam_normal_from_neighbors);
+    add_neighbors<true>(entries, "NORMAL-orthographic", &reference::gloam_normal_from_neighbors_orthographic);
+    const auto place = [](std::span<Word> words) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto center = from_word<double>(words[axis]);
+            const double behind = from_word<double>(words[3 + axis]) * (axis == 2 ? 1.0 : -1.0);
+            words[3 + axis] = to_word(center + behind);
+            words[6 + axis] = to_word(center + from_word<double>(words[6 + axis]));
+        }
+    };
+    add(entries, "NORMAL-direction", &reference::gloam_neighbor_direction,
+        Domain{centers(), steps(true), steps(true)}.adjusted(place), {.ulp = 6, .backward_ulp = 1},
+        {-1.000001, 1.000001}, [](const auto&... positions) { return moderate(1e-12, 1e12, positions...); });
+    add(entries, "NORMAL-facing", &reference::gloam_facing_normal,
+        {normals(), normals(), vector_of_length(3, log_uniform(1e-3, 1e3)).and_special()}, {.absolute = 3e-6},
+        {-1.000001, 1.000001}, [](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
+            return moderate(1e-10, 2.0, x, y) && moderate(1e-10, 1e10, viewer) &&
+                   std::isfinite(viewer.x + viewer.y + viewer.z) && well_conditioned(x, y, viewer);
+        });
+    add_from_depth(entries, "POSITION-depth", &reference::gloam_camera_surface, {.ulp = 4}, {-1e6, 1e6});
+    add_from_depth(entries, "NORMAL-depth", &reference::gloam_camera_normal, {.absolute = 1.8e-5},
+                   {-1.000001, 1.000001});
 }
 
 }  // namespace gloam::catalogue

@@ -77,7 +77,12 @@ constexpr auto well_carried = [](const glm::dvec4& clip, const auto&... matrices
            carried_near(clip, {glm::dmat4(matrices)...}, true);
 };
 
-void append_clip(Entries& entries) {
+// World positions in a scene of usual size.
+Values positions() {
+    return vector(3, uniform(-100, 100)).and_special();
+}
+
+void append_reprojections(Entries& entries) {
     add(entries, "TSSAO-RP-uv", &reference::gloam_uv_from_clip,
         {either(clip_points(), vector(4, signed_log_uniform(1e-30, 1e30))).and_special()}, {.ulp = 3},
         {0, 1});
@@ -98,14 +103,6 @@ void append_clip(Entries& entries) {
          rigid_matrices(10).and_special(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
          rigid_matrices(10).and_special(), projection_matrices().and_special()},
         {.ulp = 4, .absolute = 5e-4, .of_largest_component = true}, {-huge, huge}, well_carried);
-}
-
-// World positions in a scene of usual size.
-Values positions() {
-    return vector(3, uniform(-100, 100)).and_special();
-}
-
-void append_previous(Entries& entries) {
     add(entries, "TSSAO-RP-world", &reference::gloam_previous_world,
         {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
         {.ulp = 4, .absolute = 1.2e-4, .of_largest_component = true}, {-huge, huge},
@@ -116,11 +113,6 @@ void append_previous(Entries& entries) {
     add(entries, "TSSAO-RP-depth", &reference::gloam_previous_depth,
         {positions(), rigid_matrices(10).and_special()}, {.absolute = 5e-5}, {-huge, huge},
         [](const auto&... values) { return moderate(smallest_entry, largest_entry, values...); });
-}
-
-void append_reprojections(Entries& entries) {
-    append_clip(entries);
-    append_previous(entries);
     add(entries, "TSSAO-PREC", &reference::gloam_camera_centered_previous,
         {positions(), vector(3, signed_log_uniform(1e-6, 10)).and_special()}, {.ulp = 1}, {-huge, huge});
 }
@@ -199,15 +191,7 @@ void place_at_borders(std::span<Word> words) {
     }
 }
 
-void append_guard_field_of_view(Entries& entries) {
-    add(entries, "TSSAO-BORDER-tan", &reference::gloam_guard_band_tan_half_fov,
-        {log_uniform(0.05, 10).and_special(), uniform(0, 1).and_special()}, {.ulp = 3}, {-huge, huge},
-        [](double tangent, double guard) {
-            return moderate(1e-30, huge, tangent) && guard >= 0 && guard <= 1;
-        });
-}
-
-void append_nearest(Entries& entries) {
+void append_pixels(Entries& entries) {
     add(entries, "TSSAO-7-index", &reference::gloam_nearest_index,
         {uniform(-0.2, 1.2).and_near({0.5, 1.0}).and_special(),
          log_integers(16384).and_near_integers({0, -2147483647L})},
@@ -216,9 +200,10 @@ void append_nearest(Entries& entries) {
         Domain{uvs(), sizes()}.adjusted(place_at_borders), {.backward_ulp = 1});
     add(entries, "TSSAO-7", &reference::gloam_pixel_center, Domain{uvs(), sizes()}.adjusted(place_at_borders),
         {.ulp = 2.5, .backward_ulp = 1}, {0, 1});
-}
-
-void append_guard_sizes(Entries& entries) {
+    add(entries, "INSIDE", &reference::gloam_inside_unit,
+        {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()});
+    const Values pixel = vector(2, integers(-100, 5000).and_near_integers({0, 2147483647, -2147483647L}));
+    add(entries, "TSSAO-BORDER", &reference::gloam_clamp_to_edge, {pixel, sizes()});
     const Values guard =
         either(uniform(0, 1), uniform(0.05, 0.1)).and_near({0.05, 0.1, 0.25, 0.5}).and_special();
     const Domain domain{sizes(), guard};
@@ -226,34 +211,10 @@ void append_guard_sizes(Entries& entries) {
         {0, 4194305});
     add(entries, "TSSAO-BORDER-guard", &reference::gloam_guard_band_guard, domain,
         {.ulp = 5, .backward_ulp = 1}, {0, 1});
-}
-
-void append_pixels(Entries& entries) {
-    append_nearest(entries);
-    add(entries, "INSIDE", &reference::gloam_inside_unit,
-        {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()});
-    const Values pixel = vector(2, integers(-100, 5000).and_near_integers({0, 2147483647, -2147483647L}));
-    add(entries, "TSSAO-BORDER", &reference::gloam_clamp_to_edge, {pixel, sizes()});
-    append_guard_sizes(entries);
-    append_guard_field_of_view(entries);
-}
-
-void append_curvatures(Entries& entries) {
-    // Most steps are long enough for half precision, too, which has no product of four of 0.02.
-    const Values usual = vector_of_length(3, uniform(0.1, 0.2));
-    const Values step = either(usual, either(usual, vector_of_length(3, log_uniform(1e-12, 1e12))))
-                            .and_value(glm::vec3(0))
-                            .and_special();
-    const Values turn = either(vector_of_length(3, uniform(0, 0.01)), vector_of_length(3, uniform(0.8, 1)))
-                            .and_value(glm::vec3(0))
-                            .and_special();
-    add(entries, "CS-K-principal", &reference::gloam_principal_curvatures, {step, step, turn, turn},
-        {.absolute = 1.1e-5}, {-numeric::largest_float, numeric::largest_float},
-        [](glm::dvec3 px, glm::dvec3 py, glm::dvec3 nx, glm::dvec3 ny) {
-            const double a = glm::length(px);
-            const double b = glm::length(py);
-            return a > 0.09 && a < 0.21 && b > 0.09 && b < 0.21 && glm::length(nx) < 1.1 &&
-                   glm::length(ny) < 1.1 && glm::length(glm::cross(px, py)) > 0.8 * a * b;
+    add(entries, "TSSAO-BORDER-tan", &reference::gloam_guard_band_tan_half_fov,
+        {log_uniform(0.05, 10).and_special(), uniform(0, 1).and_special()}, {.ulp = 3}, {-huge, huge},
+        [](double tangent, double guard) {
+            return moderate(1e-30, huge, tangent) && guard >= 0 && guard <= 1;
         });
 }
 
@@ -272,24 +233,35 @@ Values moments() {
     return vector(members).only_as_drawn();
 }
 
-void append_moments(Entries& entries) {
+}  // namespace
+
+void append_geometry_camera(Entries& entries) {
+    append_reprojections(entries);
+    append_cameras(entries);
+    append_pixels(entries);
+    // Most steps are long enough for half precision, too, which has no product of four of 0.02.
+    const Values usual = vector_of_length(3, uniform(0.1, 0.2));
+    const Values step = either(usual, either(usual, vector_of_length(3, log_uniform(1e-12, 1e12))))
+                            .and_value(glm::vec3(0))
+                            .and_special();
+    const Values turn = offsets_of(uniform(0, 0.01), uniform(0.8, 1));
+    add(entries, "CS-K-principal", &reference::gloam_principal_curvatures, {step, step, turn, turn},
+        {.absolute = 1.1e-5}, {-numeric::largest_float, numeric::largest_float},
+        [](glm::dvec3 px, glm::dvec3 py, glm::dvec3 nx, glm::dvec3 ny) {
+            const double a = glm::length(px);
+            const double b = glm::length(py);
+            return a > 0.09 && a < 0.21 && b > 0.09 && b < 0.21 && glm::length(nx) < 1.1 &&
+                   glm::length(ny) < 1.1 && glm::length(glm::cross(px, py)) > 0.8 * a * b;
+        });
     add(entries, "MOMENTS-empty", &reference::gloam_moments_empty, {}, {}, {0, 0});
     add(entries, "MOMENTS-of", &reference::gloam_moments_of, {vector(3, uniform(-5, 5)).only_as_drawn()}, {},
         {-5, 5});
     add(entries, "MOMENTS-add", &reference::gloam_moments_add, {moments(), moments()}, {.absolute = 2e-5},
         {-128, 128}, [](const Moments& a, const Moments& b) { return usual_moments(a) && usual_moments(b); });
-    add(entries, "MOMENTS-along", &reference::gloam_moments_along, {moments(), unit_vector(3).and_special()},
-        {.absolute = 2e-6}, {0, numeric::infinity},
+    add(entries, "MOMENTS-along", &reference::gloam_moments_along, {moments(), normals()}, {.absolute = 2e-6},
+        {0, numeric::infinity},
         [](const Moments& m, const glm::dvec3& n) { return usual_moments(m) && moderate(1e-9, 1.1, n); });
-}
-
-void append_geometry_lengths(Entries& entries) {
-    append_curvatures(entries);
-    append_moments(entries);
-    const Values any =
-        either(vector_of_length(3, log_uniform(1e-3, 10)), vector_of_length(3, log_uniform(1e-37, 1e38)))
-            .and_value(glm::vec3(0))
-            .and_special();
+    const Values any = offsets_of(log_uniform(1e-3, 10), log_uniform(1e-37, 1e38));
     add(entries, "LENGTH-vector", &reference::gloam_length, {any}, {.ulp = 4}, {0, numeric::infinity},
         [](glm::dvec3 v) {
             return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38) && glm::length(v) >= 1e-30;
@@ -299,15 +271,6 @@ void append_geometry_lengths(Entries& entries) {
         {0, 3.5e38}, [](glm::dvec2 axes, double cap) {
             return moderate(1e-18, 1e18, axes, cap) && std::max(axes.x, axes.y) < 1e18;
         });
-}
-
-}  // namespace
-
-void append_geometry_camera(Entries& entries) {
-    append_reprojections(entries);
-    append_cameras(entries);
-    append_pixels(entries);
-    append_geometry_lengths(entries);
 }
 
 }  // namespace gloam::catalogue

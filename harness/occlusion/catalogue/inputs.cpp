@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "reference/occlusion_slices.hpp"
+
 namespace gloam::catalogue {
 
 using namespace check;
@@ -112,6 +114,37 @@ Values projection_scales() {
 Values cameras() {
     return vector({log_uniform(0.5, 3).and_special(), signed_log_uniform(0.5, 3).and_special(), image_size(),
                    booleans()});
+}
+
+Values shares() {
+    return uniform(0, 1).and_near({0.0, 1.0}).and_special();
+}
+
+Values normals() {
+    return unit_vector(3).and_special();
+}
+
+Values offsets_of(const Values& usual, const Values& any) {
+    return either(vector_of_length(3, usual), vector_of_length(3, any)).and_value(glm::vec3(0)).and_special();
+}
+
+Values facing_slices() {
+    return made_by<reference::GloamSlice>([](Random& random) {
+               const auto leaning = [&](double most) {
+                   return glm::normalize(
+                       glm::vec3(random.uniform(-most, most), random.uniform(-most, most), 1));
+               };
+               const glm::vec3 view = leaning(0.5);
+               const glm::vec3 normal = leaning(1);
+               const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
+               return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
+           })
+        .only_as_drawn();
+}
+
+Values image_axes() {
+    return made_by<glm::ivec2>(
+        [](Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
 }
 
 std::function<void(std::span<Word>)> place_before_camera(std::size_t position, std::size_t camera) {

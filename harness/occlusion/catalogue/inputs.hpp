@@ -68,6 +68,21 @@ template <class... V>
 // An occlusion for an image; rarely NaN, infinity, or outside [0, 1].
 [[nodiscard]] float occlusion_or_worse(numeric::Random& random);
 
+// Numbers from 0 to 1, with both ends and special values.
+[[nodiscard]] check::Values shares();
+
+// vec3: unit vectors, and special values.
+[[nodiscard]] check::Values normals();
+
+// vec3: half of the lengths are usual ones, half are any; the zero vector, and special values.
+[[nodiscard]] check::Values offsets_of(const check::Values& usual, const check::Values& any);
+
+// GloamSlice: of view vectors and normals that face the eye at a moderate angle.
+[[nodiscard]] check::Values facing_slices();
+
+// ivec2: along a row or a column.
+[[nodiscard]] check::Values image_axes();
+
 inline constexpr const char* depth_prototype = "gloam_fetch_depth";
 
 // Eye-linear depth images (float) of those sizes for a prototype: a slanted surface with steps and holes of

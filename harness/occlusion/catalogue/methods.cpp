@@ -252,7 +252,7 @@ struct Stated {
 template <class... Own, class Method>
 void add_gather(Entries& entries, const std::string& name, Method method, const Stated& stated,
                 const std::vector<Values>& own) {
-    std::vector<Values> all{points(), unit_vector(3).and_special(), cameras(), kernels()};
+    std::vector<Values> all{points(), normals(), cameras(), kernels()};
     all.insert(all.end(), own.begin(), own.end());
     add(
         entries, "METHOD-" + name,

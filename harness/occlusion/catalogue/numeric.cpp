@@ -13,7 +13,7 @@ constexpr double above_pi = 3.1415928;
 
 constexpr Codomain sincos_codomain{-1.000001, 1.000001};
 
-void append_sincos(Entries& entries) {
+void append_sines(Entries& entries) {
     add(entries, "SINCOS-octant", &reference::gloam_sincos_octant,
         {uniform(-0.7853982, 0.7853982), integers(-9, 9).and_near_integers({2147483647})}, {.absolute = 1e-7},
         sincos_codomain);
@@ -34,9 +34,6 @@ void append_sincos(Entries& entries) {
              .and_near({0x1p-126, 0x1p-125, 1.0, 0x1.fffffep127})
              .and_special()},
         {.ulp = 2.5}, {0, numeric::infinity});
-}
-
-void append_arc_sines(Entries& entries) {
     const Values cosine =
         either(uniform(-1.01, 1.01), either(signed_log_uniform(1e-30, 1), uniform(0.999, 1)))
             .and_near({1.0, -1.0, 0.5, -0.5})
@@ -52,18 +49,10 @@ void append_arc_sines(Entries& entries) {
         {0, above_pi});
 }
 
-void append_unit_angle(Entries& entries) {
-    const auto upper = [](numeric::Random& random) {
-        const double angle = random.uniform(0.0, 3.14159265);
-        const double small = std::exp(random.uniform(-20.0, 0.0));
-        const double turn = random.uniform(0.0, 1.0) < 0.5 ? angle : std::min(angle, small);
-        return glm::vec2(std::cos(turn), std::sin(turn));
-    };
-    add(entries, "ANGLE-unit", &reference::gloam_unit_angle, {made_by<glm::vec2>(upper).only_as_drawn()},
-        {.absolute = 4e-7}, {0, above_pi});
-}
+}  // namespace
 
-void append_arc_tangents(Entries& entries) {
+void append_numeric(Entries& entries) {
+    append_sines(entries);
     const Values coordinate = either(uniform(-1, 1), any_float()).and_near({0x1p-126, 0x1p126}).and_special();
     const Values length = either(uniform(0, 1), log_uniform(1e-37, 3e38)).and_near({0x1p126}).and_special();
     const auto order = [](std::span<Word> words) {
@@ -80,15 +69,14 @@ void append_arc_tangents(Entries& entries) {
     add(entries, "ATAN", &reference::gloam_atan,
         {either(uniform(-4, 4), any_float()).and_near({1.0, -1.0}).and_special()}, {.absolute = 2e-7},
         {-1.571, 1.571});
-}
-
-}  // namespace
-
-void append_numeric(Entries& entries) {
-    append_sincos(entries);
-    append_arc_sines(entries);
-    append_arc_tangents(entries);
-    append_unit_angle(entries);
+    const auto upper = [](numeric::Random& random) {
+        const double angle = random.uniform(0.0, 3.14159265);
+        const double small = std::exp(random.uniform(-20.0, 0.0));
+        const double turn = random.uniform(0.0, 1.0) < 0.5 ? angle : std::min(angle, small);
+        return glm::vec2(std::cos(turn), std::sin(turn));
+    };
+    add(entries, "ANGLE-unit", &reference::gloam_unit_angle, {made_by<glm::vec2>(upper).only_as_drawn()},
+        {.absolute = 4e-7}, {0, above_pi});
 }
 
 }  // namespace gloam::catalogue

@@ -13,30 +13,10 @@ namespace {
 
 using namespace check;
 
-using Camera = reference::GloamCamera;
-using Kernel = reference::GloamKernel;
-using Estimate = reference::GloamEstimate;
-
-void append_can_gather(Entries& entries) {
+void append_gathers(Entries& entries) {
     const Values vectors = vector(3, uniform(-4, 4)).and_special();
     add(entries, "TSSAO-2-can", &reference::gloam_can_gather,
         {vectors, vectors, log_uniform(0.01, 4).and_special(), cameras()});
-}
-
-void append_tap_pixel(Entries& entries) {
-    const Values distance = either(constant(0.0F), log_uniform(1, 64)).and_special();
-    const Values pixel = vector({integers(0, 2000), integers(0, 1000)});
-    add(entries, "TAP-pixel", &reference::gloam_tap_pixel,
-        {pixel, pixel, constant(glm::ivec2(2001, 1001)), distance});
-}
-
-void append_pairs(Entries& entries) {
-    const Values offset = vector(3, uniform(-4, 4));
-    add(entries, "PAIR-height", &reference::gloam_height_at,
-        {offset, offset, unit_vector(3), uniform(0.03, 1)}, {.absolute = 6e-5}, {-700, 700});
-}
-
-void append_estimates(Entries& entries) {
     const Values sum = either(uniform(0, 64), log_uniform(1e-37, 1e30)).and_special();
     add(entries, "TSSAO-2-estimate", &reference::gloam_estimate, {sum, sum, integers(0, 2048)}, {.ulp = 2.5},
         {0, 2048}, [](double occluded, double whole, unsigned) {
@@ -49,10 +29,7 @@ void append_estimates(Entries& entries) {
     add(entries, "TSSAO-2-sees", &reference::gloam_tap_sees,
         {either(log_uniform(1e-4, 6e4), either(log_uniform(1e-37, 1e38), any_float())).and_special()});
     add(entries, "PAIR-samples", &reference::gloam_paired_samples, {log_integers(100'000)});
-}
-
-// The parts of the samples that all pixels share.
-void append_shared_points(Entries& entries) {
+    // The parts of the samples that all pixels share.
     const auto point = [&](const char* id, auto reference, double absolute, double most_third) {
         add(entries, id, reference, {log_integers(16777216).and_near_integers({16777216, 4294967295})},
             {.absolute = absolute}, {-1.000001, 1.000001}, [most_third](unsigned index) {
@@ -63,42 +40,29 @@ void append_shared_points(Entries& entries) {
     point("POINTS-disc", &reference::gloam_disc_point, 5e-7, 1.0);
     point("POINTS-hemisphere-cosine", &reference::gloam_hemisphere_cosine_point, 1.2e-6, 0.998);
     point("POINTS-hemisphere-uniform", &reference::gloam_hemisphere_uniform_point, 2e-6, 0.998);
+    const Values distance = either(constant(0.0F), log_uniform(1, 64)).and_special();
+    const Values pixel = vector({integers(0, 2000), integers(0, 1000)});
+    add(entries, "TAP-pixel", &reference::gloam_tap_pixel,
+        {pixel, pixel, constant(glm::ivec2(2001, 1001)), distance});
+    const Values offset = vector(3, uniform(-4, 4));
+    add(entries, "PAIR-height", &reference::gloam_height_at,
+        {offset, offset, unit_vector(3), uniform(0.03, 1)}, {.absolute = 6e-5}, {-700, 700});
 }
 
-void append_gathers(Entries& entries) {
-    append_can_gather(entries);
-    append_estimates(entries);
-    append_shared_points(entries);
-    append_tap_pixel(entries);
-    append_pairs(entries);
-}
+}  // namespace
 
-using Slice = reference::GloamSlice;
-
-void append_into_slice(Entries& entries) {
+void append_occlusion_gathers(Entries& entries) {
+    append_gathers(entries);
     const Values offsets = vector(3, uniform(-4, 4)).and_special();
-    const Values units = unit_vector(3).and_special();
+    const Values units = normals();
     add(entries, "SLICE-into", &reference::gloam_into_slice, {offsets, units, units}, {.absolute = 2e-5},
         {-3.5e38, 3.5e38}, [](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& n) {
             const double turned = glm::dot(a, n);
             const bool unit = glm::dot(a, a) < 1.001 && glm::dot(n, n) < 1.001;
             return moderate(1e-9, 4, v, a, n) && unit && !(turned * turned > 0.9);
         });
-}
-
-Values slices() {
-    return made_by<Slice>([](numeric::Random& random) {
-        const glm::vec3 view =
-            glm::normalize(glm::vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1));
-        const glm::dvec3 normal = glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
-        const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
-        return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
-    });
-}
-
-void append_slice_parts(Entries& entries) {
-    add(entries, "SLICE-axes", &reference::gloam_slice_axes, {slices().only_as_drawn(), unit_vector(3)},
-        {.absolute = 1.5e-5}, {-33, 33}, [](const Slice& slice, const glm::vec3& n) {
+    add(entries, "SLICE-axes", &reference::gloam_slice_axes, {facing_slices(), unit_vector(3)},
+        {.absolute = 1.5e-5}, {-33, 33}, [](const reference::GloamSlice& slice, const glm::vec3& n) {
             const double turned = glm::dot(glm::cross(slice.tangent, slice.view), glm::dvec3(n));
             return turned * turned < 0.9;
         });
@@ -110,24 +74,8 @@ void append_slice_parts(Entries& entries) {
         {uniform(0, 1), uniform(1, 32), log_uniform(0.01, 1e6)}, {.absolute = 6e-7}, {0, 1.6});
     add(entries, "SAMPLES-whole", &reference::gloam_whole_samples,
         {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)});
-}
-
-void append_slice_gathers(Entries& entries) {
-    append_into_slice(entries);
-    append_slice_parts(entries);
-}
-
-void append_ray_gathers(Entries& entries) {
     add(entries, "POISSON-disc", &reference::gloam_poisson_disc,
         {log_integers(16777216).and_near_integers({64, 16777216, 4294967295})}, {}, {-1, 1});
-}
-
-}  // namespace
-
-void append_occlusion_gathers(Entries& entries) {
-    append_gathers(entries);
-    append_slice_gathers(entries);
-    append_ray_gathers(entries);
 }
 
 }  // namespace gloam::catalogue

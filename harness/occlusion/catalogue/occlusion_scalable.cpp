@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // SAO and MSSAO, layers, separable occlusion, and balls and discs that represent the scene.
 #include <cmath>
-#include <limits>
 
 #include "catalogue/inputs.hpp"
+#include "numeric/numbers.hpp"
 #include "reference/occlusion.hpp"
 #include "reference/occlusion_points.hpp"
 #include "reference/sampling.hpp"
@@ -13,20 +13,12 @@ namespace {
 
 using namespace check;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Values proxy_offsets() {
-    return either(vector_of_length(3, uniform(0, 2)), vector_of_length(3, log_uniform(1e-37, 1e38)))
-        .and_value(glm::vec3(0))
-        .and_special();
+    return offsets_of(uniform(0, 2), log_uniform(1e-37, 1e38));
 }
 
 Values lengths() {
     return either(log_uniform(0.02, 2), log_uniform(1e-37, 1e38)).and_special();
-}
-
-Values normals() {
-    return unit_vector(3).and_special();
 }
 
 // A dot product with it does not overflow.
@@ -34,27 +26,21 @@ bool small(glm::dvec3 v) {
     return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e18);
 }
 
-void append_contribution_of_sao(Entries& entries) {
+void append_sao_and_curvature(Entries& entries) {
     add(entries, "CS-Q", &reference::gloam_contribution_sao,
         {vector_of_length(3, log_uniform(0.01, 1.5)), unit_vector(3),
          either(uniform(0.5, 1), log_uniform(0.1, 1e3)).and_near({0.5, 1.0}).and_special(),
          either(uniform(0, 0.1), constant(0.01F)).and_special(), log_uniform(0.01, 0.1), uniform(0.1, 5)},
-        {.absolute = 1.5e-5}, {0, infinity},
+        {.absolute = 1.5e-5}, {0, numeric::infinity},
         [](glm::dvec3, glm::dvec3, double radius, double bias, double, double) {
             return radius >= 0.5 && radius <= 2 && bias >= 0 && bias <= 4;
         });
-}
-
-void append_combinations(Entries& entries) {
     add(entries, "CS-F", &reference::gloam_contribution_mssao, {proxy_offsets(), normals(), lengths()},
         {.absolute = 7e-7}, {0, 1}, [](glm::dvec3 v, glm::dvec3 n, double radius) {
             return small(v) && is_unit(n) && !(radius < 1e-30);
         });
-    const Values level = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-F-combine", &reference::gloam_mssao_combine, {level, level}, {.absolute = 2e-7}, {0, 1});
-}
-
-void append_curvature(Entries& entries) {
+    add(entries, "CS-F-combine", &reference::gloam_mssao_combine, {shares(), shares()}, {.absolute = 2e-7},
+        {0, 1});
     const Values slope = either(uniform(0, 4), log_uniform(1e-4, 4096));
     add(entries, "CS-K-bowl", &reference::gloam_occlusion_bowl, {slope, slope}, {.absolute = 4e-7}, {0, 1});
     const Values falling =
@@ -83,15 +69,11 @@ void append_depths_and_layers(Entries& entries) {
         {vector({uniform(0, 1), uniform(0, 1), booleans()}).only_as_drawn(), uniform(0, 1), vector(3, plain),
          uniform(0.5, 8), integers(0, 3), integers(1, 4)},
         {}, {0, 1});
-    const Values occlusion = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-O", &reference::gloam_separable_mean, {occlusion, occlusion}, {.ulp = 0.5}, {0, 1});
-    const Values offset =
-        either(vector_of_length(3, uniform(0, 2)), vector_of_length(3, log_uniform(1e-20, 1e20)))
-            .and_value(glm::vec3(0))
-            .and_special();
+    add(entries, "CS-O", &reference::gloam_separable_mean, {shares(), shares()}, {.ulp = 0.5}, {0, 1});
+    const Values offset = offsets_of(uniform(0, 2), log_uniform(1e-20, 1e20));
     const Values length = either(log_uniform(1e-2, 10), any_float()).and_special();
-    add(entries, "CS-O-weight", &reference::gloam_separable_weight,
-        {offset, unit_vector(3).and_special(), length, length}, {.absolute = 5e-7, .backward_ulp = 2}, {0, 1},
+    add(entries, "CS-O-weight", &reference::gloam_separable_weight, {offset, normals(), length, length},
+        {.absolute = 5e-7, .backward_ulp = 2}, {0, 1},
         [](glm::dvec3 v, glm::dvec3 n, double sigma, double tolerance) {
             return moderate(1e-9, 1e9, v, n, sigma, tolerance);
         });
@@ -103,7 +85,11 @@ bool sized(glm::dvec3 v) {
            !(glm::length(v) < 1e-18 && v != glm::dvec3(0));
 }
 
-void append_spheres(Entries& entries) {
+}  // namespace
+
+void append_occlusion_scalable(Entries& entries) {
+    append_sao_and_curvature(entries);
+    append_depths_and_layers(entries);
     add(entries, "CS-H-fraction", &reference::gloam_sphere_fraction,
         Domain{lengths(), lengths()}.tied(1, 0).tied(1, 0, 1.0001), {.absolute = 3e-7}, {0, 1},
         [](double r, double d) { return !(r < 1e-30) && !(d < 1e-30); });
@@ -120,9 +106,6 @@ void append_spheres(Entries& entries) {
         {proxy_offsets(), either(uniform(-4, 4), any_float()).and_near({0.0}).and_special()},
         {.backward_ulp = 6}, {0, 1},
         [](glm::dvec3 v, double horizon) { return sized(v) && moderate(1e-9, 1e9, v, horizon); });
-}
-
-void append_discs(Entries& entries) {
     const Values area = either(log_uniform(1e-3, 10), log_uniform(1e-37, 1e38)).and_special();
     add(entries, "CS-S-share", &reference::gloam_disc_share, {area, lengths()}, {.absolute = 4e-7}, {0, 1},
         [](double a, double d) { return !(a < 1e-30) && !(d < 1e-30); });
@@ -131,29 +114,13 @@ void append_discs(Entries& entries) {
         {0, 1}, [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 e, double a, double) {
             return sized(v) && is_unit(n) && is_unit(e) && !(a < 1e-30);
         });
-}
-
-void append_aksoy_phaneuf(Entries& entries) {
     add(entries, "CS-J", &reference::gloam_contribution_aksoy_phaneuf,
         {vector_of_length(3, either(uniform(0, 2), log_uniform(1e-17, 1e17))), unit_vector(3),
          log_uniform(0.02, 2), either(uniform(0, 0.1), constant(0.0F))},
         {.absolute = 4e-7, .backward_ulp = 4}, {0, 1}, [](glm::dvec3 v, glm::dvec3 n, double, double bias) {
             return std::abs(glm::dot(v, n) - bias) > 1e-6 * glm::length(v);
         });
-    const Values occlusion = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-J-radii", &reference::gloam_two_radii_sum, {occlusion, occlusion}, {.ulp = 0.5}, {0, 1});
-}
-
-}  // namespace
-
-void append_occlusion_scalable(Entries& entries) {
-    append_contribution_of_sao(entries);
-    append_combinations(entries);
-    append_curvature(entries);
-    append_depths_and_layers(entries);
-    append_spheres(entries);
-    append_discs(entries);
-    append_aksoy_phaneuf(entries);
+    add(entries, "CS-J-radii", &reference::gloam_two_radii_sum, {shares(), shares()}, {.ulp = 0.5}, {0, 1});
 }
 
 }  // namespace gloam::catalogue

@@ -30,7 +30,7 @@ void append_tangents(Entries& entries) {
         {.absolute = 2e-7}, {-1, 1});
 }
 
-void append_hbao_horizon(Entries& entries) {
+void append_hbao(Entries& entries) {
     const Values bias = made_by<glm::vec2>([](numeric::Random& random) {
                             const double angle = random.uniform(0.0, 1.5707963);
                             return glm::vec2(std::cos(angle), std::sin(angle));
@@ -43,9 +43,6 @@ void append_hbao_horizon(Entries& entries) {
             const double across = n.x * direction.x + n.y * direction.y;
             return !(n.z * n.z + across * across < 0.05) && (n.z > 0.0 || std::abs(across) > 1e-5);
         });
-}
-
-void append_hbao_march(Entries& entries) {
     add(entries, "CS-C-start-slope", &reference::gloam_hbao_start_slope,
         {either(uniform(-4, 4), signed_log_uniform(1e-3, 1e6)).and_special(),
          uniform(0, 0.6).and_near({0.0, 1.5707963}).and_special()},
@@ -54,9 +51,6 @@ void append_hbao_march(Entries& entries) {
         {vector({uniform(-1, 1), uniform(0, 1)}).only_as_drawn(), uniform(-2, 2).only_as_drawn(),
          uniform(0.01, 4).only_as_drawn(), uniform(0.5, 2).only_as_drawn()},
         {.absolute = 9e-7, .backward_ulp = 4}, {-1.000001, 3.000001});
-}
-
-void append_hbao_results(Entries& entries) {
     add(entries, "CS-C-visibility", &reference::gloam_hbao_visibility,
         {uniform(0, 1).and_special(), uniform(0, 0.8).and_near({0.0}).and_special(),
          uniform(0.5, 2).and_special()},
@@ -67,10 +61,6 @@ void append_hbao_results(Entries& entries) {
 
 using Slice = reference::GloamSlice;
 
-Values projected_angles() {
-    return uniform(-1.5707963, 1.5707963).and_near({0.0}).and_special();
-}
-
 // Unit vectors in the plane: (cosine, sine) of an angle; what stands for no direction, and NaN.
 Values directions() {
     return unit_vector(2)
@@ -79,14 +69,6 @@ Values directions() {
         .and_value(glm::vec2(0))
         .and_value(glm::vec2(NAN))
         .only_as_drawn();
-}
-
-Values cosines() {
-    return either(uniform(-1, 1), uniform(0.99, 1)).and_near({-1.0, 0.0, 1.0}).and_special();
-}
-
-Values elevations() {
-    return uniform(0, 3.1415927).and_near({0.0}).and_special();
 }
 
 // Slices of view vectors and normals that face the eye at a moderate angle.
@@ -125,7 +107,12 @@ void append_slice(Entries& entries) {
         {.absolute = 3e-7}, {0.99999, 1.571});
 }
 
-void append_gtao_horizons(Entries& entries) {
+}  // namespace
+
+void append_occlusion_slices(Entries& entries) {
+    append_tangents(entries);
+    append_hbao(entries);
+    append_slice(entries);
     add(entries, "GTAO-horizon", &reference::gloam_gtao_horizon,
         {uniform(-1, 1), uniform(-1, 1).and_value(-1.0F),
          either(vector_of_length(2, uniform(0, 2)), vector_of_length(2, log_uniform(1e-18, 1e18))),
@@ -133,20 +120,17 @@ void append_gtao_horizons(Entries& entries) {
         {.absolute = 4e-7}, {-1.000001, 1.000001}, [](double horizon, double lowest, glm::dvec2 v, double) {
             return horizon >= lowest && !(glm::length(v) < 1e-17);
         });
-    add(entries, "GTAO-arc", &reference::gloam_gtao_arc, {elevations(), directions(), directions()},
-        {.absolute = 3e-7}, {0, half_pi}, [](double, const glm::dvec2& h, const glm::dvec2& n) {
+    add(entries, "GTAO-arc", &reference::gloam_gtao_arc,
+        {uniform(0, 3.1415927).and_near({0.0}).and_special(), directions(), directions()}, {.absolute = 3e-7},
+        {0, half_pi}, [](double, const glm::dvec2& h, const glm::dvec2& n) {
             return glm::dot(h, h) < 1.001 && glm::dot(n, n) < 1.001;
         });
-}
-
-void append_gtao_sums(Entries& entries) {
-    add(entries, "GTAO-side", &reference::gloam_gtao_side, {cosines(), projected_angles(), directions()},
+    add(entries, "GTAO-side", &reference::gloam_gtao_side,
+        {either(uniform(-1, 1), uniform(0.99, 1)).and_near({-1.0, 0.0, 1.0}).and_special(),
+         uniform(-1.5707963, 1.5707963).and_near({0.0}).and_special(), directions()},
         {.absolute = 8e-7}, {0, half_pi}, [](double, double n, const glm::dvec2& normal) {
             return std::abs(n) <= 1.6 && glm::dot(normal, normal) < 1.001;
         });
-}
-
-void append_sectors(Entries& entries) {
     add(entries, "BITMASK-fraction-cosine", &reference::gloam_slice_fraction_cosine,
         {directions(), slices().only_as_drawn()}, {.absolute = 5e-7}, {0, 1},
         [](const glm::dvec2& d, const Slice&) {  // not at the cut at pi
@@ -160,19 +144,6 @@ void append_sectors(Entries& entries) {
     const Values index = integers(0, 32).and_near_integers({0, 31, 32});
     add(entries, "BIT-range", &reference::gloam_bit_range, {index, index});
     add(entries, "BITMASK", &reference::gloam_bitmask_occlusion, {bits}, {}, {0, 1});
-}
-
-}  // namespace
-
-void append_occlusion_slices(Entries& entries) {
-    append_tangents(entries);
-    append_hbao_horizon(entries);
-    append_hbao_march(entries);
-    append_hbao_results(entries);
-    append_slice(entries);
-    append_gtao_horizons(entries);
-    append_gtao_sums(entries);
-    append_sectors(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -14,23 +14,9 @@ namespace {
 
 using namespace check;
 
-using Slice = reference::GloamSlice;
 using Side = reference::GloamSweepSide;
 
 constexpr double half_pi = 1.5707964;
-
-// Slices of view vectors and normals that face the eye at a moderate angle. The method rejects others.
-Values slices() {
-    return made_by<Slice>([](numeric::Random& random) {
-               const glm::vec3 view =
-                   glm::normalize(glm::vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1));
-               const glm::vec3 normal =
-                   glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
-               const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
-               return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
-           })
-        .only_as_drawn();
-}
 
 Values sides() {
     return made_by<Side>([](numeric::Random& random) {
@@ -54,14 +40,14 @@ void append_sides(Entries& entries) {
     add(entries, "SWEEP-distance", &reference::gloam_sweep_distance, {lengths, lengths},
         {.ulp = 1, .absolute = 1e-37}, {0, 1e18});
     add(entries, "SWEEP-slice", &reference::gloam_sweep_slice,
-        {slices(), uniform(1, 1).and_value(-1.0F).only_as_drawn()}, {}, {-half_pi, half_pi});
-    add(entries, "SWEEP-behind", &reference::gloam_sweep_behind, {unit_vector(2), slices()},
-        {.absolute = 5e-7}, {-half_pi, half_pi}, [](const glm::dvec2& d, const Slice& slice) {
+        {facing_slices(), uniform(1, 1).and_value(-1.0F).only_as_drawn()}, {}, {-half_pi, half_pi});
+    add(entries, "SWEEP-behind", &reference::gloam_sweep_behind, {unit_vector(2), facing_slices()},
+        {.absolute = 5e-7}, {-half_pi, half_pi}, [](const glm::dvec2& d, const reference::GloamSlice& slice) {
             return std::atan2(std::abs(d.y), d.x) <= static_cast<double>(slice.angle) + half_pi;
         });
     const Values offsets = vector_of_length(2, uniform(1e-3, 2)).only_as_drawn();
     add(entries, "SWEEP-uncover", &reference::gloam_sweep_uncover,
-        {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
+        {sides(), facing_slices(), offsets, booleans(), booleans(), integers(0, 3)},
         {.absolute = 8e-7, .backward_ulp = 4}, {-3, 3});
 }
 
@@ -77,42 +63,28 @@ void append_features(Entries& entries) {
         {.absolute = 1e-6, .backward_ulp = 4}, {-3, 3});
     const Values offsets = vector_of_length(2, uniform(1e-3, 2)).only_as_drawn();
     add(entries, "SWEEP-tap", &reference::gloam_sweep_tap,
-        {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3), moderate_thickness},
+        {sides(), facing_slices(), offsets, booleans(), booleans(), integers(0, 3), moderate_thickness},
         {.absolute = 2e-6, .backward_ulp = 4}, {-3, 3});
 }
 
-constexpr double above_pi = 3.1415928;
-
 Values offsets() {
-    return either(vector_of_length(3, uniform(0.1, 1.5)), vector_of_length(3, log_uniform(1e-30, 1e30)))
-        .and_value(glm::vec3(0))
-        .and_special();
-}
-
-Values normals() {
-    return unit_vector(3).and_special();
+    return offsets_of(uniform(0.1, 1.5), log_uniform(1e-30, 1e30));
 }
 
 Values lengths() {
     return either(uniform(0.1, 2), log_uniform(1e-37, 1e38)).and_special();
 }
 
-Values cosines() {
-    return either(uniform(-1.1, 1.1), signed_log_uniform(1e-30, 1e30))
-        .and_near({-1.0, 0.0, 1.0})
-        .and_special();
-}
-
 double length_of(glm::dvec3 v) {
     return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-void append_acos(Entries& entries) {
-    add(entries, "CS-P-acos-cubic", &reference::gloam_acos_cubic, {cosines()}, {.absolute = 4e-7},
-        {0, above_pi});
-}
-
 void append_lines(Entries& entries) {
+    add(entries, "CS-P-acos-cubic", &reference::gloam_acos_cubic,
+        {either(uniform(-1.1, 1.1), signed_log_uniform(1e-30, 1e30))
+             .and_near({-1.0, 0.0, 1.0})
+             .and_special()},
+        {.absolute = 4e-7}, {0, 3.1415928});
     add(entries, "CS-I-chord", &reference::gloam_chord_half_height,
         {vector_of_length(2, uniform(0, 1.1)).and_special(), uniform(0.1, 2).and_special()},
         {.absolute = 8e-7}, {0, numeric::infinity}, [](glm::dvec2 xi, double radius) {
@@ -171,7 +143,13 @@ bool clear_of_nadir(glm::dvec3 v, glm::dvec3 n) {
     return above > -0.95 && moderate(1e-9, 2, n);
 }
 
-void append_angles(Entries& entries) {
+}  // namespace
+
+void append_occlusion_volumes(Entries& entries) {
+    append_sides(entries);
+    append_features(entries);
+    append_lines(entries);
+    append_areas_and_balls(entries);
     add(entries, "CS-P-lifted", &reference::gloam_lifted_cosine, {offsets(), normals(), unit_vector(3)},
         {.absolute = 5e-7}, {-1, 1},
         [](glm::dvec3 v, glm::dvec3 n, glm::dvec3) { return clear_of_nadir(v, n); });
@@ -181,34 +159,18 @@ void append_angles(Entries& entries) {
         {-1, 1}, [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 n, glm::dvec3, double) {
             return clear_of_nadir(a, n) && clear_of_nadir(b, n);
         });
-}
-
-void append_unreal(Entries& entries) {
     add(entries, "CS-P-unreal", &reference::gloam_contribution_unreal,
         {either(vector_of_length(3, uniform(0.1, 1.5)), vector_of_length(3, log_uniform(1e-15, 1e15))),
          unit_vector(3), either(constant(0.0F), uniform(0, 0.1)), uniform(0.1, 1)},
         {.absolute = 1e-6, .backward_ulp = 4}, {0, 1},
         [](glm::dvec3 v, glm::dvec3, double, double) { return length_of(v) >= 0.1 && length_of(v) < 1e9; });
-    add(entries, "CS-P-unreal-side", &reference::gloam_unreal_side,
-        {uniform(0, 1).and_near({0.0, 1.0}).and_special()}, {.ulp = 2}, {0, 1});
+    add(entries, "CS-P-unreal-side", &reference::gloam_unreal_side, {shares()}, {.ulp = 2}, {0, 1});
     add(entries, "CS-P-unreal-visibility", &reference::gloam_unreal_visibility,
         {uniform(0, 1).and_special(), uniform(0.5, 4).and_near({1.0}).and_special(),
          uniform(0, 1).and_near({1.0}).and_special()},
         {.absolute = 1e-6, .backward_ulp = 2}, {0, 1}, [](double ao, double power, double intensity) {
             return moderate(1e-9, 2, ao, intensity) && power >= 0.4 && power <= 4;
         });
-}
-
-}  // namespace
-
-void append_occlusion_volumes(Entries& entries) {
-    append_sides(entries);
-    append_features(entries);
-    append_acos(entries);
-    append_lines(entries);
-    append_areas_and_balls(entries);
-    append_angles(entries);
-    append_unreal(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -21,7 +21,7 @@ Values sample_index() {
     return log_integers(4294967295).and_near_integers({16777216, 4294967295});
 }
 
-void append_sequences(Entries& entries) {
+void append_sequences_and_maps(Entries& entries) {
     add(entries, "HALTON-base2", &reference::gloam_radical_inverse_base2, {sample_index()}, {},
         {0, 0.99999995});
     add(entries, "HALTON", &reference::gloam_radical_inverse,
@@ -30,9 +30,6 @@ void append_sequences(Entries& entries) {
         {.ulp = 3}, {0, 0.99999995});
     add(entries, "HALTON-2D", &reference::gloam_halton_2d, {sample_index()}, {.ulp = 3}, {0, 0.99999995});
     add(entries, "HALTON-3D", &reference::gloam_halton_3d, {sample_index()}, {.ulp = 3}, {0, 0.99999995});
-}
-
-void append_sample_maps(Entries& entries) {
     add(entries, "UNIT", &reference::gloam_unit_interval,
         {either(zeta(1), either(any_float(), uniform(-2, 2)))}, {}, {0, 1});
     add(entries, "CIRCLE", &reference::gloam_circle_point, {zeta(1)}, {.absolute = 2e-7},
@@ -77,10 +74,6 @@ Values near_an_axis(Values normals) {
         .and_value(glm::vec3(-1e-4F, 1e-4F, -1.0F));
 }
 
-Values unit_normals() {
-    return near_an_axis(unit_vector(3)).only_as_drawn();
-}
-
 // (cos, sin) of angles.
 Values turns() {
     return made_by<glm::vec2>([](numeric::Random& random) {
@@ -89,7 +82,9 @@ Values turns() {
         .and_value(glm::vec2(1, 0), true);
 }
 
-void append_rotations(Entries& entries) {
+void append_sample_rotations(Entries& entries) {
+    add(entries, "FRAME", &reference::gloam_tangent_frame, {near_an_axis(unit_vector(3)).only_as_drawn()},
+        {.absolute = 3e-7}, {-1.000001, 1.000001});
     add(entries, "TSSAO-ROT-turn-disc", &reference::gloam_turn_disc,
         {kernel_points(2).only_as_drawn(), turns().only_as_drawn()}, {.ulp = 3, .of_largest_component = true},
         {-2e19, 2e19}, [](const auto& s, const auto&) { return turnable(s); });
@@ -102,9 +97,6 @@ void append_rotations(Entries& entries) {
     add(entries, "TSSAO-ROT-hemisphere", &reference::gloam_rotate_hemisphere,
         {kernel_points(3).only_as_drawn(), angles()}, {.ulp = 4, .of_largest_component = true}, {-2e19, 2e19},
         [](const auto& s, float) { return turnable(s); });
-}
-
-void append_hash(Entries& entries) {
     add(entries, "HASH-turn", &reference::gloam_hash_turn,
         {either(log_integers(4294967295), integers(0, 4294967295))
              .and_near_integers({0, 65536, 4294967295})});
@@ -115,13 +107,6 @@ void append_hash(Entries& entries) {
     add(entries, "LATTICE-ROT", &reference::gloam_lattice_rotation,
         {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))}, {.ulp = 3, .absolute = 4e-9},
         {0, 6.2831855});
-}
-
-Values normals() {
-    return near_an_axis(either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)))).and_special();
-}
-
-void append_reflections(Entries& entries) {
     const Values texel = vector(3, uniform(0, 1).and_near({0.5}))
                              .and_value(glm::vec3(0.5F))
                              .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
@@ -129,17 +114,10 @@ void append_reflections(Entries& entries) {
     add(entries, "REFLECT", &reference::gloam_reflect_sample, {kernel_points(3).and_special(), texel},
         {.ulp = 16, .of_largest_component = true}, {-4e19, 4e19},
         [](const glm::vec3& s, const glm::vec3&) { return turnable(s); });
-    add(entries, "FLIP", &reference::gloam_hemisphere_flip, {kernel_points(3).and_special(), normals()},
-        {.backward_ulp = 2}, {-1e19, 1e19},
+    const Values any = either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)));
+    add(entries, "FLIP", &reference::gloam_hemisphere_flip,
+        {kernel_points(3).and_special(), near_an_axis(any).and_special()}, {.backward_ulp = 2}, {-1e19, 1e19},
         [](glm::dvec3 s, glm::dvec3 normal) { return moderate(1e-15, 1e15, s, normal); });
-}
-
-void append_sample_rotations(Entries& entries) {
-    add(entries, "FRAME", &reference::gloam_tangent_frame, {unit_normals()}, {.absolute = 3e-7},
-        {-1.000001, 1.000001});
-    append_rotations(entries);
-    append_hash(entries);
-    append_reflections(entries);
 }
 
 // Sets one input in eight to the distance itself, where the result changes.
@@ -150,7 +128,12 @@ void place_at_distance(std::span<Word> words) {
     words[4] = to_word(glm::distance(a, b));
 }
 
-void append_poisson(Entries& entries) {
+void append_sample_patterns(Entries& entries) {
+    const Values count = log_integers(32768).and_near_integers({0, 32768, 2147483647});
+    const Values turns =
+        either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647});
+    add(entries, "SPIRAL-point", &reference::gloam_spiral_point, {count, count, turns}, {.absolute = 5e-7},
+        {-1.000001, 1.000001});
     const Values point = vector_of_length(2, uniform(0, 1)).and_special();
     const auto representable = [](glm::dvec2 a, glm::dvec2 b, double distance) {
         const double apart = glm::distance(a, b);
@@ -167,15 +150,6 @@ void append_poisson(Entries& entries) {
                 vector_of_length(2, log_uniform(1e-37, 1e38)))
              .and_special()},
         {.absolute = 6e-6}, {-1.000001, 1.000001});
-}
-
-void append_sample_patterns(Entries& entries) {
-    const Values count = log_integers(32768).and_near_integers({0, 32768, 2147483647});
-    const Values turns =
-        either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647});
-    add(entries, "SPIRAL-point", &reference::gloam_spiral_point, {count, count, turns}, {.absolute = 5e-7},
-        {-1.000001, 1.000001});
-    append_poisson(entries);
 }
 
 Values sizes() {
@@ -197,7 +171,12 @@ bool off_a_whole_number(double depth, double z_far, int base, int) {
     return !(std::abs(quotient - std::round(quotient)) <= 1e-6 * quotient) || depth == 0 || base <= 0;
 }
 
-void append_sampling_levels(Entries& entries) {
+}  // namespace
+
+void append_sampling(Entries& entries) {
+    append_sequences_and_maps(entries);
+    append_sample_rotations(entries);
+    append_sample_patterns(entries);
     const Values distance = either(log_uniform(1, 2048), any_float())
                                 .and_near({8.0, 16.0, 32.0, 64.0, 128.0, 256.0})
                                 .and_special();
@@ -215,25 +194,11 @@ void append_sampling_levels(Entries& entries) {
                either(integers(0, 64), integers(-2, 10000)), integers(0, 16)}
             .tied(0, 1),
         {}, {0, 4096}, off_a_whole_number);
-}
-
-void append_sampling_marches(Entries& entries) {
     add(entries, "CS-C2", &reference::gloam_eye_march,
         {vector(3, uniform(-8, 8)), unit_vector(3), uniform(0, 2), integers(0, 15), integers(1, 16),
          uniform(0, 1).and_near({1.0})},
         {.absolute = 1e-6}, {-50, 50},
         [](glm::dvec3, glm::dvec3, double, unsigned index, unsigned count, double) { return index < count; });
-}
-
-}  // namespace
-
-void append_sampling(Entries& entries) {
-    append_sequences(entries);
-    append_sample_maps(entries);
-    append_sample_rotations(entries);
-    append_sample_patterns(entries);
-    append_sampling_levels(entries);
-    append_sampling_marches(entries);
 }
 
 }  // namespace gloam::catalogue

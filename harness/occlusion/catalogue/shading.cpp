@@ -27,20 +27,6 @@ Values sums() {
     });
 }
 
-void append_sums(Entries& entries) {
-    add(entries, "CS-L-add", &reference::gloam_bent_add,
-        {sums(), unit_vector(3).and_special(), uniform(0, 1).and_special()}, {.absolute = 1e-6},
-        {-numeric::largest_float, numeric::largest_float},
-        [](glm::dvec4 bent, glm::dvec3 w, double) { return moderate(0.0, 16, bent, w); });
-    add(entries, "CS-L", &reference::gloam_bent_normal, {sums().and_special(), unit_vector(3)}, {.ulp = 3},
-        {-1.000001, 1.000001});
-    add(entries, "CS-L-length", &reference::gloam_bent_length, {sums().and_value(glm::vec4(0)).and_special()},
-        {.absolute = 4e-7}, {0, 1}, [](glm::dvec4 bent) {
-            return moderate(1e-18, 1e18, bent) && std::abs(bent.w) < 1e18 &&
-                   glm::length(glm::dvec3(bent)) < 1e18;
-        });
-}
-
 void add_cone(Entries& entries, const char* id, double (*reference)(double), double absolute) {
     const Values value = either(uniform(0, 1), either(log_uniform(1e-12, 1), uniform(0.999, 1.001)))
                              .and_near({0.5, 1.0})
@@ -48,23 +34,12 @@ void add_cone(Entries& entries, const char* id, double (*reference)(double), dou
     add(entries, id, reference, {value}, {.absolute = absolute}, {0, 1.5707965});
 }
 
-void append_shading_bent(Entries& entries) {
-    append_sums(entries);
-    add_cone(entries, "CS-L-cone", &reference::gloam_cone_angle, 4e-7);
-}
-
 Values colours() {
     return either(vector(3, uniform(0, 1)), vector(3, any_float())).and_special();
 }
 
-Values normals() {
-    return unit_vector(3).and_special();
-}
-
 Values offsets() {
-    return either(vector_of_length(3, uniform(0, 2)), vector_of_length(3, log_uniform(1e-20, 1e20)))
-        .and_value(glm::vec3(0))
-        .and_special();
+    return offsets_of(uniform(0, 2), log_uniform(1e-20, 1e20));
 }
 
 bool small(glm::dvec3 v) {
@@ -95,16 +70,15 @@ void face_each_other(std::span<Word> words) {
     if (words[1] % 2U == 0) words[12] = to_word(0.99 * reach);
 }
 
-void append_terms(Entries& entries) {
+void append_light(Entries& entries) {
     add(entries, "CS-D-radiance", &reference::gloam_ssdo_radiance, {colours()}, {}, {0, 65504});
-    const Values visibility = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-D", &reference::gloam_ssdo_direct, {offsets(), normals(), colours(), visibility},
+    add(entries, "CS-D", &reference::gloam_ssdo_direct, {offsets(), normals(), colours(), shares()},
         {.absolute = 6e-7}, {0, 131008.1}, [](glm::dvec3 w, glm::dvec3 n, glm::dvec3 radiance, double) {
             return small(w) && is_unit(n) && dim(radiance);
         });
     const Values length = either(log_uniform(0.1, 1), any_float()).and_near({1.0}).and_special();
     add(entries, "CS-D-bounce", &reference::gloam_ssdo_bounce,
-        Domain{offsets(), normals(), normals(), colours(), length, length, visibility}.adjusted(
+        Domain{offsets(), normals(), normals(), colours(), length, length, shares()}.adjusted(
             face_each_other),
         {.absolute = 6e-7}, {0, 7e10},
         [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 s, glm::dvec3 radiance, double radius, double least,
@@ -112,9 +86,6 @@ void append_terms(Entries& entries) {
             const bool near_one = !(radius > std::max(glm::length(v), least));
             return small(v) && is_unit(n) && is_unit(s) && dim(radiance) && near_one && !(least < 1e-18);
         });
-}
-
-void append_results(Entries& entries) {
     const Values count =
         made_by<float>([](numeric::Random& random) { return static_cast<float>(1 + random.below(64)); });
     add(entries, "CS-D-light", &reference::gloam_ssdo_light,
@@ -144,9 +115,18 @@ void append_shading(Entries& entries) {
         });
     add(entries, "GTAO-bounce", &reference::gloam_multi_bounce, {visibility, vector(3, visibility)},
         {.absolute = 1.5e-6}, {0, 1});
-    append_shading_bent(entries);
-    append_terms(entries);
-    append_results(entries);
+    add(entries, "CS-L-add", &reference::gloam_bent_add, {sums(), normals(), uniform(0, 1).and_special()},
+        {.absolute = 1e-6}, {-numeric::largest_float, numeric::largest_float},
+        [](glm::dvec4 bent, glm::dvec3 w, double) { return moderate(0.0, 16, bent, w); });
+    add(entries, "CS-L", &reference::gloam_bent_normal, {sums().and_special(), unit_vector(3)}, {.ulp = 3},
+        {-1.000001, 1.000001});
+    add(entries, "CS-L-length", &reference::gloam_bent_length, {sums().and_value(glm::vec4(0)).and_special()},
+        {.absolute = 4e-7}, {0, 1}, [](glm::dvec4 bent) {
+            return moderate(1e-18, 1e18, bent) && std::abs(bent.w) < 1e18 &&
+                   glm::length(glm::dvec3(bent)) < 1e18;
+        });
+    add_cone(entries, "CS-L-cone", &reference::gloam_cone_angle, 4e-7);
+    append_light(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -13,8 +13,6 @@ namespace {
 
 using namespace check;
 
-constexpr double float_max = 0x1.fffffep127;
-
 // Numbers of samples: integers, which are usual, and any others.
 Values weights() {
     const Values whole =
@@ -26,21 +24,17 @@ Values occlusions() {
     return either(uniform(0, 1).and_near({0.0, 1.0}), log_uniform(1e-30, 2)).and_special();
 }
 
-void append_blend(Entries& entries) {
+void append_accumulation(Entries& entries) {
+    const Values convergence = either(uniform(0, 1.1), log_uniform(1e-30, 1)).and_special();
+    const Values threshold = uniform(0, 1).and_near({0.2, 0.3, 0.5}).and_special();
     const auto usual = [](double, double weight, double, double k, double weight_max) {
         return moderate(1e-30, 1e36, weight, k, weight_max);
     };
     add(entries, "TSSAO-5", &reference::gloam_blend,
         Domain{occlusions(), weights(), occlusions(), weights(), weights()}.tied(4, 1).tied(2, 0),
-        {.ulp = 0.5, .absolute = 1e-7}, {0, float_max}, usual);
+        {.ulp = 0.5, .absolute = 1e-7}, {0, numeric::largest_float}, usual);
     add(entries, "TSSAO-5-weight", &reference::gloam_history_weight,
-        Domain{occlusions(), weights(), weights()}.tied(2, 1), {}, {0, float_max});
-}
-
-void append_accumulation(Entries& entries) {
-    const Values convergence = either(uniform(0, 1.1), log_uniform(1e-30, 1)).and_special();
-    const Values threshold = uniform(0, 1).and_near({0.2, 0.3, 0.5}).and_special();
-    append_blend(entries);
+        Domain{occlusions(), weights(), weights()}.tied(2, 1), {}, {0, numeric::largest_float});
     add(entries, "TSSAO-6", &reference::gloam_convergence,
         Domain{weights(), weights().and_near({0x1p-126})}.tied(0, 1), {.ulp = 2.5}, {0, 1},
         [](double, double most) { return !(most > 0x1p126); });
@@ -49,10 +43,6 @@ void append_accumulation(Entries& entries) {
         Domain{convergence, threshold, integers(0, 64).and_near_integers({0, -2147483647L}),
                integers(0, 64).and_near_integers({0, 2147483646L})}
             .tied(0, 1));
-}
-
-Values buffer_occlusions() {
-    return uniform(0, 1).and_near({0.0, 1.0}).and_special();
 }
 
 Values buffer_weights() {
@@ -71,8 +61,8 @@ void add_exact(Entries& entries, const char* id, auto reference, Domain domain) 
 
 // Histories and texels, their members drawn independently; each special member beside ordinary ones.
 Values histories() {
-    return vector({buffer_occlusions(), buffer_weights(),
-                   log_integers(4294967295).and_near_integers({16777216}), depths()});
+    return vector(
+        {shares(), buffer_weights(), log_integers(4294967295).and_near_integers({16777216}), depths()});
 }
 
 Values texels() {
@@ -81,22 +71,17 @@ Values texels() {
                uniform(0, 16777216))
             .and_near({1.0, 16777216.0})
             .and_special();
-    return vector({buffer_occlusions(), buffer_weights(), index, depths()}).and_special();
+    return vector({shares(), buffer_weights(), index, depths()}).and_special();
 }
 
-void append_buffer(Entries& entries) {
+void append_history(Entries& entries) {
     add_exact(entries, "TSSAO-BUF-empty", &reference::gloam_history_empty, {depths()});
-    add(entries, "TSSAO-BUF-usable", &reference::gloam_history_usable,
-        {buffer_occlusions(), buffer_weights()});
+    add(entries, "TSSAO-BUF-usable", &reference::gloam_history_usable, {shares(), buffer_weights()});
     add_exact(entries, "TSSAO-BUF-sanitize", &reference::gloam_history_sanitize, {histories()});
     add_exact(entries, "TSSAO-BUF-pack", &reference::gloam_history_pack, {histories()});
     add_exact(entries, "TSSAO-BUF-unpack", &reference::gloam_history_unpack, {texels()});
     const Values integer = log_integers(4294967295).and_near_integers({16777216, 4294967295});
     add_exact(entries, "TSSAO-BUF-index", &reference::gloam_next_index, {integer, integer, integer});
-}
-
-void append_history(Entries& entries) {
-    append_buffer(entries);
     const Values part = uniform(0, 1).and_near({0.0, 1.0});
     add(entries, "BILINEAR", &reference::gloam_bilinear_weights,
         {vector(2, either(part, log_uniform(1e-30, 1))).and_special()}, {.ulp = 2.5}, {0, 1});
@@ -106,8 +91,9 @@ void append_history(Entries& entries) {
 }
 
 void append_disocclusion(Entries& entries) {
-    const Values depth =
-        either(uniform(1, 4), log_uniform(1e-3, 1e6)).and_near({0x1p-126, float_max}).and_special();
+    const Values depth = either(uniform(1, 4), log_uniform(1e-3, 1e6))
+                             .and_near({0x1p-126, numeric::largest_float})
+                             .and_special();
     const Domain depths{depth, depth};
     const Values epsilon = either(uniform(0.005, 0.05), log_uniform(1e-6, 2)).and_special();
     add(entries, "TSSAO-8", &reference::gloam_depth_consistent,
@@ -128,19 +114,17 @@ void append_disocclusion(Entries& entries) {
                                 .and_special();
     const auto near = [](glm::dvec3 p) { return moderate(1e-30, 16, p); };
     add(entries, "TSSAO-9", &reference::gloam_neighborhood_change, {position, position, position, position},
-        {.ulp = 4, .absolute = 6e-6}, {0, float_max},
+        {.ulp = 4, .absolute = 6e-6}, {0, numeric::largest_float},
         [near](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
             return near(a) && near(b) && near(c) && near(d);
         });
     const Values change = either(log_uniform(1e-6, 1), uniform(0, 0.1)).and_special();
     add(entries, "TSSAO-9-test", &reference::gloam_neighborhood_unchanged, Domain{change, change}.tied(0, 1));
-    add(entries, "TSSAO-9-probe", &reference::gloam_probe_useful, {position, unit_vector(3).and_special()},
-        {.backward_ulp = 4}, {},
-        [](glm::dvec3 offset, glm::dvec3 normal) { return moderate(1e-15, 1e15, offset, normal); });
+    add(entries, "TSSAO-9-probe", &reference::gloam_probe_useful, {position, normals()}, {.backward_ulp = 4},
+        {}, [](glm::dvec3 offset, glm::dvec3 normal) { return moderate(1e-15, 1e15, offset, normal); });
     add(entries, "TSSAO-9-reach", &reference::gloam_probe_change,
-        {position, position, unit_vector(3).and_special(), uniform(0, 16)},
-        {.absolute = 2e-6, .backward_ulp = 4}, {0, float_max},
-        [](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
+        {position, position, normals(), uniform(0, 16)}, {.absolute = 2e-6, .backward_ulp = 4},
+        {0, numeric::largest_float}, [](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
             return moderate(1e-15, 16, now) && moderate(1e-15, 16, before) && moderate(1e-15, 1, normal) &&
                    moderate(1e-15, 16, reach);
         });
@@ -154,8 +138,8 @@ void append_invalidation(Entries& entries) {
         {either(uniform(0, 1), signed_log_uniform(1e-30, 1e30)).and_special(),
          either(uniform(15, 30), log_uniform(1e-6, 1e6)).and_special()},
         {.ulp = 3}, {0, 1});
-    add(entries, "TSSAO-SI-b-weight", &reference::gloam_invalidate_confidence,
-        {weight, uniform(0, 1).and_near({0.0, 1.0}).and_special()}, {.ulp = 0.5}, {0, float_max});
+    add(entries, "TSSAO-SI-b-weight", &reference::gloam_invalidate_confidence, {weight, shares()},
+        {.ulp = 0.5}, {0, numeric::largest_float});
     add(entries, "TSSAO-SI", &reference::gloam_invalidated_weight,
         Domain{uniform(0, 1500), uniform(0, 1), uniform(0.1, 2), integers(0, 3), log_uniform(1e-6, 1),
                uniform(32, 64), uniform(15, 30)}
@@ -229,8 +213,7 @@ void append_reprojection(Entries& entries) {
         },
         {previous_coordinates(), image_size(), expected_depths(),
          either(uniform(0, 0.05), constant(0.01F)).and_special()},
-        {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 1}, {0, std::numeric_limits<double>::infinity()},
-        nullptr, scenarios);
+        {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 1}, {0, numeric::infinity}, nullptr, scenarios);
     const Values point = vector({uniform(-1.1, 1.1), uniform(-1.1, 1.1), expected_depths()});
     add(
         entries, "TSSAO-RP-point",
@@ -243,15 +226,7 @@ void append_reprojection(Entries& entries) {
         },
         Domain{point, cameras(), integers(0, 2), either(uniform(0, 0.05), constant(0.01F)).and_special()}
             .adjusted(place_before_camera(0, 3)),
-        {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 4}, {0, std::numeric_limits<double>::infinity()},
-        nullptr, scenarios);
-}
-
-void append_temporal_smoothing(Entries& entries) {
-    const Values occlusion = uniform(0, 1).and_near({0.0, 1.0}).and_special();
-    add(entries, "CS-G", &reference::gloam_temporal_smooth,
-        {occlusion, booleans(), occlusion, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-        {.absolute = 2e-7}, {0, 1});
+        {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 4}, {0, numeric::infinity}, nullptr, scenarios);
 }
 
 }  // namespace
@@ -262,7 +237,8 @@ void append_temporal(Entries& entries) {
     append_disocclusion(entries);
     append_invalidation(entries);
     append_reprojection(entries);
-    append_temporal_smoothing(entries);
+    add(entries, "CS-G", &reference::gloam_temporal_smooth, {shares(), booleans(), shares(), shares()},
+        {.absolute = 2e-7}, {0, 1});
 }
 
 }  // namespace gloam::catalogue

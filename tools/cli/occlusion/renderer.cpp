@@ -216,11 +216,11 @@ class Renderer {
         if (!last || !(options_.bent_normals || options_.light)) return;
         if (!directional_) directional_.emplace(bench_.device, bench_.passes);
         if (options_.bent_normals)
-            write_bent_normals(*folder_, stem(number),
-                               made_.settings.bent_normals && !wide.normal.empty()
-                                   ? bent_of(made_.frame, scene::cropped(wide))
-                                   : directional_->bent_normals(wide, made_.settings,
-                                                                {.interleave = options_.bent_interleave}));
+            write_bent_normals(
+                *folder_, stem(number),
+                made_.settings.bent_normals && !wide.normal.empty()
+                    ? bent_of(made_.frame, scene::cropped(wide))
+                    : directional_->bent_normals(wide, made_.settings, options_.bent_interleave));
         if (options_.light)
             write_light(*folder_, stem(number),
                         directional_->light(wide, made_.settings,
