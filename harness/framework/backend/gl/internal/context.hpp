@@ -17,10 +17,11 @@ class Egl {
     Egl();
 
     decltype(&::eglGetProcAddress) GetProcAddress = nullptr;
+    // clang-format off
 #define GLOAM_EGL_FUNCTIONS(X)                                                              \
-    X(QueryString)                                                                          \
-    X(Initialize) X(Terminate) X(BindAPI) X(CreateContext) X(DestroyContext) X(MakeCurrent) \
-        X(GetCurrentContext) X(GetError)
+    X(QueryString) X(Initialize) X(Terminate) X(BindAPI) X(CreateContext) X(DestroyContext) \
+    X(MakeCurrent) X(GetCurrentContext) X(GetError)
+// clang-format on
 #define GLOAM_EGL_MEMBER(name) decltype(&::egl##name) name = nullptr;
     GLOAM_EGL_FUNCTIONS(GLOAM_EGL_MEMBER)
 #undef GLOAM_EGL_MEMBER
