@@ -93,7 +93,7 @@ void write_bent_normals(record::OutputFolder& folder, const std::string& stem,
         picture.push_back(
             static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(0.5F + 0.5F * value, 0.0F, 1.0F))));
     folder.write(stem + "_bent.pfm", base::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_bent.png", base::to_rgb_png(picture, width, height));
+    folder.write(stem + "_bent.png", base::to_png(picture, width, height));
     folder.write(stem + "_cone.pfm", base::to_pfm(bent.half_angle, width, height, 1));
 }
 
@@ -104,7 +104,7 @@ void write_light(record::OutputFolder& folder, const std::string& stem,
     const std::vector<float> bounced = components_of(light.bounced);
     std::ranges::transform(texels, bounced, texels.begin(), std::plus{});
     folder.write(stem + "_light.pfm", base::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_light.png", base::to_rgb_png(base::srgb_of(texels), width, height));
+    folder.write(stem + "_light.png", base::to_png(base::srgb_of(texels), width, height));
     folder.write(stem + "_bounce.pfm", base::to_pfm(bounced, width, height, 3));
 }
 
