@@ -249,7 +249,8 @@ std::vector<FunctionHead> function_heads(std::string preprocessed) {
 }
 
 std::vector<FunctionHead> each_once(std::vector<FunctionHead> functions) {
-    std::ranges::stable_partition(functions, &FunctionHead::defined);
+    std::stable_partition(functions.begin(), functions.end(),  // clang 14 cannot read that of std::ranges
+                          [](const FunctionHead& one) { return one.defined; });
     std::vector<FunctionHead> once;
     for (FunctionHead& function : functions) {
         const auto is_same = [&](const FunctionHead& other) { return declare_the_same(other, function); };
