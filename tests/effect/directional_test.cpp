@@ -204,8 +204,7 @@ TEST_F(Directions, KeepTheirPixels) {
 TEST_F(Directions, OfWrongImagesAndOptionsAreRefused) {
     scene::GBuffer view = step(3.0F, 3.0F);
     for (const int sides : {0, 9, -1})
-        EXPECT_THROW((void)directional_.bent_normals(view, many(), sides),
-                     std::invalid_argument);
+        EXPECT_THROW((void)directional_.bent_normals(view, many(), sides), std::invalid_argument);
     view.color.resize(7);
     EXPECT_THROW((void)directional_.light(view, many(), clear_sky), std::invalid_argument);
 }

@@ -119,7 +119,8 @@ class ExperimentFiles {
         const bool error = picture.kind == "error";
         const bool part = picture.kind == "convergence" || picture.kind == "samples";
         out_->write(file_name(picture.name) + ".png",
-                    error || part ? base::to_png(base::heat_rgb(picture.values, error ? full_error : 1.0), width, height)
+                    error || part ? base::to_png(base::heat_rgb(picture.values, error ? full_error : 1.0),
+                                                 width, height)
                                   : pictures::to_visibility_png(picture.values, width, height));
         out_->keep();  // a run that is taken up again does not measure what the picture shows
     }
