@@ -33,13 +33,12 @@ struct AuditCommand {
 };
 
 // The functions of the file. Says what is left out; throws where nothing remains.
-std::vector<check::OwnFunction> audited_functions(const AuditCommand& command,
-                                                  const std::shared_ptr<const check::OwnFile>& file) {
-    check::OwnFunctions all = functions_of(file, command.functions, command.own);
+std::vector<check::OwnFunction> audited_functions(const AuditCommand& command, FileFunctions read) {
+    check::OwnFunctions& all = read.functions;
     for (const check::LeftOut& function : all.left_out)
         fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
                                                       function.name, function.why)));
-    for (const std::string& made : file->excerpts.by_macro)
+    for (const std::string& made : read.file->excerpts.by_macro)
         fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(), made);
     if (all.found.empty())
         throw std::runtime_error(
@@ -76,10 +75,11 @@ int run_audit(AuditCommand& command, EquationsNamed* equations) {
     std::tie(command.file, command.functions) = file_and_functions(command.words, equations);
     const record::OutputFile json(command.json);
     const record::OutputFile html(command.html);
-    const auto file = own_file(command.file, command.own);
-    const std::vector<check::OwnFunction> functions = audited_functions(command, file);
-    const record::AuditReport report{
-        .file = command.file.string(), .source = file->text, .audits = audits_of(command, file, functions)};
+    const FileFunctions read = functions_of(command.file, command.functions, command.own);
+    const std::vector<check::OwnFunction> functions = audited_functions(command, read);
+    const record::AuditReport report{.file = command.file.string(),
+                                     .source = read.file->text,
+                                     .audits = audits_of(command, read.file, functions)};
     int status = 0;
     for (const check::Audit& audit : report.audits) {
         if (audit.is_broken()) status = 1;

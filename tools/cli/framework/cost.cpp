@@ -75,8 +75,7 @@ std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::files
 }
 
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
-    const auto own = own_file(file, command.own);
-    check::OwnFunctions functions = functions_of(own, command.functions, command.own);
+    auto [own, functions] = functions_of(file, command.functions, command.own);
     std::vector<check::LeftOut>& left_out = functions.left_out;
     std::erase_if(functions.found, [&](const check::OwnFunction& one) {
         const bool of_quad = one.team.kind == backend::Team::Kind::quad;

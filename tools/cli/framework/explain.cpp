@@ -121,8 +121,7 @@ Target target_of(const std::vector<std::string>& words, EquationsNamed* equation
 
 int run_explain(const ExplainOptions& options, EquationsNamed* equations) {
     const Target target = target_of(options.words, equations);
-    const check::OwnFunctions functions =
-        functions_of(own_file(target.file, options.own), {target.function}, options.own);
+    const check::OwnFunctions functions = functions_of(target.file, {target.function}, options.own).functions;
     if (functions.found.empty())
         throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
                                                 functions.left_out.front().why));

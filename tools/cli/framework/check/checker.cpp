@@ -56,34 +56,31 @@ std::pair<std::string, std::vector<std::string>> file_and_functions(const std::v
     return {file, functions};
 }
 
-std::shared_ptr<const check::OwnFile> own_file(const std::filesystem::path& file,
-                                               const OwnFileOptions& options) {
-    const std::filesystem::path path = std::filesystem::absolute(file);
-    std::string text = shader::read_text(file);
-    return base::tried(file.string(), [&] {
-        return std::make_shared<const check::OwnFile>(
-            path, std::move(text), include_roots_of(path, options.includes), options.defines);
-    });
-}
-
 check::Lab lab_of(std::shared_ptr<const check::OwnFile> file, const std::string& device) {
     return check::Lab({.device = device, .cache_directory = cache_directory(), .file = std::move(file)});
 }
 
-check::OwnFunctions functions_of(const std::shared_ptr<const check::OwnFile>& file,
-                                 const std::vector<std::string>& names, const OwnFileOptions& options) {
+FileFunctions functions_of(const std::filesystem::path& file, const std::vector<std::string>& names,
+                           const OwnFileOptions& options) {
+    const std::string text = shader::read_text(file);
     const check::Ranges ranges = ranges_from(options.ranges);
-    check::OwnFunctions functions = base::tried(file->name, [&] {
-        return check::own_functions({.cache_directory = cache_directory(), .file = file}, names);
+    FileFunctions all = base::tried(file.string(), [&] {
+        const std::filesystem::path path = std::filesystem::absolute(file);
+        FileFunctions read{std::make_shared<const check::OwnFile>(
+                               path, text, include_roots_of(path, options.includes), options.defines),
+                           {}};
+        read.functions =
+            check::own_functions({.cache_directory = cache_directory(), .file = read.file}, names);
+        return read;
     });
     std::set<std::string> parameters;
-    for (const check::OwnFunction& own : functions.found)
+    for (const check::OwnFunction& own : all.functions.found)
         for (const shader::Parameter& parameter : own.function.parameters) parameters.insert(parameter.name);
     for (const auto& range : ranges)
         if (!parameters.contains(range.first))
             throw std::invalid_argument(fmt::format("--range {}: no parameter has this name, only: {}",
                                                     range.first, fmt::join(parameters, ", ")));
-    return functions;
+    return all;
 }
 
 std::string why_nothing(const std::vector<check::LeftOut>& left_out) {

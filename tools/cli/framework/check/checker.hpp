@@ -31,20 +31,23 @@ namespace gloam::cli {
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
 [[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
 
-// A user's file with the include roots that the command line adds, read once for all labs and functions.
-// Throws std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects.
-[[nodiscard]] std::shared_ptr<const check::OwnFile> own_file(const std::filesystem::path& file,
-                                                             const OwnFileOptions& options);
+// A user's file with the include roots that the command line adds, read once for all labs, and its functions
+// with these names (check::own_functions()); without names all.
+struct FileFunctions {
+    std::shared_ptr<const check::OwnFile> file;
+    check::OwnFunctions functions;
+};
 
-// A lab for its functions.
+// Throws std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects;
+// std::invalid_argument for a function that it does not define, and for a range without a parameter of its
+// name.
+[[nodiscard]] FileFunctions functions_of(const std::filesystem::path& file,
+                                         const std::vector<std::string>& names,
+                                         const OwnFileOptions& options);
+
+// A lab for the functions of a file.
 [[nodiscard]] check::Lab lab_of(std::shared_ptr<const check::OwnFile> file,
                                 const std::string& device = std::string(check::interpreter_name));
-
-// Its functions with these names (check::own_functions()); without names all. Throws std::invalid_argument
-// for a function that it does not define, and for a range without a parameter of its name.
-[[nodiscard]] check::OwnFunctions functions_of(const std::shared_ptr<const check::OwnFile>& file,
-                                               const std::vector<std::string>& names,
-                                               const OwnFileOptions& options);
 
 // Why nothing is left of a file of which these functions were left out.
 [[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);

@@ -87,9 +87,7 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
 std::vector<check::Question> functions_in_file(const CheckOptions& options, CheckOutcome& outcome) {
     const std::vector<std::string>& words = options.equations;
     const std::string& file = words.front();
-    const std::shared_ptr<const check::OwnFile> own = own_file(file, options.task.own);
-    const check::OwnFunctions functions =
-        functions_of(own, {words.begin() + 1, words.end()}, options.task.own);
+    const auto [own, functions] = functions_of(file, {words.begin() + 1, words.end()}, options.task.own);
     const std::string& version = own->excerpts.version;
     if (!version.empty() && version != "450" && version != "450 core")
         outcome.notes.push_back(
