@@ -170,7 +170,7 @@ void Lowering::place_globals() {
         global_slots_[id] = new_slots(module_.types.slots(type));
         global_types_[id] = type;
     }
-    Function none;
+    static const Function none{};
     scope_.function = &none;
     for (const shader::Instruction& i : module_.computed_constants) {
         // [length | OpSpecConstantOp, type, result, opcode, operands...] rewritten as an instruction with
