@@ -126,8 +126,7 @@ const ByHand rows[] = {
      groove_at, 16, 0.116, 0.177},
     // CS-I: a ball at the foot of a slope of 45 degrees is solid to 5/8. Blocks as large as half of the disc
     // hold the foot and the slope both, which no interval of heights is like. Where nothing is seen a block
-    // is
-    // empty: every other column of a floor fills a quarter of a ball.
+    // is empty: every other column of a floor fills a quarter of a ball.
     {"method=volumetric_area radius=0.4 samples=2", groove_at, 64, 0.555, 0.695},
     {"method=volumetric_area radius=0.4 samples=8", groove_at, 64, 0.595, 0.655},
     {"method=volumetric_area radius=0.4 samples=2048", groove_at, 1, 0.619, 0.631},

@@ -15,9 +15,9 @@ std::string text_for(const MethodInfo& method, int layers, float farthest) {
     return fmt::format(
         "#include \"{}\"\n"
         "#include \"passes/study/method_values.glsl\"\n"
-        "{}struct GatherKernel {{\n    float radius;\n    float bias;\n    float angle;\n    uint first;\n   "
-        " "
-        "uint count;\n}};\n"
+        "{}struct GatherKernel {{\n"
+        "    float radius;\n    float bias;\n    float angle;\n    uint first;\n    uint count;\n"
+        "}};\n"
         "vec2 method_gather(vec3 position, vec3 normal, GloamCamera camera, GatherKernel given, MethodValues "
         "values) {{\n"
         "    GloamKernel kernel = GloamKernel(given.radius, given.bias, given.angle, given.first, "

@@ -32,31 +32,27 @@ struct AuditCommand {
     check::AuditOptions options;
 };
 
-// The functions of the file. Says what is left out; throws where nothing remains.
-std::vector<check::OwnFunction> audited_functions(const AuditCommand& command, FileFunctions read) {
-    check::OwnFunctions& all = read.functions;
-    for (const check::LeftOut& function : all.left_out)
+// Says what is left out; throws where nothing remains.
+void say_left_out(const AuditCommand& command, const FileFunctions& read) {
+    for (const check::LeftOut& function : read.functions.left_out)
         fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
                                                       function.name, function.why)));
     for (const std::string& made : read.file->excerpts.by_macro)
         fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(), made);
-    if (all.found.empty())
-        throw std::runtime_error(
-            fmt::format("{}: nothing was audited: {}", command.file.string(), why_nothing(all.left_out)));
-    return std::move(all.found);
+    if (read.functions.found.empty())
+        throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
+                                             why_nothing(read.functions.left_out)));
 }
 
 // One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
-std::vector<check::Audit> audits_of(const AuditCommand& command,
-                                    const std::shared_ptr<const check::OwnFile>& file,
-                                    const std::vector<check::OwnFunction>& functions) {
+std::vector<check::Audit> audits_of(const AuditCommand& command, const FileFunctions& read) {
     std::vector<check::Audit> audits;
     const check::Ranges ranges = ranges_from(command.own.ranges);
-    const check::Lab interpreter = lab_of(file);
+    const check::Lab interpreter = lab_of(read.file);
     if (!command.devices.empty()) require_good_drivers();
     std::vector<check::Lab> labs;
-    for (const std::string& device : command.devices) labs.push_back(lab_of(file, device));
-    for (const check::OwnFunction& function : functions) {
+    for (const std::string& device : command.devices) labs.push_back(lab_of(read.file, device));
+    for (const check::OwnFunction& function : read.functions.found) {
         try {
             audits.push_back(check::audit(interpreter, function, ranges, command.options));
         } catch (const interpreter::Error& error) {
@@ -76,10 +72,9 @@ int run_audit(AuditCommand& command, EquationsNamed* equations) {
     const record::OutputFile json(command.json);
     const record::OutputFile html(command.html);
     const FileFunctions read = functions_of(command.file, command.functions, command.own);
-    const std::vector<check::OwnFunction> functions = audited_functions(command, read);
-    const record::AuditReport report{.file = command.file.string(),
-                                     .source = read.file->text,
-                                     .audits = audits_of(command, read.file, functions)};
+    say_left_out(command, read);
+    const record::AuditReport report{
+        .file = command.file.string(), .source = read.file->text, .audits = audits_of(command, read)};
     int status = 0;
     for (const check::Audit& audit : report.audits) {
         if (audit.is_broken()) status = 1;

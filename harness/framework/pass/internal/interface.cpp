@@ -153,7 +153,7 @@ void append_places(const LaidOut& member, std::size_t at, std::size_t depth, std
 }  // namespace
 
 std::optional<gpu::Format> format_named(const std::string& name) {
-    return name.ends_with("32i") ? std::nullopt : gpu::format_from(name);
+    return name.ends_with("32i") ? std::nullopt : gpu::format_from(name);  // signed ones: of functions alone
 }
 
 std::size_t channels_of(gpu::Format format) {
