@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which lines and branches inputs reach.
-#include "audit/coverage.hpp"
+#include "audit/audit.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check::coverage_test {

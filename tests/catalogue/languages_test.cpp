@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every include compiles alone, unchanged and packed, in every GLSL version that the library supports.
-#include "audit/coverage.hpp"
+#include "audit/audit.hpp"
 #include "backend/gl/program.hpp"
 #include "module/compile.hpp"
 #include "support/entries.hpp"

@@ -10,10 +10,8 @@
 #include <map>
 #include <utility>
 
-#include "audit/coverage.hpp"
 #include "audit/internal/search.hpp"
 #include "judge/explain.hpp"
-#include "judge/run.hpp"
 #include "judge/session.hpp"
 #include "numeric/numbers.hpp"
 
@@ -98,13 +96,12 @@ std::size_t output_of(Concern concern, const Reading& reading) {
 // The findings of one function.
 class Findings {
   public:
-    Findings(AuditRuns& runs, const internal::AuditSearch& search) : runs_(runs), search_(search) {}
+    Findings(AuditRuns& runs, internal::AuditSearch& search) : runs_(runs), search_(search) {}
 
     [[nodiscard]] std::vector<AuditFinding> all() {
         add_fault();
-        add_places(Concern::not_finite, search_.not_finite);
-        add_places(Concern::undefined, search_.undefined);
-        add_places(Concern::unspecified, search_.unspecified);
+        for (const Concern concern : {Concern::not_finite, Concern::undefined, Concern::unspecified})
+            add_places(concern);
         add_parting();
         add_loss();
         add_width();
@@ -115,14 +112,20 @@ class Findings {
   private:
     using Still = std::function<bool(const std::vector<Word>&)>;
 
+    // Of the first example; null: there is none.
+    AuditFinding* add_first(Concern concern, const Still& still) {
+        const internal::Examples& examples = search_.examples[concern];
+        if (examples.random.empty() && examples.others.empty()) return nullptr;
+        AuditFinding& finding =
+            add(concern, (examples.random.empty() ? examples.others : examples.random).front(), still);
+        finding.share = share_of(examples.shown);
+        return &finding;
+    }
+
     void add_fault() {
-        const std::vector<Word>* const first = search_.faults.first();
-        if (first == nullptr) return;
-        AuditFinding& finding = add(Concern::fault, *first, [&](const std::vector<Word>& words) {
-            return !runs_.read(words).fault.empty();
-        });
-        finding.share = share_of(search_.faults.shown);
-        finding.message = runs_.read(finding.words).fault;
+        AuditFinding* const finding = add_first(
+            Concern::fault, [&](const std::vector<Word>& words) { return !runs_.read(words).fault.empty(); });
+        if (finding != nullptr) finding->message = runs_.read(finding->words).fault;
     }
 
     // The operation at which an input goes wrong.
@@ -138,14 +141,15 @@ class Findings {
     }
 
     [[nodiscard]] bool is_so(Concern concern, const std::vector<Word>& words) {
-        const Reading reading = runs_.read(words, gaps_of(concern));
-        if (concern == Concern::not_finite) return internal::shows(concern, reading);
-        if (concern == Concern::unspecified && runs_.is_undefined(words, runs_.read(words))) return false;
-        return runs_.is_undefined(words, reading, gaps_of(concern));
+        if (concern == Concern::not_finite) return internal::shows(concern, runs_.read(words));
+        if (concern == Concern::unspecified && runs_.is_undefined(words, AuditRuns::Gaps::closed))
+            return false;
+        return runs_.is_undefined(words, gaps_of(concern));
     }
 
     // One finding for each operation at which the examples go wrong.
-    void add_places(Concern concern, const internal::Examples& examples) {
+    void add_places(Concern concern) {
+        const internal::Examples& examples = search_.examples[concern];
         std::map<AuditPlace, std::size_t> random;
         std::map<AuditPlace, std::vector<Word>> first;
         for (const std::vector<Word>& words : examples.random) {
@@ -169,23 +173,19 @@ class Findings {
     }
 
     void add_parting() {
-        const std::vector<Word>* const first = search_.parted.first();
-        if (first == nullptr) return;
         const auto parting_of = [this](const std::vector<Word>& words) {
             return runs_.parting_of(words, runs_.read(words));
         };
-        AuditFinding& finding = add(Concern::parting, *first, [&](const std::vector<Word>& words) {
-            return parting_of(words).has_value();
-        });
-        finding.share = share_of(search_.parted.shown);
-        const auto parting = parting_of(finding.words);
+        AuditFinding* const finding = add_first(
+            Concern::parting, [&](const std::vector<Word>& words) { return parting_of(words).has_value(); });
+        const auto parting = finding == nullptr ? std::nullopt : parting_of(finding->words);
         if (!parting) return;
-        finding.output = parting->output;
-        finding.value = runs_.read(finding.words).outputs.at(parting->output).value;
-        finding.exact = parting->other;
-        finding.message = parting->driver == 0 ? "exactly" : "on another driver";
-        finding.place = runs_.place_of(*parting, finding.words);
-        finding.reservation = about_zero(runs_.steps(finding.words));
+        finding->output = parting->output;
+        finding->value = runs_.read(finding->words).outputs.at(parting->output).value;
+        finding->exact = parting->other;
+        finding->message = parting->driver == 0 ? "exactly" : "on another driver";
+        finding->place = runs_.place_of(*parting, finding->words);
+        finding->reservation = about_zero(runs_.steps(finding->words));
     }
 
     // A quotient that is exactly 0: no driver is known to be off there, but Vulkan's words permit it.
@@ -200,7 +200,8 @@ class Findings {
     }
 
     // The worst input of a search, with simpler numbers that keep most of it; null: it is not worth a line.
-    AuditFinding* add_worst(Concern concern, const internal::WorstInput& worst) {
+    AuditFinding* add_worst(Concern concern) {
+        const internal::WorstInput& worst = search_.worst[concern];
         if (digits_of(worst.score) < least_lost) return nullptr;
         AuditFinding& finding = add(concern, worst.words, [&](const std::vector<Word>& words) {
             const Reading reading = runs_.read(words);
@@ -212,7 +213,7 @@ class Findings {
     }
 
     void add_loss() {
-        AuditFinding* const finding = add_worst(Concern::digits, search_.digits);
+        AuditFinding* const finding = add_worst(Concern::digits);
         if (finding == nullptr) return;
         const Explanation steps = runs_.steps(finding->words);
         if (steps.worst == steps.steps.size()) return;
@@ -223,7 +224,7 @@ class Findings {
 
     // All paths and all orders of sums; where these are too many to tell, those of one path.
     void add_width() {
-        AuditFinding* const finding = add_worst(Concern::drivers, search_.drivers);
+        AuditFinding* const finding = add_worst(Concern::drivers);
         if (finding == nullptr) return;
         const Explanation steps = runs_.steps(finding->words);
         finding->place = widest_place(steps);
@@ -252,44 +253,28 @@ class Findings {
     }
 
     AuditRuns& runs_;
-    const internal::AuditSearch& search_;
+    internal::AuditSearch& search_;
     std::vector<AuditFinding> all_;
 };
 
-// What each line of the source loses over some inputs.
-class Lines {
-  public:
-    void add(const Explanation& steps) {
+// What each line of the source loses over some inputs, those included that nothing reached.
+std::vector<AuditLine> lines_of(AuditRuns& runs, const std::vector<std::vector<Word>>& inputs,
+                                const Coverage& coverage) {
+    std::map<std::pair<std::string, unsigned>, double> losses;
+    for (const Coverage::Point& point : coverage.points) losses[{point.file, point.line}] = 0.0;
+    for (const std::vector<Word>& words : inputs) {
         double highest = 0.0;
-        for (const ExplainedStep& step : steps.steps) {
-            AuditLine& line = lines_[{step.file, step.line}];
-            line.reached = true;
-            if (std::isfinite(step.ulps) && step.ulps > highest) {
-                const double lost = std::min(digits_of(step.ulps, std::max(highest, 1.0)), float_digits);
-                line.lost = std::max(line.lost, lost);
-                highest = step.ulps;
-            }
+        for (const ExplainedStep& step : runs.steps(words).steps) {
+            double& lost = losses[{step.file, step.line}];
+            if (!std::isfinite(step.ulps) || step.ulps <= highest) continue;
+            lost = std::max(lost, std::min(digits_of(step.ulps, std::max(highest, 1.0)), float_digits));
+            highest = step.ulps;
         }
     }
-
-    // With the lines that nothing reached.
-    [[nodiscard]] std::vector<AuditLine> take(const Coverage& coverage) {
-        for (const Coverage::Point& point : coverage.points) {
-            AuditLine& line = lines_[{point.file, point.line}];
-            line.reached = line.reached || (point.way.empty() && point.reached);
-        }
-        std::vector<AuditLine> all;
-        for (auto& [place, line] : lines_) {
-            line.file = place.first;
-            line.line = place.second;
-            all.push_back(line);
-        }
-        return all;
-    }
-
-  private:
-    std::map<std::pair<std::string, unsigned>, AuditLine> lines_;
-};
+    std::vector<AuditLine> lines;
+    for (const auto& [place, lost] : losses) lines.push_back({place.first, place.second, lost});
+    return lines;
+}
 
 }  // namespace
 
@@ -299,7 +284,7 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
     const KernelSource source = lab.source(asked.file, asked.function, asked.signature);
     question.domain = domain_of(lab, asked, source);
     AuditRuns runs(lab, question, source, options.seed);
-    const internal::AuditSearch search = internal::search(runs, options);
+    internal::AuditSearch search = internal::search(runs, options);
     Audit all{.function = question.name.empty() ? question.function : question.name,
               .declaration = shader::to_glsl({.name = question.function,
                                               .result = question.signature.result,
@@ -313,13 +298,11 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
     if (!all.was_run()) return all;
     all.findings = Findings(runs, search).all();
     // Each run of an endless loop takes long.
-    if (2 * search.faults.shown > search.random) return all;
+    if (2 * search.examples[Concern::fault].shown > search.random) return all;
     all.coverage = measure_coverage(lab, question, {.inputs = options.inputs, .seed = options.seed});
-    all.rewrites = internal::rewrites(lab, runs, search, all.findings);
-    Lines lines;
-    for (const std::vector<Word>& words : search.traced) lines.add(runs.steps(words));
-    for (const AuditFinding& finding : all.findings) lines.add(runs.steps(finding.words));
-    all.lines = lines.take(all.coverage);
+    for (const AuditFinding& finding : all.findings) search.traced.push_back(finding.words);
+    if (!all.findings.empty()) all.rewrites = internal::rewrites(lab, runs, search);
+    all.lines = lines_of(runs, search.traced, all.coverage);
     return all;
 }
 

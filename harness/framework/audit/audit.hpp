@@ -9,6 +9,7 @@
 #include "audit/own_domain.hpp"
 #include "judge/function.hpp"
 #include "judge/question.hpp"
+#include "judge/run.hpp"
 #include "numeric/interval.hpp"
 #include "subject/lab.hpp"
 #include "subject/own_function.hpp"
@@ -73,7 +74,6 @@ struct AuditLine {
     std::string file;
     unsigned line = 0;
     double lost = 0.0;  // most digits that its operations lose
-    bool reached = false;
 };
 
 // A change of the source that was tried and helps.
@@ -132,6 +132,10 @@ template <class Type>
 // Runs the worst inputs of an audit on the lab's device and adds what it gives. Inputs that fault are not
 // run. `question`: of the same function. Throws like Lab::kernel() and KernelCore::run().
 void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options = {});
+
+// Measures what the inputs of a run reach, in the function and in all that it calls, with the interpreter in
+// float32. Throws like run(), and interpreter::Error.
+[[nodiscard]] Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options);
 
 // What a finding shows: "NaN", "0.25, exactly 0.5", "up to 3.9 of 7.2 digits".
 [[nodiscard]] std::string result_text(const AuditFinding& finding);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "audit/coverage.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "audit/audit.hpp"
 #include "base/text.hpp"
 #include "judge/explain.hpp"
 #include "judge/session.hpp"
@@ -23,11 +22,9 @@ constexpr std::uint64_t most_steps = 100'000'000;  // about a second
 constexpr std::size_t first_inputs = 1024;         // of each scenario; they contain inputs of all kinds
 constexpr std::size_t first_look = 64;             // first test after this many inputs
 
-using Roots = std::vector<std::filesystem::path>;
-
 // The lines of a source file; empty if it cannot be read or lies outside the include roots, because #line can
 // name any file.
-std::vector<std::string> lines_of(const std::string& file, const Roots& roots) {
+std::vector<std::string> lines_of(const std::string& file, const std::vector<std::filesystem::path>& roots) {
     std::vector<std::string> lines;
     try {
         const std::string path = std::filesystem::absolute(file).string();
@@ -42,88 +39,19 @@ std::vector<std::string> lines_of(const std::string& file, const Roots& roots) {
     return lines;
 }
 
-bool is_of_source(const interpreter::Place& place) {
-    return !place.file.empty() && place.file != generated;
+// The points of the source, without their texts.
+Coverage points_of(const interpreter::Coverage& seen, std::size_t inputs) {
+    Coverage all{.inputs = inputs, .points = {}};
+    const auto add = [&all](const interpreter::Place& place, const std::string& way, bool reached) {
+        if (!place.file.empty() && place.file != generated)
+            all.points.push_back({place.file, place.line, "", way, reached});
+    };
+    for (const interpreter::Coverage::Line& line : seen.lines()) add(line.place, "", line.reached);
+    for (const interpreter::Coverage::Way& way : seen.ways())
+        add(way.place, way.way + (way.branch == 1 ? "" : fmt::format(", branch {} of the line", way.branch)),
+            way.reached);
+    return all;
 }
-
-// The same program with the images of each scenario.
-class Measurement {
-  public:
-    Measurement(const Lab& lab, const Question& question, const RunOptions& options)
-        : lab_(lab),
-          question_(question),
-          options_(options),
-          module_(lined_module(lab, lab.source(question.file, question.function, question.signature))),
-          domain_(domain_of(lab, question, *module_.source)),
-          program_(module_.spirv),
-          seen_(program_) {}
-
-    Coverage run() {
-        const std::size_t scenarios = std::max<std::size_t>(question_.scenarios.size(), 1);
-        for_each_scenario(question_, options_.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            if (!complete_) run(scenario, share, most_steps / scenarios);
-        });
-        Coverage all = summary();
-        std::map<std::string, std::vector<std::string>> files;
-        for (Coverage::Point& point : all.points) {
-            const auto [known, fresh] = files.try_emplace(point.file);
-            if (fresh) known->second = lines_of(point.file, lab_.options().include_roots);
-            if (point.line >= 1 && point.line <= known->second.size())
-                point.text = known->second[point.line - 1];
-        }
-        return all;
-    }
-
-  private:
-    void run(const ImageScenario& scenario, std::size_t share, std::uint64_t steps) {
-        const ImageSet images = images_of(scenario, options_.seed);
-        const auto words = image_words(module_, images);
-        InterpretedKernel<float> kernel(program_, module_, words);
-        const Domain::Inputs inputs =
-            domain_.draw(share, input_seed_of(question_, scenario, options_.seed), scenario.size);
-        for (std::size_t i = 0; i < inputs.count() && !complete_; ++i) {
-            if (i >= first_inputs && kernel.machine().steps() > steps) break;
-            try {
-                kernel.run(inputs.row(i), seen_);
-            } catch (const interpreter::Error& error) {
-                // An input that faults reaches what it ran; a check judges it, not this count.
-                if (error.kind() == interpreter::Error::Kind::missing) throw;
-            }
-            if (++run_ < next_look_) continue;
-            next_look_ *= 2;
-            complete_ = is_complete();
-        }
-        complete_ = complete_ || is_complete();
-    }
-
-    [[nodiscard]] bool is_complete() const { return summary().is_complete(); }
-
-    [[nodiscard]] Coverage summary() const {
-        Coverage all{.inputs = run_, .points = {}};
-        for (const interpreter::Coverage::Line& line : seen_.lines()) {
-            if (is_of_source(line.place))
-                all.points.push_back({line.place.file, line.place.line, "", "", line.reached});
-        }
-        for (const interpreter::Coverage::Way& way : seen_.ways()) {
-            if (!is_of_source(way.place)) continue;
-            const std::string number =
-                way.branch == 1 ? "" : fmt::format(", branch {} of the line", way.branch);
-            all.points.push_back({way.place.file, way.place.line, "", way.way + number, way.reached});
-        }
-        return all;
-    }
-
-    const Lab& lab_;
-    const Question& question_;
-    const RunOptions& options_;
-    KernelModule module_;
-    Domain domain_;
-    interpreter::Program program_;
-    interpreter::Coverage seen_;
-    std::size_t run_ = 0;
-    std::size_t next_look_ = first_look;
-    bool complete_ = false;
-};
 
 }  // namespace
 
@@ -151,7 +79,43 @@ std::string to_text(const Coverage& coverage) {
 }
 
 Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options) {
-    return Measurement(lab, question, options).run();
+    const KernelModule module =
+        lined_module(lab, lab.source(question.file, question.function, question.signature));
+    const Domain domain = domain_of(lab, question, *module.source);
+    const interpreter::Program program(module.spirv);
+    const std::uint64_t steps = most_steps / std::max<std::size_t>(question.scenarios.size(), 1);
+    interpreter::Coverage seen(program);
+    std::size_t run = 0;
+    std::size_t next_look = first_look;
+    bool complete = false;
+    for_each_scenario(question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        if (complete) return;
+        const auto words = image_words(module, images_of(scenario, options.seed));
+        InterpretedKernel<float> kernel(program, module, words);
+        const Domain::Inputs inputs =
+            domain.draw(share, input_seed_of(question, scenario, options.seed), scenario.size);
+        for (std::size_t i = 0; i < inputs.count() && !complete; ++i) {
+            if (i >= first_inputs && kernel.machine().steps() > steps) break;
+            try {
+                kernel.run(inputs.row(i), seen);
+            } catch (const interpreter::Error& error) {
+                // An input that faults reaches what it ran; a check judges it, not this count.
+                if (error.kind() == interpreter::Error::Kind::missing) throw;
+            }
+            if (++run < next_look) continue;
+            next_look *= 2;
+            complete = points_of(seen, run).is_complete();
+        }
+        complete = complete || points_of(seen, run).is_complete();
+    });
+    Coverage all = points_of(seen, run);
+    std::map<std::string, std::vector<std::string>> files;
+    for (Coverage::Point& point : all.points) {
+        const auto [known, fresh] = files.try_emplace(point.file);
+        if (fresh) known->second = lines_of(point.file, lab.options().include_roots);
+        if (point.line >= 1 && point.line <= known->second.size()) point.text = known->second[point.line - 1];
+    }
+    return all;
 }
 
 }  // namespace gloam::check

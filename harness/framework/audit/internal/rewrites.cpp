@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <ranges>
+#include <sstream>
 #include <tuple>
 
 #include "audit/internal/search.hpp"
@@ -47,8 +50,7 @@ void add(Score& score, AuditRuns& runs, const Case& one) {
     if (is_broken(runs, one.words, reading)) {
         ++score.broken;
         if (one.sound) score.loss = numeric::infinity;
-    } else if (runs.is_undefined(one.words, runs.read(one.words, AuditRuns::Gaps::open),
-                                 AuditRuns::Gaps::open)) {
+    } else if (runs.is_undefined(one.words, AuditRuns::Gaps::open)) {
         ++score.unspecified;
     }
     if (!reading.fault.empty() || shows(Concern::fault, one.original) ||
@@ -104,30 +106,24 @@ std::string gain_text(const Score& before, const Score& after, std::size_t input
 std::pair<std::string, unsigned> place_at(std::string_view text, std::size_t at, const std::string& file) {
     unsigned line = 1;
     std::string name = file;
-    for (std::size_t begin = 0; begin <= at;) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view row = text.substr(begin, end - begin);
-        if (end >= at) break;
+    std::istringstream rows{std::string(text.substr(0, at))};
+    for (std::string row; std::getline(rows, row) && !rows.eof();) {
         ++line;
-        if (row.starts_with("#line ")) {
-            const char* const first = row.data() + 6;
-            std::from_chars(first, row.data() + row.size(), line);
-            const std::size_t quote = row.find('"');
-            if (quote != std::string_view::npos) name = row.substr(quote + 1, row.rfind('"') - quote - 1);
-        }
-        begin = end + 1;
+        if (!row.starts_with("#line ")) continue;
+        std::from_chars(&row[6], row.data() + row.size(), line);
+        const std::size_t quote = row.find('"');
+        if (quote != std::string::npos) name = row.substr(quote + 1, row.rfind('"') - quote - 1);
     }
     return {name, line};
 }
 
-std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
-                           const std::vector<AuditFinding>& findings) {
+std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search) {
+    constexpr std::size_t most_examples = 32;  // of a kind
     std::vector<std::vector<Word>> all = search.traced;
-    for (const AuditFinding& finding : findings) all.push_back(finding.words);
-    for (const Examples* examples : {&search.not_finite, &search.undefined, &search.unspecified})
-        for (const auto* some : {&examples->random, &examples->others})
-            all.insert(all.end(), some->begin(),
-                       some->begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(some->size(), 32)));
+    for (const auto& [concern, examples] : search.examples)
+        if (concern != Concern::fault && concern != Concern::parting)
+            for (const auto* some : {&examples.random, &examples.others})
+                std::ranges::copy(*some | std::views::take(most_examples), std::back_inserter(all));
     std::vector<Case> cases;
     for (const std::vector<Word>& words : all) {
         Reading reading = runs.read(words);
@@ -139,19 +135,17 @@ std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
 
 }  // namespace
 
-std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search,
-                                   const std::vector<AuditFinding>& findings) {
+std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search) {
     std::vector<AuditRewrite> all;
     const Question& question = runs.question();
     const KernelSource& source = runs.source();
-    if (findings.empty() || source.text.empty()) return all;
-    const std::vector<Case> cases = cases_of(runs, search, findings);
+    if (source.text.empty()) return all;
+    const std::vector<Case> cases = cases_of(runs, search);
     const Score before = score_on(runs, cases);
     std::size_t tried = 0;
     for (const Candidate& candidate : candidates_of(source.text)) {
         if (tried++ == most_tried) break;
         KernelSource changed = source;
-        changed.text = source.text;
         changed.text.replace(candidate.begin, candidate.end - candidate.begin, candidate.after);
         changed.text.insert(0, candidate.helper);
         try {

@@ -16,11 +16,8 @@
 #include "numeric/paths.hpp"
 
 namespace gloam::check::internal {
-namespace {
 
 using shader::Scalar;
-
-}  // namespace
 
 AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSource& source, std::uint64_t seed)
     : AuditRuns(lined_module(lab, source), question, images_of(question.first_scenario(), seed)) {}
@@ -46,10 +43,8 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       doubles_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       drivers_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
     drivers_.machine().set_sampling(1);
-    drivers_.machine().set_limit(most_audited_instructions);
-    kernel_.machine().set_limit(most_audited_instructions);
-    floats_.machine().set_limit(most_audited_instructions);
-    doubles_.machine().set_limit(most_audited_instructions);
+    const auto limit = [](auto&... kernel) { (kernel.machine().set_limit(most_audited_instructions), ...); };
+    limit(kernel_, floats_, doubles_, drivers_);
 }
 
 Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
@@ -122,9 +117,8 @@ std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
     try {
         floats_.run(input);
         instructions_ += floats_.machine().steps() - before;
-        std::vector<Word> words;
-        for (std::size_t w = 0; w < scalars_.size(); ++w) words.push_back(floats_.output(w).bits());
-        for (std::size_t w = 0; w < scalars_.size(); ++w) outputs.push_back(number_at(scalars_[w], words[w]));
+        for (std::size_t w = 0; w < scalars_.size(); ++w)
+            outputs.push_back(number_at(scalars_[w], floats_.output(w).bits()));
     } catch (const interpreter::Error&) {
         outputs.clear();
     }

@@ -9,10 +9,8 @@
 #include <vector>
 
 #include "audit/audit.hpp"
-#include "audit/internal/moves.hpp"
 #include "judge/explain.hpp"
 #include "judge/interpretation.hpp"
-#include "judge/question.hpp"
 #include "module/spirv.hpp"
 #include "subject/interpreted_kernel.hpp"
 #include "subject/lab.hpp"
@@ -65,6 +63,9 @@ class AuditRuns {
     // keep it from every driver, which intervals along one path do not see. `reading`: of the input.
     [[nodiscard]] bool is_undefined(std::span<const Word> input, const Reading& reading,
                                     Gaps gaps = Gaps::closed);
+    [[nodiscard]] bool is_undefined(std::span<const Word> input, Gaps gaps) {
+        return is_undefined(input, read(input, gaps), gaps);
+    }
 
     // Whether double, or one of a few drivers that keep the rules, takes another path than float32 and gives
     // another result; the first that does. `reading`: of the input.

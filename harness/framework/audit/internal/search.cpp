@@ -2,6 +2,7 @@
 #include "audit/internal/search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -15,6 +16,7 @@ constexpr std::size_t random_part = 4;  // one of this many drawn ones has no sp
 constexpr std::size_t most_examples = 128;
 constexpr std::size_t most_traced = 64;
 constexpr std::size_t generation = 64;  // inputs of one round of a climb
+constexpr std::array losses{Concern::digits, Concern::drivers};
 
 using Candidate = Moves::Candidate;
 
@@ -28,7 +30,8 @@ Domain without_special(const Domain& domain) {
 // Runs inputs and keeps the worst of each concern.
 class Search {
   public:
-    Search(AuditRuns& runs, const AuditOptions& options) : runs_(runs), options_(options) {}
+    Search(AuditRuns& runs, const AuditOptions& options)
+        : runs_(runs), options_(options), slots_(slots_of(runs.question())) {}
 
     AuditSearch run() {
         const std::size_t draws = std::max<std::size_t>(options_.inputs / drawn_part, random_part);
@@ -40,7 +43,7 @@ class Search {
         Moves moves(runs_.question(), draws - random, runs_.image_size(), options_.seed, options_.seed);
         (void)draw(moves.drawn(), false, 0.5);
         try_remainders(moves.drawn());
-        try_decimals(moves.drawn());
+        if (moves.drawn().count() > 0) try_decimals(moves.drawn().row(0));
         try_places(usual);
         const std::size_t rest = (options_.inputs - draws) / 2;
         if (moves.possible())
@@ -53,67 +56,66 @@ class Search {
         return static_cast<double>(runs_.instructions()) < share * static_cast<double>(options_.steps);
     }
 
-    // What rounding leaves of zero, where a number may have both signs: fract() of a small negative one is 1.
-    // It shows an index beyond a table; nobody means such numbers, so it shows nothing else.
-    void try_remainders(const Domain::Inputs& drawn) {
-        constexpr std::size_t most_rows = 16;
-        const auto slots = slots_of(runs_.question());
-        for (std::size_t i = 0; i < std::min(drawn.count(), most_rows) && has_steps(0.5); ++i)
-            for (const Slot& slot : slots)
-                for (std::size_t k = 0; k < slot.count; ++k)
-                    for (const float sign : {-1.0F, 1.0F}) try_remainder(drawn.row(i), slot, k, sign);
+    // Calls visit(slot, k) for each float of an input.
+    template <class Visit>
+    void for_each_float(const Visit& visit) const {
+        for (const Slot& slot : slots_)
+            for (std::size_t k = 0; k < slot.count; ++k)
+                if (scalars_of(slot.parameter->type).at(k) == shader::Scalar::float_) visit(slot, k);
     }
 
-    // A row with another number in a slot; nullopt if that is no float, or the domain has no such number.
+    // A row with another number in a slot; nullopt if the domain has no such number.
     static std::optional<std::vector<Word>> with(std::span<const Word> row, const Slot& slot, std::size_t k,
                                                  float number) {
-        if (scalars_of(slot.parameter->type).at(k) != shader::Scalar::float_) return std::nullopt;
         std::vector<Word> words(row.begin(), row.end());
         words[slot.first + k] = to_word(number);
         if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return std::nullopt;
         return words;
     }
 
-    void try_remainder(std::span<const Word> row, const Slot& slot, std::size_t k, float sign) {
-        if (!with(row, slot, k, -0x1p-6F) || !with(row, slot, k, 0x1p-6F)) return;
-        std::vector<Word> words(row.begin(), row.end());
-        words[slot.first + k] = to_word(sign * 0x1p-30F);
-        runs_.question().domain.adjust(words);
-        if (shows(Concern::fault, runs_.read(words))) keep(found_.faults, words, false);
+    // What rounding leaves of zero, where a number may have both signs: fract() of a small negative one is 1.
+    // It shows an index beyond a table; nobody means such numbers, so it shows nothing else.
+    void try_remainders(const Domain::Inputs& drawn) {
+        constexpr std::size_t most_rows = 16;
+        for (std::size_t i = 0; i < std::min(drawn.count(), most_rows) && has_steps(0.5); ++i)
+            for_each_float([&](const Slot& slot, std::size_t k) {
+                const auto usual = with(drawn.row(i), slot, k, 0x1p-6F);
+                if (!usual || !with(drawn.row(i), slot, k, -0x1p-6F)) return;
+                for (const float tiny : {-0x1p-30F, 0x1p-30F}) {
+                    std::vector<Word> words = *usual;
+                    words[slot.first + k] = to_word(tiny);
+                    runs_.question().domain.adjust(words);
+                    if (shows(Concern::fault, runs_.read(words))) keep(Concern::fault, words, false);
+                }
+            });
     }
 
     // Numbers as people write them: int(x * 10.0) decides otherwise in double for 0.7, and for few floats
     // that are drawn.
-    void try_decimals(const Domain::Inputs& drawn) {
+    void try_decimals(std::span<const Word> row) {
         constexpr int most_steps = 100;
-        for (const Slot& slot : slots_of(runs_.question()))
-            for (std::size_t k = 0; k < slot.count && drawn.count() > 0; ++k)
-                for (const double unit : {0.1, 1.0})
-                    for (int i = -most_steps; i <= most_steps && has_steps(0.5); ++i)
-                        try_number(drawn.row(0), slot, k, static_cast<float>(i * unit));
+        for_each_float([&](const Slot& slot, std::size_t k) {
+            for (const double unit : {0.1, 1.0})
+                for (int i = -most_steps; i <= most_steps && has_steps(0.5); ++i)
+                    if (auto words = with(row, slot, k, static_cast<float>(i * unit))) try_parting(*words);
+        });
     }
 
-    void try_number(std::span<const Word> row, const Slot& slot, std::size_t k, float number) {
-        std::optional<std::vector<Word>> words = with(row, slot, k, number);
-        if (!words) return;
-        runs_.question().domain.adjust(*words);
-        const Reading reading = runs_.read(*words);
-        if (reading.fault.empty() && !runs_.is_undefined(*words, reading) &&
-            runs_.parting_of(*words, reading))
-            keep(found_.parted, *words, false);
+    void try_parting(std::vector<Word>& words) {
+        runs_.question().domain.adjust(words);
+        const Reading reading = runs_.read(words);
+        if (reading.fault.empty() && !runs_.is_undefined(words, reading) && runs_.parting_of(words, reading))
+            keep(Concern::parting, words, false);
     }
 
     // Where the function goes wrong at one number only.
     void try_places(const Domain::Inputs& drawn) {
         constexpr double share = 0.6;
-        const auto places = places_of(runs_.question(), runs_.numbers(), drawn, options_.inputs / 2);
-        for (std::size_t i = 0; i < places.size() && has_steps(share); ++i) {
-            std::vector<Word> words = places[i];
+        for (std::vector<Word>& words :
+             places_of(runs_.question(), runs_.numbers(), drawn, options_.inputs / 2)) {
+            if (!has_steps(share)) break;
             runs_.question().domain.adjust(words);
-            const Reading reading = runs_.read(words);
-            if (shows(Concern::fault, reading)) keep(found_.faults, words, false);
-            if (shows(Concern::not_finite, reading)) keep(found_.not_finite, words, false);
-            if (runs_.is_undefined(words, reading)) keep(found_.undefined, words, false);
+            (void)keep_broken(words, runs_.read(words), false);
         }
     }
 
@@ -121,13 +123,13 @@ class Search {
     std::size_t draw(const Domain::Inputs& drawn, bool random, double share) {
         std::size_t i = 0;
         for (; i < drawn.count() && has_steps(share); ++i) {
-            const Candidate candidate{{drawn.row(i).begin(), drawn.row(i).end()}};
-            const Reading reading = run(candidate.words, true, random);
+            const std::vector<Word> words(drawn.row(i).begin(), drawn.row(i).end());
+            const Reading reading = run(words, true, random);
             if (!reading.fault.empty()) continue;
-            digits_.push_back({candidate.words, runs_.largest(Concern::digits, reading).relative});
-            drivers_.push_back({candidate.words, runs_.largest(Concern::drivers, reading).relative});
+            for (const Concern concern : losses)
+                pools_[concern].push_back({words, runs_.largest(concern, reading).relative});
         }
-        for (auto* pool : {&digits_, &drivers_}) Moves::keep_the_worst(*pool);
+        for (auto& [concern, pool] : pools_) Moves::keep_the_worst(pool);
         return i;
     }
 
@@ -138,8 +140,7 @@ class Search {
                 if (reading.fault.empty()) candidate.score = runs_.largest(concern, reading).relative;
             }
         };
-        moves.climb(concern == Concern::digits ? digits_ : drivers_, inputs, generation, run_all,
-                    [&] { return has_steps(share); });
+        moves.climb(pools_[concern], inputs, generation, run_all, [&] { return has_steps(share); });
     }
 
     // `drawn`: before adjustment. `draws`: it does not come from a climb.
@@ -150,38 +151,40 @@ class Search {
         ++found_.inputs;
         if (reading.too_long) ++found_.too_long;
         if (found_.traced.size() < most_traced) found_.traced.push_back(words);
-        if (shows(Concern::fault, reading)) keep(found_.faults, words, random);
-        if (shows(Concern::not_finite, reading)) keep(found_.not_finite, words, random);
-        const bool undefined = runs_.is_undefined(words, reading);
-        if (undefined) keep(found_.undefined, words, random);
-        if (draws && !undefined && is_unspecified(words)) keep(found_.unspecified, words, random);
+        const bool undefined = keep_broken(words, reading, random);
+        if (draws && !undefined && runs_.is_undefined(words, AuditRuns::Gaps::open))
+            keep(Concern::unspecified, words, random);
         if (!reading.fault.empty()) return reading;
-        if (draws && !undefined && runs_.parting_of(words, reading)) keep(found_.parted, words, random);
-        note(found_.digits, words, runs_.largest(Concern::digits, reading).relative);
-        note(found_.drivers, words, runs_.largest(Concern::drivers, reading).relative);
+        if (draws && !undefined && runs_.parting_of(words, reading)) keep(Concern::parting, words, random);
+        for (const Concern concern : losses) {
+            WorstInput& worst = found_.worst[concern];
+            const double score = runs_.largest(concern, reading).relative;
+            if (score > worst.score) worst = {score, words};
+        }
         return reading;
     }
 
-    [[nodiscard]] bool is_unspecified(const std::vector<Word>& words) {
-        constexpr auto open = AuditRuns::Gaps::open;
-        return runs_.is_undefined(words, runs_.read(words, open), open);
+    // Returns whether a result is undefined.
+    bool keep_broken(const std::vector<Word>& words, const Reading& reading, bool random) {
+        for (const Concern concern : {Concern::fault, Concern::not_finite})
+            if (shows(concern, reading)) keep(concern, words, random);
+        const bool undefined = runs_.is_undefined(words, reading);
+        if (undefined) keep(Concern::undefined, words, random);
+        return undefined;
     }
 
-    static void keep(Examples& examples, const std::vector<Word>& words, bool random) {
+    void keep(Concern concern, const std::vector<Word>& words, bool random) {
+        Examples& examples = found_.examples[concern];
         if (random) ++examples.shown;
         auto& kept = random ? examples.random : examples.others;
         if (kept.size() < most_examples) kept.push_back(words);
     }
 
-    static void note(WorstInput& worst, const std::vector<Word>& words, double score) {
-        if (score > worst.score) worst = {score, words};
-    }
-
     AuditRuns& runs_;
     const AuditOptions& options_;
+    std::vector<Slot> slots_;
     AuditSearch found_;
-    std::vector<Candidate> digits_;
-    std::vector<Candidate> drivers_;
+    std::map<Concern, std::vector<Candidate>> pools_;  // of losses
 };
 
 }  // namespace

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "audit/audit.hpp"
+#include "audit/internal/moves.hpp"
 #include "audit/internal/runs.hpp"
 
 namespace gloam::check::internal {
@@ -26,24 +26,14 @@ struct Examples {
     std::vector<std::vector<Word>> random;
     std::vector<std::vector<Word>> others;  // special values, and what the search met
     std::size_t shown = 0;                  // random ones, those that are not kept included
-
-    // A random one, if there is one; null: there is none.
-    [[nodiscard]] const std::vector<Word>* first() const {
-        if (!random.empty()) return &random.front();
-        return others.empty() ? nullptr : &others.front();
-    }
 };
 
 // What the search of an audit found.
 struct AuditSearch {
-    Examples faults;
-    Examples not_finite;
-    Examples undefined;
-    Examples unspecified;  // of drawn inputs only
-    Examples parted;       // likewise; see Parting
-    WorstInput digits;
-    WorstInput drivers;
-    std::vector<std::vector<Word>> traced;  // some drawn inputs, for the lines of the source
+    // Of every concern but digits and drivers; for unspecified results and partings of drawn inputs only.
+    std::map<Concern, Examples> examples;
+    std::map<Concern, WorstInput> worst;    // of digits and drivers
+    std::vector<std::vector<Word>> traced;  // some drawn inputs; the audit adds those of its findings
     std::size_t random = 0;                 // drawn without special values
     std::size_t inputs = 0;
     std::size_t too_long = 0;  // that did not come to their end
@@ -82,7 +72,6 @@ struct Candidate {
 
 // Those of the function's own excerpt that help on the inputs of a search, and harm on none of them. Empty if
 // the lab has no excerpt of the function.
-[[nodiscard]] std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search,
-                                                 const std::vector<AuditFinding>& findings);
+[[nodiscard]] std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search);
 
 }  // namespace gloam::check::internal

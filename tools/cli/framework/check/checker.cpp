@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "audit/coverage.hpp"
+#include "audit/audit.hpp"
 #include "audit/own_domain.hpp"
 #include "backend/backend.hpp"
 #include "base/process.hpp"
