@@ -40,16 +40,13 @@ bool is_same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-std::string number_text(double number) {
-    constexpr double exact = 0x1p53;
-    if (std::isnan(number)) return "NaN";
-    const bool whole = std::abs(number) < exact && number == std::floor(number);
-    return whole ? fmt::format("{:.0f}", number) : fmt::format("{:.9g}", number);
-}
-
 std::string numbers_text(const std::vector<double>& numbers) {
+    constexpr double exact = 0x1p53;
     std::vector<std::string> texts;
-    for (const double number : numbers) texts.push_back(number_text(number));
+    for (const double x : numbers)
+        texts.push_back(std::isnan(x)                               ? "NaN"
+                        : std::abs(x) < exact && x == std::floor(x) ? fmt::format("{:.0f}", x)
+                                                                    : fmt::format("{:.9g}", x));
     return numbers.empty() ? "no result" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -66,52 +63,35 @@ Domain wide_domain(const OwnFunction& own, const Domain& any) {
     return ordinary_domain(own.function, ordinary);
 }
 
-// The original and a changed function, side by side.
-class Pair {
-  public:
-    Pair(internal::AuditRuns& original, internal::AuditRuns& changed)
-        : original_(original), changed_(changed), scalars_(original.question().signature.output_scalars()) {}
+// Vulkan promises no NaN: a driver may give any number in its place.
+Difference difference_of(shader::Scalar scalar, double before, double after,
+                         const numeric::Bounds& permitted) {
+    if (is_same(before, after)) return Difference::none;
+    if (std::isnan(before) || permitted.is_anything()) return Difference::unpromised;
+    if (std::isnan(after)) return permitted.nan ? Difference::budget : Difference::real;
+    const bool finite = shader::is_float(scalar) && std::isfinite(before);
+    const bool near = finite && std::abs(before - after) <= small_error * format_of(scalar).ulp(before);
+    return near || permitted.contains(after) ? Difference::budget : Difference::real;
+}
 
-    [[nodiscard]] Difference at(const std::vector<Word>& words) {
-        using Gaps = internal::AuditRuns::Gaps;
-        const std::vector<double> before = original_.in_float(words);
-        const std::vector<double> after = changed_.in_float(words);
-        if (before.size() == after.size() && std::ranges::equal(before, after, is_same))
-            return Difference::none;
-        if (before.empty()) return Difference::unpromised;
-        for (const Gaps gaps : {Gaps::closed, Gaps::open})
-            if (original_.is_undefined(words, original_.read(words, gaps), gaps))
-                return Difference::unpromised;
-        if (after.empty()) return Difference::real;
-        const std::vector<numeric::Bounds> permitted = original_.permitted(words);
-        Difference worst = Difference::none;
-        for (std::size_t w = 0; w < before.size(); ++w)
-            worst = std::max(worst, of_word(w, before[w], after[w], permitted[w]));
-        return worst;
-    }
-
-    // The results without and with the fault.
-    [[nodiscard]] std::pair<std::string, std::string> results(const std::vector<Word>& words) {
-        return {numbers_text(original_.in_float(words)), numbers_text(changed_.in_float(words))};
-    }
-
-  private:
-    // Vulkan promises no NaN: a driver may give any number in its place.
-    [[nodiscard]] Difference of_word(std::size_t w, double before, double after,
-                                     const numeric::Bounds& permitted) const {
-        if (is_same(before, after)) return Difference::none;
-        if (std::isnan(before) || permitted.is_anything()) return Difference::unpromised;
-        if (std::isnan(after)) return permitted.nan ? Difference::budget : Difference::real;
-        const bool finite = shader::is_float(scalars_[w]) && std::isfinite(before);
-        const bool near =
-            finite && std::abs(before - after) <= small_error * format_of(scalars_[w]).ulp(before);
-        return near || permitted.contains(after) ? Difference::budget : Difference::real;
-    }
-
-    internal::AuditRuns& original_;
-    internal::AuditRuns& changed_;
-    std::vector<shader::Scalar> scalars_;
-};
+// Of an input.
+Difference difference_at(internal::AuditRuns& original, internal::AuditRuns& changed,
+                         const std::vector<Word>& words) {
+    using Gaps = internal::AuditRuns::Gaps;
+    const std::vector<double> before = original.in_float(words);
+    const std::vector<double> after = changed.in_float(words);
+    if (std::ranges::equal(before, after, is_same)) return Difference::none;
+    if (before.empty() || original.is_undefined(words, Gaps::closed) ||
+        original.is_undefined(words, Gaps::open))
+        return Difference::unpromised;
+    if (after.empty()) return Difference::real;
+    const std::vector<shader::Scalar> scalars = original.question().signature.output_scalars();
+    const std::vector<numeric::Bounds> permitted = original.permitted(words);
+    Difference worst = Difference::none;
+    for (std::size_t w = 0; w < before.size(); ++w)
+        worst = std::max(worst, difference_of(scalars[w], before[w], after[w], permitted[w]));
+    return worst;
+}
 
 }  // namespace
 
@@ -204,10 +184,9 @@ MutantComparison MutantFile::compare(const shader::Mutation& mutation, std::size
         for (const auto& [own, text] : changed) {
             if ((own->function.function.name == mutation.function) != own_only) continue;
             MutantComparison one = compare(*own, text, inputs, seed);
-            const bool replaces =
-                worst.difference == Difference::unknown ||
-                (one.difference != Difference::unknown && one.difference > worst.difference);
-            if (replaces && one.difference != Difference::unknown) worst = std::move(one);
+            if (one.difference != Difference::unknown &&
+                (worst.difference == Difference::unknown || one.difference > worst.difference))
+                worst = std::move(one);
         }
         if (worst.difference != Difference::unknown) break;  // what calls it can show no more
     }
@@ -228,12 +207,11 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
         internal::AuditRuns original(*lab_, question, source, seed);
         source.text = changed;
         internal::AuditRuns mutant(*lab_, question, source, original);
-        Pair pair(original, mutant);
         const Domain::Inputs drawn = question.domain.draw(inputs, seed, original.image_size());
         result.difference = Difference::none;
         for (std::size_t i = 0; i < drawn.count() && result.difference != Difference::real; ++i) {
             const std::vector<Word> words(drawn.row(i).begin(), drawn.row(i).end());
-            const Difference found = pair.at(words);
+            const Difference found = difference_at(original, mutant, words);
             ++result.inputs;
             if (found <= result.difference) continue;
             result.difference = found;
@@ -241,10 +219,11 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
         }
         if (result.difference == Difference::none) return result;
         result.words = internal::simplified(original, result.words, [&](const std::vector<Word>& tried) {
-            return pair.at(tried) == result.difference;
+            return difference_at(original, mutant, tried) == result.difference;
         });
         result.values = original.named(result.words);
-        std::tie(result.before, result.after) = pair.results(result.words);
+        result.before = numbers_text(original.in_float(result.words));
+        result.after = numbers_text(mutant.in_float(result.words));
     } catch (const interpreter::Error&) {
         result.difference = Difference::unknown;
     } catch (const shader::CompileError&) {

@@ -54,41 +54,31 @@ Values in_each(const Type& type, const Values& values) {
     return components == 1 ? values : vector(components, values);
 }
 
-// The largest usual number of a type.
-double usual_high_of(Scalar scalar) {
-    return std::min(usual_high, format_of(scalar).largest());
-}
-
-Described without_meaning(const Type& type) {
+Described described(const Type& type, const std::optional<Meaning>& meaning) {
     const Scalar scalar = type.scalar;
     if (scalar == Scalar::bool_) return {"false, true", in_each(type, booleans())};
-    if (!shader::is_float(scalar))
-        return {fmt::format("0 to {}", usual_index), in_each(type, integers(0, usual_index))};
-    const double high = usual_high_of(scalar);
-    return {fmt::format("-{0:.7g} to {0:.7g}, half of them 0 to 1", high),
-            in_each(type, either(without_tiny(uniform(0, 1, scalar), scalar),
-                                 signed_log_uniform(usual_low, high, scalar)))};
-}
-
-Described with(const Meaning& meaning, const Type& type) {
-    const Scalar scalar = type.scalar;
-    if (scalar == Scalar::bool_) return without_meaning(type);
     if (!shader::is_float(scalar)) {
-        const bool any_size = meaning.kind != Kind::range;
-        const long low = any_size ? 1 : std::lround(std::clamp(meaning.low, -0x1p31, 0x1p32 - 1.0));
-        const long high = any_size ? static_cast<long>(usual_high)
-                                   : std::lround(std::clamp(meaning.high, -0x1p31, 0x1p32 - 1.0));
+        long low = 0;
+        long high = usual_index;
+        if (meaning) {
+            const bool is_range = meaning->kind == Kind::range;
+            low = is_range ? std::lround(std::clamp(meaning->low, -0x1p31, 0x1p32 - 1.0)) : 1;
+            high = std::lround(is_range ? std::clamp(meaning->high, -0x1p31, 0x1p32 - 1.0) : usual_high);
+        }
         return {fmt::format("{} to {}", low, high), in_each(type, integers(low, high))};
     }
-    if (meaning.kind == Kind::unit)
+    const double high = std::min(usual_high, format_of(scalar).largest());
+    if (!meaning)
+        return {fmt::format("-{0:.7g} to {0:.7g}, half of them 0 to 1", high),
+                in_each(type, either(without_tiny(uniform(0, 1, scalar), scalar),
+                                     signed_log_uniform(usual_low, high, scalar)))};
+    if (meaning->kind == Kind::unit)
         return {type.rows == 4 ? "unit quaternions" : "unit vectors", unit_vector(type.rows)};
-    if (meaning.kind == Kind::positive) {
-        const double high = usual_high_of(scalar);
+    if (meaning->kind == Kind::positive)
         return {fmt::format("{:.7g} to {:.7g}", usual_low, high),
                 in_each(type, either(log_uniform(usual_low, high, scalar), uniform(1, 1, scalar)))};
-    }
-    return {fmt::format("{:.7g} to {:.7g}", meaning.low, meaning.high),
-            in_each(type, without_tiny(uniform(meaning.low, meaning.high, scalar), scalar))};
+    return {fmt::format("{:.7g} to {:.7g}", meaning->low, meaning->high),
+            in_each(type, without_tiny(uniform(meaning->low, meaning->high, scalar), scalar))};
 }
 
 // The length of the shortest array that a text indexes with this name alone: "weights[i]" where there is
@@ -183,38 +173,30 @@ std::string reason_of(const std::vector<OrdinaryValues>& parts) {
 class Ordinary {
   public:
     Ordinary(const OwnFunction& own, const Ranges& ranges)
-        : tokens_(shader::tokens_of(own.text)),
-          function_(own.function.name),
-          comment_(own.comment),
-          ranges_(ranges) {
+        : own_(own), ranges_(ranges), tokens_(shader::tokens_of(own.text)) {
         for (const shader::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
     }
 
-    // `range`: the parameter that may have a range.
-    void add(const Type& type, const std::string& name, const std::string& parameter,
-             std::vector<OrdinaryValues>& all) const {
-        if (!type.sizes.empty()) return add_array(type, name, parameter, all);
-        if (type.scalar == Scalar::sampler) {
-            all.push_back({name, "random images", "type", vector(std::vector<Values>{})});
-            return;
-        }
+    void add(const Type& type, const std::string& name, std::vector<OrdinaryValues>& all) const {
+        if (!type.sizes.empty()) return add_array(type, name, all);
         if (type.scalar == Scalar::structure) {
-            for (const shader::Member& member : type.members)
-                add(member.type, name + "." + member.name, parameter, all);
-            return;
+            for (const shader::Member& member : type.members) add(member.type, name + "." + member.name, all);
+        } else if (type.scalar == Scalar::sampler) {
+            all.push_back({name, "random images", "type", vector(std::vector<Values>{})});
+        } else {
+            const auto [meaning, reason] = meaning_of(type, name);
+            const auto [text, values] = described(type, meaning);
+            all.push_back({name, text, reason, values});
         }
-        const auto [described, reason] = values_of(type, name, parameter);
-        all.push_back({name, described.text, reason, described.values});
     }
 
   private:
     // Every element has the values of one.
-    void add_array(const Type& type, const std::string& name, const std::string& parameter,
-                   std::vector<OrdinaryValues>& all) const {
+    void add_array(const Type& type, const std::string& name, std::vector<OrdinaryValues>& all) const {
         Type element = type;
         element.sizes.clear();
         std::vector<OrdinaryValues> parts;
-        add(element, name, parameter, parts);
+        add(element, name, parts);
         int count = 1;
         for (const std::uint32_t size : type.sizes) count *= static_cast<int>(size);
         std::vector<Values> elements;
@@ -224,36 +206,36 @@ class Ordinary {
                        parts.size() == 1 ? vector(count, parts[0].values) : vector(elements)});
     }
 
-    [[nodiscard]] std::pair<Described, std::string> values_of(const Type& type, const std::string& name,
-                                                              const std::string& parameter) const {
+    // What is known of a value, and why.
+    [[nodiscard]] std::pair<std::optional<Meaning>, std::string> meaning_of(const Type& type,
+                                                                            const std::string& name) const {
         const int components = type.columns * type.rows;
         const bool is_float = shader::is_float(type.scalar);
         const bool is_whole = !is_float && type.scalar != Scalar::bool_;
-        if (const auto range = ranges_.find(parameter); range != ranges_.end())
-            return {with({Kind::range, range->second.low, range->second.high}, type), "--range"};
         const bool is_vector = type.scalar == Scalar::float_ && type.columns == 1 && components > 1;
         const std::string last = name.substr(name.rfind('.') + 1);
+        if (const auto range = ranges_.find(name.substr(0, name.find('.'))); range != ranges_.end())
+            return {Meaning{Kind::range, range->second.low, range->second.high}, "--range"};
         if (is_float || is_whole)
-            if (const auto meaning = internal::meaning_of_comment(comment_, last, names_, is_vector))
-                return {with(*meaning, type), "comment"};
+            if (const auto meaning = internal::meaning_of_comment(own_.comment, last, names_, is_vector))
+                return {meaning, "comment"};
         if (is_whole)
             if (const auto length = indexed_length(tokens_, last))
-                return {with({Kind::range, 0.0, static_cast<double>(*length - 1)}, type), "array"};
+                return {Meaning{Kind::range, 0.0, static_cast<double>(*length - 1)}, "array"};
         std::set<std::pair<std::string, std::string>> asked;
-        if (type.scalar == Scalar::uint_ && takes_apart(tokens_, function_, name, asked))
-            return {with({Kind::range, 0.0, 0x1p32 - 1.0}, type), "bits"};
-        if (is_float && type.columns > 1) return {with({Kind::range, -2.0, 2.0}, type), "type"};
+        if (type.scalar == Scalar::uint_ && takes_apart(tokens_, own_.function.name, name, asked))
+            return {Meaning{Kind::range, 0.0, 0x1p32 - 1.0}, "bits"};
+        if (is_float && type.columns > 1) return {Meaning{Kind::range, -2.0, 2.0}, "type"};
         if (is_float)
             if (const auto meaning = internal::meaning_of_name(last, components);
                 meaning && (meaning->kind != Kind::unit || is_vector))
-                return {with(*meaning, type), "name"};
-        return {without_meaning(type), "type"};
+                return {meaning, "name"};
+        return {std::nullopt, "type"};
     }
 
-    std::vector<shader::Token> tokens_;
-    std::string function_;
-    const std::string& comment_;
+    const OwnFunction& own_;
     const Ranges& ranges_;
+    std::vector<shader::Token> tokens_;
     std::set<std::string> names_;
 };
 
@@ -276,12 +258,12 @@ std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges
     for (const shader::Parameter& parameter : own.function.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
         if (own.team.kind != backend::Team::Kind::quad || !is_of_each(parameter)) {
-            ordinary.add(parameter.type, parameter.name, parameter.name, all);
+            ordinary.add(parameter.type, parameter.name, all);
             continue;
         }
         const Type type = shader::element_of(parameter.type);
         std::vector<OrdinaryValues> parts;
-        ordinary.add(type, parameter.name, parameter.name, parts);
+        ordinary.add(type, parameter.name, parts);
         all.push_back(in_quad(parameter, type, parts));
     }
     return all;

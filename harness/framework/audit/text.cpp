@@ -53,11 +53,6 @@ std::string operation_text(const std::string& operation) {
     return base::lower(name);
 }
 
-std::string share_text(double share) {
-    if (share == 0.0) return "for special values, or found by search";
-    return fmt::format("{:.3g} % of random inputs", 100.0 * share);
-}
-
 std::string bounds_text(const numeric::Bounds& bounds) {
     if (bounds.is_anything()) return "anything";
     if (bounds.empty()) return "NaN";
@@ -72,26 +67,22 @@ std::string loss_text(const AuditFinding& finding) {
                                                           : ", which magnifies the error of its operands";
 }
 
-// " for x = 0.5"; nothing for a function without parameters.
-std::string inputs_text(const AuditFinding& finding) {
-    return finding.values.empty() ? "" : " for " + finding.values;
-}
-
 std::string finding_text(const AuditFinding& finding) {
     const std::string place = to_text(finding.place);
     std::string witnesses;
     if (!finding.reservation.empty()) witnesses = "\n      " + finding.reservation;
     for (const AuditWitness& witness : finding.witnesses) witnesses += "\n      " + to_text(witness);
     return fmt::format("  {:<15} {}\n     {} {}{}{}\n", name_of(finding.concern), extent_text(finding),
-                       finding.values.empty() ? "" : inputs_text(finding) + ":", result_text(finding),
+                       finding.values.empty() ? "" : " for " + finding.values + ":", result_text(finding),
                        place.empty() ? "" : "\n      arises at " + place + loss_text(finding), witnesses);
 }
 
 std::string rewrite_text(const AuditRewrite& rewrite) {
-    std::string helper = rewrite.helper.empty() ? "" : "      with " + rewrite.helper;
-    for (std::size_t end = helper.find('\n'); end != std::string::npos && end + 1 < helper.size();
-         end = helper.find('\n', end + 1))
-        helper.insert(end + 1, "           ");
+    std::string helper = rewrite.helper;
+    if (!helper.empty()) {
+        helper.pop_back();  // the end of its last line
+        helper = "      with " + base::replaced(std::move(helper), "\n", "\n           ") + "\n";
+    }
     return fmt::format("  {:<15} {}: {} -> {}\n{}      {}: {}\n", "rewrite", at(rewrite.file, rewrite.line),
                        rewrite.before, rewrite.after, helper, rewrite.reason, rewrite.gain);
 }
@@ -131,7 +122,9 @@ std::string result_text(const AuditFinding& finding) {
 }
 
 std::string extent_text(const AuditFinding& finding) {
-    if (finding.concern < Concern::digits) return share_text(finding.share);
+    if (finding.concern < Concern::digits)
+        return finding.share == 0.0 ? "for special values, or found by search"
+                                    : fmt::format("{:.3g} % of random inputs", 100.0 * finding.share);
     return fmt::format("{} {:.1f} of {} digits", finding.concern == Concern::digits ? "up to" : "by",
                        std::min(finding.lost, float_digits), float_digits);
 }
