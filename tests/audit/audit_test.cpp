@@ -58,10 +58,8 @@ TEST(Audit, FindsNothingInASoundFunction) {
 }
 
 TEST(Audit, NamesTheOperationAndTheShareOfInputs) {
-    const AuditFinding* const finding = [] {
-        static const Audit audit = fixture().audit("undefined_root");
-        return find(audit, Concern::not_finite);
-    }();
+    const Audit audit = fixture().audit("undefined_root");
+    const AuditFinding* const finding = find(audit, Concern::not_finite);
     ASSERT_NE(finding, nullptr);
     EXPECT_EQ(finding->values, "x = 0") << "the simplest input that shows it";
     EXPECT_NEAR(finding->share, 0.5, 0.08);
@@ -150,7 +148,6 @@ TEST(Audit, FindsHowFarDriversMayBeApart) {
     EXPECT_LE(finding->permitted.low, finding->exact);
     EXPECT_GE(finding->permitted.high, finding->exact);
     EXPECT_GT(finding->permitted.high - finding->permitted.low, 1e-5);
-    EXPECT_LT(find(fixture().audit("sound"), Concern::drivers), finding) << "none";
 }
 
 TEST(Audit, FindsFaultsAndWhatNothingReaches) {
@@ -322,11 +319,10 @@ TEST(OrdinaryValues, DrawNoSubnormalNumbers) {
 
 std::vector<std::string> afters(const std::string& text) {
     std::vector<std::string> all;
-    for (const internal::Candidate& candidate : internal::candidates_of(text)) all.push_back(candidate.after);
+    for (const auto& [place, change] : internal::candidates_of(text)) all.push_back(change.after);
     return all;
 }
 
-// What helps is found by RewritesHelp.
 TEST(Rewrites, AreNotFoundWhereTheTextMeansAnotherThing) {
     EXPECT_THAT(afters("return y * 1.0 - cos(x);"), Not(Contains(HasSubstr("sin("))))
         << "the one belongs to a product";
@@ -336,43 +332,35 @@ TEST(Rewrites, AreNotFoundWhereTheTextMeansAnotherThing) {
         EXPECT_THAT(afters(text), IsEmpty()) << text;
 }
 
-struct Helped {
-    const char* text;  // a function f
-    const char* after;
-    Ranges ranges;
-};
-
-class RewritesHelp : public testing::TestWithParam<Helped> {};
-
-TEST_P(RewritesHelp, WhereItWasTried) {
-    const Audit audit = Audited(GetParam().text).audit("f", GetParam().ranges);
-    EXPECT_THAT(audit.rewrites, Contains(Field(&AuditRewrite::after, GetParam().after))) << to_text(audit);
+TEST(Rewrites, Help) {
+    const std::tuple<const char*, const char*, Ranges> rows[] = {
+        // a function f, the change of its text
+        {"float f(float x) { return 1.0 - cos(x); }",
+         "(2.0 * sin(0.5 * (x)) * sin(0.5 * (x)))",
+         {{"x", {0, 3}}}},
+        {"vec3 f(vec3 d) { return normalize(d); }",
+         "((d) * inversesqrt(max(dot(d, d), 1.17549435e-38)))",
+         {{"d", {-1, 1}}}},
+        {"float f(float x) { return log(1.0 + x); }", "log_of_1_plus(x)", {{"x", {0, 0.01}}}},
+        {"float f(float x) { return exp(x) - 1.0; }", "exp_minus_1(x)", {{"x", {0, 0.01}}}},
+        {"float f(float a, float b) { return a * a - b * b; }",
+         "((a - b) * (a + b))",
+         {{"a", {1, 2}}, {"b", {1, 2}}}},
+        {"float f(float x) { return pow(x, 2.0); }", "((x) * (x))", {{"x", {-2, 2}}}},
+        {"float f(float x) { return pow(1.0 - x, 5.0); }",
+         "((1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x))",
+         {{"x", {0, 1}}}},
+        {"float f(float x) { return pow(x, 3.); }", "((x) * (x) * (x))", {{"x", {0, 4}}}},
+        {"float f(vec3 d) { return length(d); }", "scaled_length(d)", {{"d", {1e18, 1e22}}}},
+        {"float f(float x) { return sin(x); }", "sin(within_pi(x))", {{"x", {-6, 6}}}},
+        {"float f(float x) { return smoothstep(1.0, 0.0, x); }",
+         "smoothstep(-(1.0), -(0.0), -(x))",
+         {{"x", {0, 1}}}}};
+    for (const auto& [text, after, ranges] : rows) {
+        const Audit audit = Audited(text).audit("f", ranges);
+        EXPECT_THAT(audit.rewrites, Contains(Field(&AuditRewrite::after, after))) << to_text(audit);
+    }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    All, RewritesHelp,
-    testing::Values(
-        Helped{"float f(float x) { return 1.0 - cos(x); }",
-               "(2.0 * sin(0.5 * (x)) * sin(0.5 * (x)))",
-               {{"x", {0, 3}}}},
-        Helped{"vec3 f(vec3 d) { return normalize(d); }",
-               "((d) * inversesqrt(max(dot(d, d), 1.17549435e-38)))",
-               {{"d", {-1, 1}}}},
-        Helped{"float f(float x) { return log(1.0 + x); }", "log_of_1_plus(x)", {{"x", {0, 0.01}}}},
-        Helped{"float f(float x) { return exp(x) - 1.0; }", "exp_minus_1(x)", {{"x", {0, 0.01}}}},
-        Helped{"float f(float a, float b) { return a * a - b * b; }",
-               "((a - b) * (a + b))",
-               {{"a", {1, 2}}, {"b", {1, 2}}}},
-        Helped{"float f(float x) { return pow(x, 2.0); }", "((x) * (x))", {{"x", {-2, 2}}}},
-        Helped{"float f(float x) { return pow(1.0 - x, 5.0); }",
-               "((1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x))",
-               {{"x", {0, 1}}}},
-        Helped{"float f(float x) { return pow(x, 3.); }", "((x) * (x) * (x))", {{"x", {0, 4}}}},
-        Helped{"float f(vec3 d) { return length(d); }", "scaled_length(d)", {{"d", {1e18, 1e22}}}},
-        Helped{"float f(float x) { return sin(x); }", "sin(within_pi(x))", {{"x", {-6, 6}}}},
-        Helped{"float f(float x) { return smoothstep(1.0, 0.0, x); }",
-               "smoothstep(-(1.0), -(0.0), -(x))",
-               {{"x", {0, 1}}}}));
 
 // A rewrite that changes what the function means is none, even if it loses fewer digits.
 TEST(Rewrites, KeepTheMeaning) {

@@ -89,7 +89,7 @@ AuditRuns::Gaps gaps_of(Concern concern) {
 // The output that shows a concern.
 std::size_t output_of(Concern concern, const Reading& reading) {
     for (std::size_t w = 0; w < reading.outputs.size(); ++w)
-        if (internal::shows(concern, {.outputs = {reading.outputs[w]}, .fault = {}})) return w;
+        if (internal::shows(concern, reading.outputs[w])) return w;
     return 0;
 }
 
@@ -201,7 +201,7 @@ class Findings {
 
     // The worst input of a search, with simpler numbers that keep most of it; null: it is not worth a line.
     AuditFinding* add_worst(Concern concern) {
-        const internal::WorstInput& worst = search_.worst[concern];
+        const internal::Moves::Candidate& worst = search_.worst[concern];
         if (digits_of(worst.score) < least_lost) return nullptr;
         AuditFinding& finding = add(concern, worst.words, [&](const std::vector<Word>& words) {
             const Reading reading = runs_.read(words);

@@ -142,8 +142,8 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
 [[nodiscard]] std::string extent_text(const AuditFinding& finding);
 // "tone.glsl:12 (acos)", empty if the place is unknown.
 [[nodiscard]] std::string to_text(const AuditPlace& place);
-// "0.25 on llvmpipe"
-[[nodiscard]] std::string to_text(const AuditWitness& witness);
+// On what the result rests, and what devices give: "0.25 on llvmpipe".
+[[nodiscard]] std::vector<std::string> remarks_on(const AuditFinding& finding);
 // The ways and lines that nothing reached, one each: "tone.glsl:12: never true: if (x > 2.0)".
 [[nodiscard]] std::vector<std::string> missed(const Coverage& coverage);
 

@@ -15,6 +15,7 @@
 
 #include "audit/internal/parameter_meaning.hpp"
 #include "base/number.hpp"
+#include "source/declarations.hpp"
 #include "source/tokens.hpp"
 
 namespace gloam::check {
@@ -22,6 +23,7 @@ namespace {
 
 using shader::Scalar;
 using shader::Type;
+using shader::internal::Declaration;
 
 using internal::Kind;
 using internal::Meaning;
@@ -29,11 +31,6 @@ using internal::usual_high;
 using internal::usual_low;
 
 constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
-
-struct Described {
-    std::string text;
-    Values values;
-};
 
 // No one means subnormal numbers, or the smallest normal ones, though they lie in the range.
 Values without_tiny(Values values, Scalar scalar) {
@@ -54,7 +51,8 @@ Values in_each(const Type& type, const Values& values) {
     return components == 1 ? values : vector(components, values);
 }
 
-Described described(const Type& type, const std::optional<Meaning>& meaning) {
+// What is said of a value, and its values.
+std::pair<std::string, Values> described(const Type& type, const std::optional<Meaning>& meaning) {
     const Scalar scalar = type.scalar;
     if (scalar == Scalar::bool_) return {"false, true", in_each(type, booleans())};
     if (!shader::is_float(scalar)) {
@@ -96,26 +94,6 @@ std::optional<long> indexed_length(shader::Tokens tokens, const std::string& nam
     return shortest;
 }
 
-// The bodies of the functions with this name, each with the names of its parameters.
-struct Body {
-    std::vector<std::string> parameters;
-    shader::Tokens tokens;
-};
-std::vector<Body> bodies_of(shader::Tokens tokens, const std::string& function) {
-    std::vector<Body> all;
-    for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
-        if (tokens[i] != function || tokens[i + 1] != "(" || !tokens[i - 1].is_word()) continue;
-        const std::size_t behind = shader::behind(tokens, i + 1);
-        if (behind >= tokens.size() || tokens[behind] != "{") continue;
-        Body body{.parameters = {},
-                  .tokens = tokens.subspan(behind, shader::behind(tokens, behind) - behind)};
-        for (std::size_t k = i + 2; k < behind; ++k)
-            if (tokens[k] == "," || k + 1 == behind) body.parameters.push_back(tokens[k - 1].text);
-        all.push_back(std::move(body));
-    }
-    return all;
-}
-
 // The name of the function that is called with the token at `at` as its whole argument, and which argument
 // that is; empty: it is none.
 std::pair<std::string, std::size_t> call_with(shader::Tokens tokens, std::size_t at) {
@@ -134,14 +112,16 @@ std::pair<std::string, std::size_t> call_with(shader::Tokens tokens, std::size_t
 // Whether a function reads single bits of an integer parameter, itself or where it passes it on: by shifts,
 // masks, and functions of bits and packed numbers. A limit of a loop is a count.
 // `asked`: functions and parameters that were asked before.
-bool takes_apart(shader::Tokens tokens, const std::string& function, const std::string& name,
+bool takes_apart(const std::vector<Declaration>& text, const std::string& function, const std::string& name,
                  std::set<std::pair<std::string, std::string>>& asked) {
     if (!asked.emplace(function, name).second) return false;
     static const std::set<std::string, std::less<>> of_bits{
         "uintBitsToFloat", "bitfieldExtract", "bitfieldReverse", "unpackHalf2x16",
         "unpackUnorm2x16", "unpackSnorm2x16", "unpackUnorm4x8",  "unpackSnorm4x8"};
     bool found = false;
-    for (const auto& [parameters, body] : bodies_of(tokens, function)) {
+    for (const Declaration& declared : text) {
+        if (!declared.defines(function)) continue;
+        const shader::Tokens body = shader::Tokens(declared.tokens).subspan(declared.function->body);
         for (std::size_t i = 1; i + 1 < body.size(); ++i) {
             if (body[i] != name) continue;
             const std::string& before = body[i - 1].text;
@@ -151,9 +131,10 @@ bool takes_apart(shader::Tokens tokens, const std::string& function, const std::
                 found || after == ">>" || after == "&" || after == ">>=" || after == "&=" || before == "&";
             const auto [called, argument] = call_with(body, i);
             found = found || of_bits.contains(called);
-            for (const Body& other : bodies_of(tokens, called))
-                found = found || (argument < other.parameters.size() &&
-                                  takes_apart(tokens, called, other.parameters[argument], asked));
+            for (const Declaration& other : text)
+                found =
+                    found || (other.defines(called) && argument < other.function->parameters.size() &&
+                              takes_apart(text, called, other.function->parameters[argument].name, asked));
         }
     }
     return found;
@@ -173,7 +154,10 @@ std::string reason_of(const std::vector<OrdinaryValues>& parts) {
 class Ordinary {
   public:
     Ordinary(const OwnFunction& own, const Ranges& ranges)
-        : own_(own), ranges_(ranges), tokens_(shader::tokens_of(own.text)) {
+        : own_(own),
+          ranges_(ranges),
+          text_(outline(shader::internal::whole_text(own.text)).declarations),
+          tokens_(shader::tokens_of(own.text)) {
         for (const shader::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
     }
 
@@ -223,7 +207,7 @@ class Ordinary {
             if (const auto length = indexed_length(tokens_, last))
                 return {Meaning{Kind::range, 0.0, static_cast<double>(*length - 1)}, "array"};
         std::set<std::pair<std::string, std::string>> asked;
-        if (type.scalar == Scalar::uint_ && takes_apart(tokens_, own_.function.name, name, asked))
+        if (type.scalar == Scalar::uint_ && takes_apart(text_, own_.function.name, name, asked))
             return {Meaning{Kind::range, 0.0, 0x1p32 - 1.0}, "bits"};
         if (is_float && type.columns > 1) return {Meaning{Kind::range, -2.0, 2.0}, "type"};
         if (is_float)
@@ -235,6 +219,7 @@ class Ordinary {
 
     const OwnFunction& own_;
     const Ranges& ranges_;
+    std::vector<Declaration> text_;
     std::vector<shader::Token> tokens_;
     std::set<std::string> names_;
 };

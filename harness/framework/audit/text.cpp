@@ -69,12 +69,11 @@ std::string loss_text(const AuditFinding& finding) {
 
 std::string finding_text(const AuditFinding& finding) {
     const std::string place = to_text(finding.place);
-    std::string witnesses;
-    if (!finding.reservation.empty()) witnesses = "\n      " + finding.reservation;
-    for (const AuditWitness& witness : finding.witnesses) witnesses += "\n      " + to_text(witness);
+    std::string remarks;
+    for (const std::string& remark : remarks_on(finding)) remarks += "\n      " + remark;
     return fmt::format("  {:<15} {}\n     {} {}{}{}\n", name_of(finding.concern), extent_text(finding),
                        finding.values.empty() ? "" : " for " + finding.values + ":", result_text(finding),
-                       place.empty() ? "" : "\n      arises at " + place + loss_text(finding), witnesses);
+                       place.empty() ? "" : "\n      arises at " + place + loss_text(finding), remarks);
 }
 
 std::string rewrite_text(const AuditRewrite& rewrite) {
@@ -94,8 +93,12 @@ std::string to_text(const AuditPlace& place) {
     return fmt::format("{} ({})", at(place.file, place.line), operation_text(place.operation));
 }
 
-std::string to_text(const AuditWitness& witness) {
-    return fmt::format("{} on {}", number(witness.value), base::one_line(witness.device));
+std::vector<std::string> remarks_on(const AuditFinding& finding) {
+    std::vector<std::string> remarks;
+    if (!finding.reservation.empty()) remarks.push_back(finding.reservation);
+    for (const AuditWitness& witness : finding.witnesses)
+        remarks.push_back(fmt::format("{} on {}", number(witness.value), base::one_line(witness.device)));
+    return remarks;
 }
 
 std::string result_text(const AuditFinding& finding) {

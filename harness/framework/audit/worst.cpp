@@ -27,7 +27,7 @@ void evaluate(const Session& session, const Domain& domain, Answer& answer,
 
 }  // namespace
 
-SearchResult search(const Lab& lab, const Question& question, const SearchOptions& options) {
+SearchResult search(const Lab& lab, const Question& question, const RunOptions& options) {
     using internal::Moves;
     SearchResult found;
     const auto climb = [&](const Session& session, const ImageScenario& scenario, std::size_t share,
@@ -35,18 +35,20 @@ SearchResult search(const Lab& lab, const Question& question, const SearchOption
         if (question.domain.parameters().empty() || share == 0) return;
         const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
         Moves moves(question, drawn, scenario.size, session.input_seed(), options.seed);
-        std::vector<Moves::Candidate> pool;
         const auto run = [&](std::vector<Moves::Candidate>& some) {
             evaluate(session, question.domain, answer, some);
         };
-        std::vector<Moves::Candidate> first = moves.drawn_candidates();
+        std::vector<Moves::Candidate> pool;
+        std::vector<Moves::Candidate> first(moves.drawn().count());
+        for (std::size_t i = 0; i < first.size(); ++i)
+            first[i].words.assign(moves.drawn().row(i).begin(), moves.drawn().row(i).end());
         run(first);
         Moves::add(std::move(first), pool);
         if (!pool.empty()) found.drawn_fraction = std::max(found.drawn_fraction, pool.front().score);
         moves.climb(pool, share - drawn, generation, run, [] { return true; });
     };
     found.answer = answered(lab, question, options.inputs, options.seed,
-                            options.verdict.value_or(verdict_of(lab.options().variant, question)), climb);
+                            verdict_of(lab.options().variant, question), climb);
     return found;
 }
 

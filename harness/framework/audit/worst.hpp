@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-
 #include "judge/run.hpp"
 
 namespace gloam::check {
-
-struct SearchOptions {
-    std::size_t inputs = 65'536;  // evaluated in total
-    std::uint64_t seed = 1;
-    // The search maximises the error as a fraction of what this verdict allows. Empty: the verdict of the
-    // lab's variant.
-    std::optional<Verdict> verdict{};
-};
 
 // The result of a search for one function.
 struct SearchResult {
@@ -23,10 +11,10 @@ struct SearchResult {
     double drawn_fraction = 0.0;  // the largest of the inputs drawn at random, before the climb
 };
 
-// Searches for the inputs with the largest error. A quarter of the inputs is drawn at random. The others
-// start from the worst inputs so far and move to neighbouring floats, by powers of two up to whole exponents,
-// or exchange parameters. All stay inside the domain. Throws like run().
-[[nodiscard]] SearchResult search(const Lab& lab, const Question& question,
-                                  const SearchOptions& options = {});
+// Searches for the inputs with the largest error, as a fraction of what the verdict of the lab's variant
+// allows. A quarter of the inputs is drawn at random. The others start from the worst inputs so far and move
+// to neighbouring floats, by powers of two up to whole exponents, or exchange parameters. All stay inside the
+// domain. Throws like run().
+[[nodiscard]] SearchResult search(const Lab& lab, const Question& question, const RunOptions& options = {});
 
 }  // namespace gloam::check

@@ -110,8 +110,7 @@ Table domain_table(const check::Audit& audit) {
 // What the interpreter and the devices give.
 std::string result_of(const check::AuditFinding& finding) {
     std::string text = result_text(finding);
-    if (!finding.reservation.empty()) text += "; " + finding.reservation;
-    for (const check::AuditWitness& witness : finding.witnesses) text += "; " + to_text(witness);
+    for (const std::string& remark : remarks_on(finding)) text += "; " + remark;
     return text;
 }
 

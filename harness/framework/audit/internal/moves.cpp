@@ -6,12 +6,6 @@
 #include "numeric/numbers.hpp"
 
 namespace gloam::check::internal {
-namespace {
-
-constexpr int most_moves = 3;  // of one input at once
-constexpr int tries = 4;       // attempts to find a move that stays inside the domain
-
-}  // namespace
 
 std::vector<Slot> slots_of(const Question& question) {
     std::vector<Slot> slots;
@@ -33,13 +27,6 @@ Moves::Moves(const Question& question, std::size_t drawn, glm::ivec2 image_size,
       scalars_(question.signature.input_scalars()),
       slots_(slots_of(question)),
       drawn_(question.domain.draw_unadjusted(drawn, input_seed, image_size)) {}
-
-std::vector<Moves::Candidate> Moves::drawn_candidates() const {
-    std::vector<Candidate> all;
-    for (std::size_t i = 0; i < drawn_.count(); ++i)
-        all.push_back({{drawn_.row(i).begin(), drawn_.row(i).end()}});
-    return all;
-}
 
 void Moves::add(std::vector<Candidate> candidates, std::vector<Candidate>& pool) {
     for (Candidate& candidate : candidates)
@@ -73,13 +60,10 @@ std::vector<Word> Moves::from_pool(const std::vector<Candidate>& pool) {
         const auto row = drawn_.row(random_.below(drawn_.count()));
         return {row.begin(), row.end()};
     }
+    constexpr std::uint64_t most_moves = 3;
     const double rank = random_.unit() * random_.unit();
-    return moved(pool[static_cast<std::size_t>(rank * static_cast<double>(pool.size()))].words);
-}
-
-std::vector<Word> Moves::moved(std::vector<Word> words) {
-    const auto moves = 1 + static_cast<int>(random_.below(most_moves));
-    for (int i = 0; i < moves; ++i) move(words);
+    std::vector<Word> words = pool[static_cast<std::size_t>(rank * static_cast<double>(pool.size()))].words;
+    for (std::uint64_t moves = 1 + random_.below(most_moves); moves > 0; --moves) move(words);
     return words;
 }
 
@@ -87,6 +71,7 @@ void Moves::move(std::vector<Word>& words) {
     const Slot& slot = slots_[random_.below(slots_.size())];
     const auto at = static_cast<std::ptrdiff_t>(slot.first);
     const auto count = static_cast<std::ptrdiff_t>(slot.count);
+    constexpr int tries = 4;  // to find a move that stays inside the domain
     for (int i = 0; i < tries; ++i) {
         std::vector<Word> value(words.begin() + at, words.begin() + at + count);
         if (random_.below(4) == 0) {

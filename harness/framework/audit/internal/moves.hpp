@@ -41,7 +41,6 @@ class Moves {
         std::vector<Word> words;  // as drawn, before adjustment
         double score = 0.0;
     };
-    [[nodiscard]] std::vector<Candidate> drawn_candidates() const;
 
     // Adds those of a positive score to the pool, which keeps the worst, each once, the worst first.
     static void add(std::vector<Candidate> candidates, std::vector<Candidate>& pool);
@@ -54,9 +53,8 @@ class Moves {
 
   private:
     [[nodiscard]] std::vector<Word> from_pool(const std::vector<Candidate>& pool);
-    // One to three changes of an input: a float moves by a power of two of steps, from a neighbour to several
-    // binades away, or changes its sign; or a parameter takes its value in another drawn input.
-    [[nodiscard]] std::vector<Word> moved(std::vector<Word> words);
+    // A change of an input: a float moves by a power of two of steps, from a neighbour to several binades
+    // away, or changes its sign; or a parameter takes its value in another drawn input.
     void move(std::vector<Word>& words);
     Word moved_scalar(shader::Scalar scalar, Word word);
 

@@ -100,23 +100,19 @@ double after(double x, double towards) {
 // What the rest of a sentence behind a parameter's name says.
 std::optional<Meaning> meaning_of_words(const std::string& words, bool is_vector) {
     static const std::regex interval(R"(([\[(])\s*([-+\w.π]+)\s*,\s*([-+\w.π]+)\s*([\])]))");
-    static const std::regex span(
-        R"(([-+]?[\d.]+(?:e-?\d+)?)\s*(?:to|\.\.+)\s*([-+]?[\d.]*\d(?:e-?\d+)?|pi|2pi))");
+    static const std::regex span(  // without brackets
+        R"(()([-+]?[\d.]+(?:e-?\d+)?)\s*(?:to|\.\.+)\s*([-+]?[\d.]*\d(?:e-?\d+)?|pi|2pi)())");
     static const std::regex bound(R"(^\s*(>=|>|≥)\s*([-+]?[\d.]*\d(?:e-?\d+)?))");
     static const std::regex upward(R"(([-+]?[\d.]*\d)\s+and up)");
     static const std::regex unit(R"(\b(unit|normali[sz]ed|direction)\b)");
     std::smatch m;
-    if (std::regex_search(words, m, interval)) {
+    for (const std::regex* const form : {&interval, &span}) {
+        if (!std::regex_search(words, m, *form)) continue;
         const auto low = number_of(m[2]);
         const auto high = number_of(m[3]);
         if (low && high && *low <= *high)
             return Meaning{Kind::range, m[1] == "(" ? after(*low, *high) : *low,
                            m[4] == ")" ? after(*high, *low) : *high};
-    }
-    if (std::regex_search(words, m, span)) {
-        const auto low = number_of(m[1]);
-        const auto high = number_of(m[2]);
-        if (low && high && *low <= *high) return Meaning{Kind::range, *low, *high};
     }
     if (std::regex_search(words, m, bound) || std::regex_search(words, m, upward)) {
         const bool open = m.size() > 2 && m[1] == ">";

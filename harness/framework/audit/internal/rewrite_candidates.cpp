@@ -94,7 +94,7 @@ class Matcher {
   public:
     explicit Matcher(std::string_view text) : text_(text), tokens_(with_members(text)) {}
 
-    void add(const Rule& rule, std::vector<Candidate>& found) {
+    void add(const Rule& rule, std::vector<std::pair<std::size_t, AuditRewrite>>& found) {
         const std::vector<Token> pattern = shader::tokens_of(rule.from);
         for (std::size_t first = 0; first + 2 < tokens_.size(); ++first) {
             captured_.clear();
@@ -104,10 +104,16 @@ class Matcher {
             const bool declared = pattern[1] == "(" && first > 0 && tokens_[first - 1].is_word() &&
                                   token(first - 1) != "return";
             if (!matches || declared || (rule.is_summand && !is_summand(first, end))) continue;
-            std::string after = rule.to;
-            for (const auto& [name, text] : captured_) after = base::replaced(after, "{" + name + "}", text);
-            found.push_back(
-                {tokens_[first].begin, tokens_[end - 1].end(), std::move(after), rule.helper, rule.reason});
+            const std::size_t begin = tokens_[first].begin;
+            AuditRewrite change{.file = {},
+                                .before = std::string(text_.substr(begin, tokens_[end - 1].end() - begin)),
+                                .after = rule.to,
+                                .helper = rule.helper,
+                                .reason = rule.reason,
+                                .gain = {}};
+            for (const auto& [name, text] : captured_)
+                change.after = base::replaced(change.after, "{" + name + "}", text);
+            found.emplace_back(begin, std::move(change));
         }
     }
 
@@ -170,11 +176,11 @@ class Matcher {
 
 }  // namespace
 
-std::vector<Candidate> candidates_of(std::string_view text) {
+std::vector<std::pair<std::size_t, AuditRewrite>> candidates_of(std::string_view text) {
     Matcher matcher(text);
-    std::vector<Candidate> found;
+    std::vector<std::pair<std::size_t, AuditRewrite>> found;
     for (const Rule& rule : rules) matcher.add(rule, found);
-    std::ranges::stable_sort(found, {}, &Candidate::begin);
+    std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
     return found;
 }
 

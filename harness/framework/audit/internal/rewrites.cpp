@@ -45,42 +45,34 @@ bool is_broken(AuditRuns& runs, const std::vector<Word>& words, const Reading& r
 
 // A sound result must neither be lost nor mean anything else. One that is finite is compared with the
 // original's exact one; one that is not has no truth to compare with.
-void add(Score& score, AuditRuns& runs, const Case& one) {
-    Reading reading = runs.read(one.words);
-    if (is_broken(runs, one.words, reading)) {
-        ++score.broken;
-        if (one.sound) score.loss = numeric::infinity;
-    } else if (runs.is_undefined(one.words, AuditRuns::Gaps::open)) {
-        ++score.unspecified;
-    }
-    if (!reading.fault.empty() || shows(Concern::fault, one.original) ||
-        shows(Concern::not_finite, one.original))
-        return;
-    Reading meaning = reading;
-    for (std::size_t w = 0; w < reading.outputs.size(); ++w) {
-        meaning.outputs[w].value = static_cast<float>(reading.outputs[w].exact);
-        meaning.outputs[w].exact = reading.outputs[w].exact = one.original.outputs[w].exact;
-    }
-    score.loss = std::max(score.loss, runs.largest(Concern::digits, reading).relative);
-    if (!one.sound) return;
-    score.width = std::max(score.width, runs.largest(Concern::drivers, reading).relative);
-    score.change = std::max(score.change, runs.largest(Concern::digits, meaning).relative);
-}
-
 Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
     Score score;
-    for (const Case& one : cases) add(score, runs, one);
+    for (const Case& one : cases) {
+        Reading reading = runs.read(one.words);
+        if (is_broken(runs, one.words, reading)) {
+            ++score.broken;
+            if (one.sound) score.loss = numeric::infinity;
+        } else if (runs.is_undefined(one.words, AuditRuns::Gaps::open)) {
+            ++score.unspecified;
+        }
+        if (!reading.fault.empty() || shows(Concern::fault, one.original) ||
+            shows(Concern::not_finite, one.original))
+            continue;
+        Reading meaning = reading;
+        for (std::size_t w = 0; w < reading.outputs.size(); ++w) {
+            meaning.outputs[w].value = static_cast<float>(reading.outputs[w].exact);
+            meaning.outputs[w].exact = reading.outputs[w].exact = one.original.outputs[w].exact;
+        }
+        score.loss = std::max(score.loss, runs.largest(Concern::digits, reading).relative);
+        if (!one.sound) continue;
+        score.width = std::max(score.width, runs.largest(Concern::drivers, reading).relative);
+        score.change = std::max(score.change, runs.largest(Concern::digits, meaning).relative);
+    }
     return score;
 }
 
 double digits(double relative) {
     return relative > 0x1p-24 ? std::min(std::log10(relative * 0x1p24), 7.2) : 0.0;
-}
-
-// Whether a change of a loss shows in the digits that a float has.
-bool saves(double before, double after) {
-    constexpr double least = 0.6;  // a quarter of the error
-    return digits(before) - digits(after) >= least;
 }
 
 bool harms(const Score& before, const Score& after) {
@@ -91,13 +83,14 @@ bool harms(const Score& before, const Score& after) {
 
 // What is better; empty: nothing is.
 std::string gain_text(const Score& before, const Score& after, std::size_t inputs) {
+    constexpr double least = 0.6;  // digits: a quarter of the error
     std::vector<std::string> gains;
     for (const auto& [what, a, b] : {std::tuple{"proper result", before.broken, after.broken},
                                      {"stated precision", before.unspecified, after.unspecified}})
         if (b < a) gains.push_back(fmt::format("no {} for {} -> {} of {} inputs", what, a, b, inputs));
     for (const auto& [what, a, b] :
          {std::tuple{"loses", before.loss, after.loss}, {"drivers differ by", before.width, after.width}})
-        if (saves(a, b))
+        if (digits(a) - digits(b) >= least)
             gains.push_back(fmt::format("{} {:.1f} -> {:.1f} digits", what, digits(a), digits(b)));
     return fmt::format("{}", fmt::join(gains, ", "));
 }
@@ -143,24 +136,18 @@ std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditS
     const std::vector<Case> cases = cases_of(runs, search);
     const Score before = score_on(runs, cases);
     std::size_t tried = 0;
-    for (const Candidate& candidate : candidates_of(source.text)) {
+    for (auto& [begin, change] : candidates_of(source.text)) {
         if (tried++ == most_tried) break;
         KernelSource changed = source;
-        changed.text.replace(candidate.begin, candidate.end - candidate.begin, candidate.after);
-        changed.text.insert(0, candidate.helper);
+        changed.text.replace(begin, change.before.size(), change.after);
+        changed.text.insert(0, change.helper);
         try {
             AuditRuns rewritten(lab, question, changed, runs);
             const Score after = score_on(rewritten, cases);
-            const std::string gain = gain_text(before, after, cases.size());
-            if (gain.empty() || harms(before, after)) continue;
-            const auto [file, line] = place_at(source.text, candidate.begin, question.file);
-            all.push_back({.file = file,
-                           .line = line,
-                           .before = source.text.substr(candidate.begin, candidate.end - candidate.begin),
-                           .after = candidate.after,
-                           .helper = candidate.helper,
-                           .reason = candidate.reason,
-                           .gain = gain});
+            change.gain = gain_text(before, after, cases.size());
+            if (change.gain.empty() || harms(before, after)) continue;
+            std::tie(change.file, change.line) = place_at(source.text, begin, question.file);
+            all.push_back(std::move(change));
         } catch (const shader::CompileError&) {
             continue;  // a type for which the change is not meant
         }

@@ -33,7 +33,6 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       scalars_(question.signature.output_scalars()),
       sizes_(question.signature.output_values()),
       least_(sizes_.size(), std::numeric_limits<float>::min()),
-      image_size_(question.first_scenario().size),
       images_(std::move(images)),
       modules_{std::make_shared<const KernelModule>(std::move(module))},
       decoded_(modules_, images_),

@@ -93,7 +93,7 @@ class AuditRuns {
 
     [[nodiscard]] const Question& question() const { return question_; }
     [[nodiscard]] const KernelSource& source() const { return *modules_[0]->source; }
-    [[nodiscard]] glm::ivec2 image_size() const { return image_size_; }
+    [[nodiscard]] glm::ivec2 image_size() const { return question_.first_scenario().size; }
     [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
     // The float constants of the function's module.
     [[nodiscard]] std::vector<float> numbers() const { return shader::float_constants(modules_[0]->spirv); }
@@ -130,7 +130,6 @@ class AuditRuns {
     std::vector<shader::Scalar> scalars_;
     std::vector<std::size_t> sizes_;  // of the result's vectors
     std::vector<double> least_;       // results of these vectors below count as large as this
-    glm::ivec2 image_size_{1};
     ImageSet images_;
     KernelModules modules_;
     Decoded decoded_;

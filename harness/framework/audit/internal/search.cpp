@@ -157,9 +157,9 @@ class Search {
         if (!reading.fault.empty()) return reading;
         if (draws && !undefined && runs_.parting_of(words, reading)) keep(Concern::parting, words, random);
         for (const Concern concern : losses) {
-            WorstInput& worst = found_.worst[concern];
+            Candidate& worst = found_.worst[concern];
             const double score = runs_.largest(concern, reading).relative;
-            if (score > worst.score) worst = {score, words};
+            if (score > worst.score) worst = {words, score};
         }
         return reading;
     }
@@ -193,19 +193,16 @@ AuditSearch search(AuditRuns& runs, const AuditOptions& options) {
     return Search(runs, options).run();
 }
 
+bool shows(Concern concern, const OutputReading& output) {
+    const bool finite = std::isfinite(output.value);
+    if (concern == Concern::not_finite) return !finite;
+    return finite && (output.permitted.is_anything() || output.permitted.nan);
+}
+
 bool shows(Concern concern, const Reading& reading) {
-    switch (concern) {
-        case Concern::fault:
-            return !reading.fault.empty();
-        case Concern::not_finite:
-            return std::ranges::any_of(
-                reading.outputs, [](const OutputReading& output) { return !std::isfinite(output.value); });
-        default:
-            return std::ranges::any_of(reading.outputs, [](const OutputReading& output) {
-                return std::isfinite(output.value) &&
-                       (output.permitted.is_anything() || output.permitted.nan);
-            });
-    }
+    if (concern == Concern::fault) return !reading.fault.empty();
+    return std::ranges::any_of(reading.outputs,
+                               [&](const OutputReading& output) { return shows(concern, output); });
 }
 
 std::vector<Word> simplified(const AuditRuns& runs, const std::vector<Word>& words,

@@ -15,12 +15,6 @@
 
 namespace gloam::check::internal {
 
-// The worst input of a search so far.
-struct WorstInput {
-    double score = 0.0;  // 0: none
-    std::vector<Word> words;
-};
-
 // Inputs that show a concern, and how many of the random ones do.
 struct Examples {
     std::vector<std::vector<Word>> random;
@@ -32,9 +26,9 @@ struct Examples {
 struct AuditSearch {
     // Of every concern but digits and drivers; for unspecified results and partings of drawn inputs only.
     std::map<Concern, Examples> examples;
-    std::map<Concern, WorstInput> worst;    // of digits and drivers
-    std::vector<std::vector<Word>> traced;  // some drawn inputs; the audit adds those of its findings
-    std::size_t random = 0;                 // drawn without special values
+    std::map<Concern, Moves::Candidate> worst;  // of digits and drivers
+    std::vector<std::vector<Word>> traced;      // some drawn inputs; the audit adds those of its findings
+    std::size_t random = 0;                     // drawn without special values
     std::size_t inputs = 0;
     std::size_t too_long = 0;  // that did not come to their end
 };
@@ -51,24 +45,16 @@ struct AuditSearch {
                                                        const Domain::Inputs& drawn, std::size_t most);
 
 // Whether a reading shows a concern; an unspecified result is an undefined one of a reading with open gaps.
+[[nodiscard]] bool shows(Concern concern, const OutputReading& output);
 [[nodiscard]] bool shows(Concern concern, const Reading& reading);
 
 // The simplest input, as shrink() has it, for which `still` holds.
 [[nodiscard]] std::vector<Word> simplified(const AuditRuns& runs, const std::vector<Word>& words,
                                            const std::function<bool(const std::vector<Word>&)>& still);
 
-// A change of a text that may make a function more exact.
-struct Candidate {
-    std::size_t begin = 0;  // in the text
-    std::size_t end = 0;
-    std::string after;
-    std::string helper;  // a function that stands before; may be empty
-    std::string reason;
-};
-
-// The well-known changes that a GLSL text without comments allows: 1 - cos, acos of a dot product, the
-// direction of a zero vector, and so on. None is tried.
-[[nodiscard]] std::vector<Candidate> candidates_of(std::string_view text);
+// The well-known changes that a GLSL text without comments allows, each with its position in the text: 1 -
+// cos, acos of a dot product, the direction of a zero vector, and so on. None is tried, and none has a line.
+[[nodiscard]] std::vector<std::pair<std::size_t, AuditRewrite>> candidates_of(std::string_view text);
 
 // Those of the function's own excerpt that help on the inputs of a search, and harm on none of them. Empty if
 // the lab has no excerpt of the function.
