@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/check_report.hpp"
 #include "record/answer_json.hpp"
-#include "record/check_page.hpp"
 #include "record/rows.hpp"
 
 namespace gloam::record::check_report_test {
@@ -23,8 +22,8 @@ TEST(CheckReport, OneDeviceIsAnObjectSeveralAnArrayAndBothAreReadBack) {
     for (const std::vector<CheckReport>& reports : {std::vector{a}, std::vector{a, b}}) {
         const std::vector<CheckReport> back = reports_from_json(to_json(reports));
         EXPECT_EQ(to_json(back), to_json(reports));
-        EXPECT_TRUE(back.front().device.preserves_signed_zero_inf_nan);
-        EXPECT_FALSE(back.front().device.flushes_denormals);
+        EXPECT_TRUE(back.front().device.float32.preserves_signed_zero_inf_nan);
+        EXPECT_FALSE(back.front().device.float32.flushes_denormals);
         EXPECT_EQ(back.front().count(check::Outcome::failed), 1U);
     }
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "pictures/sheet.hpp"
-#include "record/check_page.hpp"
 #include "record/page.hpp"
 #include "record/rows.hpp"
 #include "support/files.hpp"

@@ -77,7 +77,7 @@ inline CheckReport report_of(const std::string& device, std::vector<check::Answe
                        .driver = "driver 1.2",
                        .type = "cpu",
                        .api_version = "1.3.0",
-                       .preserves_signed_zero_inf_nan = true},
+                       .float32 = {.preserves_signed_zero_inf_nan = true}},
             .rows = std::move(rows)};
 }
 

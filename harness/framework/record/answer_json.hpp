@@ -9,18 +9,22 @@
 // The members of answers and devices, for files and between processes.
 namespace gloam::record {
 
-[[nodiscard]] check::Reason value_from(const JsonReader& json, check::Reason);
-[[nodiscard]] check::Verdict value_from(const JsonReader& json, check::Verdict);
-[[nodiscard]] check::InputClass value_from(const JsonReader& json, check::InputClass);
-[[nodiscard]] check::NoResult value_from(const JsonReader& json, check::NoResult);
-// With all that follows from an answer's members: the worst input without its fractions, the first unbounded
-// input as text alone, and no first failures. Throws where members disagree.
-[[nodiscard]] check::Answer value_from(const JsonReader& json, const check::Answer&);
+template <>
+inline constexpr Names names_of<check::Reason>{
+    base::reason_names.size(),
+    "\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier"};
+template <>
+inline constexpr Names names_of<check::Verdict>{2, "budget or rules"};
+template <>
+inline constexpr Names names_of<check::NoResult>{2, "undefined or too long"};
+template <>
+inline constexpr Names names_of<check::InputClass>{check::input_class_count, "a class of inputs"};
 
-template <class Io>
-void members(Io& io, numeric::Bounds& bounds) {
-    each(io, "low", bounds.low, "high", bounds.high, "nan", bounds.nan);
-}
+// All that follows from an answer's members: the worst input without its fractions, the first unbounded input
+// as text alone, and no first failures. Throws where members disagree.
+void complete(const JsonReader& json, check::Answer& answer);
+
+GLOAM_MEMBERS(numeric::Bounds, low, high, nan)
 
 template <class Io>
 void members(Io& io, check::ClassCount& c) {
@@ -42,10 +46,10 @@ void members(Io& io, std::array<check::ClassCount, check::input_class_count>& co
     for (std::size_t i = 0; i < counts.size(); ++i)
         io.member(name_of(static_cast<check::InputClass>(i)).data(), counts[i], Present::if_any);
 }
+
 template <class Io>
 void members(Io& io, std::array<check::PredicateCount, 2>& counts) {
-    io.member("false", counts[0], Present::if_any);
-    io.member("true", counts[1], Present::if_any);
+    each<Present::if_any>(io, "false", counts[0], "true", counts[1]);
 }
 
 template <class Io>
@@ -73,31 +77,23 @@ void members(Io& io, check::Coverage::Point& point) {
     io.member("file", point.file, Present::name);
     each(io, "line", point.line, "text", point.text, "way", point.way, "reached", point.reached);
 }
-template <class Io>
-void members(Io& io, check::Coverage& coverage) {
-    each(io, "inputs", coverage.inputs, "points", coverage.points);
-}
+GLOAM_MEMBERS(check::Coverage, inputs, points)
 
 // What the rules permit is calculated only where the verdict is theirs.
 template <class Io>
 void members(Io& io, check::Answer& answer) {
-    io.member("equation", answer.equation, Present::name);
-    io.member("function", answer.function, Present::name);
-    io.member("file", answer.file, Present::name);
-    io.member("variant", answer.variant, Present::name);
+    each<Present::name>(io, "equation", answer.equation, "function", answer.function, "file", answer.file,
+                        "variant", answer.variant);
     io.member("verdict", answer.verdict);
-    const bool by_rules = answer.verdict == check::Verdict::rules;
-    io.member("outcome", std::string(name_of(answer.outcome())), Present::derived);
-    io.member("not_judged_because", answer.not_judged_because(), Present::derived);
-    io.member("inputs", answer.inputs(), Present::derived);
-    io.member("judged", answer.judged(), Present::derived);
-    io.member("outside", answer.outside(), Present::derived);
-    io.member("recorded", answer.recorded(), Present::derived);
+    each<Present::derived>(io, "outcome", std::string(name_of(answer.outcome())), "not_judged_because",
+                           answer.not_judged_because(), "inputs", answer.inputs(), "judged", answer.judged(),
+                           "outside", answer.outside(), "recorded", answer.recorded());
     each(io, "by_rules", answer.by_rules, "forbidden", answer.forbidden, "bounded", answer.bounded,
          "unbounded", answer.unbounded, "undefined", answer.undefined, "undefined_at",
          answer.first_undefined);
     if (answer.undefined > 0) io.member("undefined_because", answer.no_result, Present::later);
     each(io, "differs", answer.differs, "max_ulp", answer.max_ulp, "max_abs", answer.max_absolute);
+    const bool by_rules = answer.verdict == check::Verdict::rules;
     io.member("width_fraction", answer.fraction, Present::if_given, by_rules);
     io.member("budget_fraction", answer.budget_fraction);
     io.member("guarantee", answer.guarantee, Present::if_given, by_rules);
@@ -111,8 +107,9 @@ void members(Io& io, check::Answer& answer) {
          "reason", answer.reason, "seconds", answer.seconds, "story", answer.story);
 }
 
+// Those that a report names.
 struct FloatControls {
-    DeviceSummary& of;
+    backend::FloatControls& of;
 };
 
 template <class Io>
@@ -124,11 +121,9 @@ void members(Io& io, FloatControls& controls) {
 
 template <class Io>
 void members(Io& io, DeviceSummary& device) {
-    io.member("name", device.name, Present::name);
-    io.member("driver", device.driver, Present::name);
-    io.member("type", device.type, Present::name);
-    io.member("api_version", device.api_version, Present::name);
-    FloatControls controls{device};
+    each<Present::name>(io, "name", device.name, "driver", device.driver, "type", device.type, "api_version",
+                        device.api_version);
+    FloatControls controls{device.float32};
     io.member("float_controls", controls);
 }
 

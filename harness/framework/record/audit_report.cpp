@@ -14,16 +14,9 @@
 
 namespace gloam::record {
 
-template <class Io>
-void members(Io& io, check::AuditPlace& place) {
-    each(io, "file", place.file, "line", place.line, "function", place.function, "operation",
-         place.operation);
-}
-
-template <class Io>
-void members(Io& io, check::AuditWitness& witness) {
-    each(io, "device", witness.device, "value", witness.value);
-}
+GLOAM_MEMBERS(check::AuditPlace, file, line, function, operation)
+GLOAM_MEMBERS(check::AuditWitness, device, value)
+GLOAM_MEMBERS(check::AuditRewrite, file, line, before, after, helper, reason, gain)
 
 template <class Io>
 void members(Io& io, check::AuditFinding& finding) {
@@ -46,12 +39,6 @@ void members(Io& io, check::AuditLine& line) {
 }
 
 template <class Io>
-void members(Io& io, check::AuditRewrite& rewrite) {
-    each(io, "file", rewrite.file, "line", rewrite.line, "before", rewrite.before, "after", rewrite.after,
-         "helper", rewrite.helper, "reason", rewrite.reason, "gain", rewrite.gain);
-}
-
-template <class Io>
 void members(Io& io, check::Audit& audit) {
     each(io, "function", audit.function, "declaration", audit.declaration, "inputs", audit.inputs, "random",
          audit.random, "audited", audit.was_run(), "broken", audit.is_broken(), "domain", audit.domain,
@@ -68,61 +55,50 @@ namespace {
 
 constexpr double visible_loss = 0.5;  // decimal digits
 
-// The lines of the file itself, with the most that any function loses there.
-std::vector<PageLine> coloured_lines(const AuditReport& report) {
+// The lines of the file itself, with the most that any function loses there: a digit and a half more for each
+// step of colour.
+std::string source_html(const AuditReport& report) {
+    constexpr unsigned hottest = 4;  // of the classes heat0 to heat4
     const std::filesystem::path file = std::filesystem::path(report.file).filename();
     std::map<unsigned, double> losses;
     std::map<unsigned, std::string> wrong;
     for (const check::Audit& audit : report.audits) {
-        for (const check::AuditLine& line : audit.lines) {
-            if (std::filesystem::path(line.file).filename() != file) continue;
-            double& lost = losses[line.line];
-            lost = std::max(lost, line.lost);
-        }
+        for (const check::AuditLine& line : audit.lines)
+            if (std::filesystem::path(line.file).filename() == file)
+                losses[line.line] = std::max(losses[line.line], line.lost);
         for (const check::AuditFinding& finding : audit.findings)
             if (finding.concern < check::Concern::unspecified &&
                 std::filesystem::path(finding.place.file).filename() == file)
                 wrong[finding.place.line] = name_of(finding.concern);
     }
-    std::vector<PageLine> lines;
+    std::string html = "<pre class=\"source\">";
     std::istringstream text(report.source);
+    unsigned number = 0;
     for (std::string row; std::getline(text, row);) {
-        const auto number = static_cast<unsigned>(lines.size() + 1);
-        const double lost = losses[number];
+        const double lost = losses[++number];
         std::vector<std::string> notes;
         if (wrong.contains(number)) notes.push_back(wrong[number]);
         if (lost >= visible_loss) notes.push_back(fmt::format("loses {:.1f} digits", lost));
-        // A digit and a half more for each step of colour.
         const auto steps = static_cast<unsigned>(lost / 1.5 + (lost >= visible_loss ? 1.0 : 0.0));
-        lines.push_back(
-            {number, row, wrong.contains(number) ? 4U : steps, fmt::format("{}", fmt::join(notes, ", "))});
+        html += fmt::format("<span class=\"heat{}\"><b>{:>4}</b> {}<i>{}{}</i></span>\n",
+                            wrong.contains(number) ? hottest : std::min(steps, hottest), number,
+                            escaped_html(row), notes.empty() ? "" : "  // ",
+                            escaped_html(fmt::format("{}", fmt::join(notes, ", "))));
     }
-    return lines;
-}
-
-Table domain_table(const check::Audit& audit) {
-    Table table{{{"parameter"}, {"values"}, {"because of"}}};
-    for (const check::OrdinaryValues& values : audit.domain)
-        table.rows.push_back({values.parameter, values.text, values.reason});
-    return table;
-}
-
-// What the interpreter and the devices give.
-std::string result_of(const check::AuditFinding& finding) {
-    std::string text = result_text(finding);
-    for (const std::string& remark : remarks_on(finding)) text += "; " + remark;
-    return text;
+    return html + "</pre>\n";
 }
 
 Table finding_table(const check::Audit& audit) {
     Table table{{{"concern"}, {"how much"}, {"at"}, {"input"}, {"result"}}};
     for (const check::AuditFinding& finding : audit.findings) {
         const Tone tone = finding.concern < check::Concern::unspecified ? Tone::bad : Tone::plain;
+        std::string result = result_text(finding);
+        for (const std::string& remark : remarks_on(finding)) result += "; " + remark;
         table.rows.push_back({{name_of(finding.concern), {}, tone},
                               extent_text(finding),
                               to_text(finding.place),
                               finding.values,
-                              result_of(finding)});
+                              result});
     }
     return table;
 }
@@ -130,29 +106,21 @@ Table finding_table(const check::Audit& audit) {
 // Lines for a C++ test of the framework, and for the command line.
 std::string ready_to_paste(const AuditReport& report, const check::Audit& audit) {
     std::string text;
-    for (const check::AuditFinding& finding : audit.findings) {
-        std::vector<std::string> words;
-        for (const check::Word word : finding.words) words.push_back(fmt::format("0x{:08x}", word));
-        text += fmt::format("// {}: {}\n", name_of(finding.concern), finding.values);
-        text += fmt::format("domain = domain.and_words({{{}}});\n", fmt::join(words, ", "));
-        text += fmt::format("// gloam explain {} '{}' {}\n",
-                            std::filesystem::path(report.file).filename().string(), audit.function,
-                            fmt::join(words, " "));
-    }
+    for (const check::AuditFinding& finding : audit.findings)
+        text += fmt::format(
+            "// {}: {}\ndomain = domain.and_words({{{:#010x}}});\n// gloam explain {} '{}' {:#010x}\n",
+            name_of(finding.concern), finding.values, fmt::join(finding.words, ", "),
+            std::filesystem::path(report.file).filename().string(), audit.function,
+            fmt::join(finding.words, " "));
     return text;
-}
-
-void add_rewrites(Page& page, const check::Audit& audit) {
-    for (const check::AuditRewrite& rewrite : audit.rewrites) {
-        page.paragraph(fmt::format("Line {}: {}. Tried on the inputs above: {}.", rewrite.line,
-                                   rewrite.reason, rewrite.gain));
-        page.preformatted(fmt::format("{}- {}\n+ {}", rewrite.helper, rewrite.before, rewrite.after));
-    }
 }
 
 void add_function(Page& page, const AuditReport& report, const check::Audit& audit) {
     page.heading(audit.declaration);
-    page.table(domain_table(audit));
+    Table domain{{{"parameter"}, {"values"}, {"because of"}}};
+    for (const check::OrdinaryValues& values : audit.domain)
+        domain.rows.push_back({values.parameter, values.text, values.reason});
+    page.table(domain);
     if (!audit.was_run())
         page.paragraph("Not audited: no input came to its end.");
     else if (audit.findings.empty())
@@ -164,7 +132,11 @@ void add_function(Page& page, const AuditReport& report, const check::Audit& aud
     std::string lines;
     for (const std::string& way : missed(audit.coverage)) lines += fmt::format("not reached: {}\n", way);
     if (!lines.empty()) page.preformatted(lines);
-    add_rewrites(page, audit);
+    for (const check::AuditRewrite& rewrite : audit.rewrites) {
+        page.paragraph(fmt::format("Line {}: {}. Tried on the inputs above: {}.", rewrite.line,
+                                   rewrite.reason, rewrite.gain));
+        page.preformatted(fmt::format("{}- {}\n+ {}", rewrite.helper, rewrite.before, rewrite.after));
+    }
     if (!audit.findings.empty()) page.preformatted(ready_to_paste(report, audit));
 }
 
@@ -174,9 +146,9 @@ std::string to_audit_page(const AuditReport& report) {
     Page page("Audit of " + std::filesystem::path(report.file).filename().string());
     page.paragraph(
         "Run by an interpreter, correctly rounded, in double and on intervals that hold all that Vulkan "
-        "permits. A "
-        "colour shows how many decimal digits the operations of a line lose at most; a float has 7.2.");
-    page.source(coloured_lines(report));
+        "permits. A colour shows how many decimal digits the operations of a line lose at most; a float has "
+        "7.2.");
+    page.markup(source_html(report));
     for (const check::Audit& audit : report.audits) add_function(page, report, audit);
     return page.html();
 }

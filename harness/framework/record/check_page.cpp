@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "record/check_page.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <optional>
 
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"
+#include "record/check_report.hpp"
+#include "record/page.hpp"
 
 namespace gloam::record {
 namespace {
@@ -115,16 +114,15 @@ struct EquationAccuracy {
 // Of every equation, in the order of the rows.
 std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports) {
     std::vector<EquationAccuracy> all;
-    std::map<std::string, std::size_t> places;
     for (std::size_t i = 0; i < reports.size(); ++i) {
         for (const check::Answer& row : reports[i].rows) {
-            const auto [place, is_new] = places.try_emplace(row.equation, all.size());
-            if (is_new)
-                all.push_back({.equation = row.equation,
-                               .documented = to_text(row.budget),
-                               .any_driver = {},
-                               .worst = std::vector<const check::Answer*>(reports.size())});
-            all[place->second].add(i, row);
+            auto known = std::ranges::find(all, row.equation, &EquationAccuracy::equation);
+            if (known == all.end())
+                known = all.insert(known, {.equation = row.equation,
+                                           .documented = to_text(row.budget),
+                                           .any_driver = {},
+                                           .worst = std::vector<const check::Answer*>(reports.size())});
+            known->add(i, row);
         }
     }
     return all;

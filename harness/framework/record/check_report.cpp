@@ -14,6 +14,27 @@
 
 namespace gloam::record {
 
+void complete(const JsonReader& json, check::Answer& answer) {
+    const JsonReader classes = json.member("classes");
+    for (const auto& [name, value] : classes.members()) (void)value_named<check::InputClass>(classes, name);
+    for (const auto& [name, count] : {std::pair{"inputs", answer.inputs()},
+                                      {"outside", answer.outside()},
+                                      {"recorded", answer.recorded()}}) {
+        if (json.member(name).count() != count) json.member(name).expected("the sum over the classes");
+    }
+    if (json.has("outcome") && json.member("outcome").text() != name_of(answer.outcome()))
+        json.member("outcome").expected(fmt::format("{}, by its counts", name_of(answer.outcome())));
+    const JsonReader width = json.member("width_fraction");
+    if (width.is_null() == (answer.verdict == check::Verdict::rules))
+        width.expected("a number where the verdict is rules, else null");
+    for (std::size_t i = 0; answer.worst && i < answer.worst->outcomes.size(); ++i)
+        if (answer.worst->outcomes[i].size() != answer.worst->permitted.size())
+            json.member("worst").member("outcomes").elements()[i].expected("a range for each of \"allowed\"");
+    if (answer.verdict == check::Verdict::budget) answer.fraction = answer.budget_fraction;
+    const std::string unbounded_at = json.member("unbounded_at").text();
+    if (!unbounded_at.empty()) answer.first_unbounded = check::Sample{.values = unbounded_at};
+}
+
 namespace {
 
 using nlohmann::ordered_json;

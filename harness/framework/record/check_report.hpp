@@ -18,10 +18,7 @@ struct DeviceSummary {
     std::string driver;
     std::string type;
     std::string api_version;
-    bool preserves_signed_zero_inf_nan = false;
-    bool preserves_denormals = false;
-    bool flushes_denormals = false;
-    bool rounds_to_even = false;
+    backend::FloatControls float32 = {};
 };
 
 // "NAME (DRIVER)", which identifies a driver in a report.
@@ -88,6 +85,19 @@ struct OutcomeCounts {
 // type is its reason; one that was not judged is skipped.
 [[nodiscard]] std::string to_junit(const std::vector<CheckReport>& reports);
 
+// A row for each equation: documented error, error on any driver, and measured error of each driver.
+[[nodiscard]] Table accuracy_table(const std::vector<CheckReport>& reports);
+
+// Every check of every device, failures first: a row each, with its results and its worst input. There is a
+// column for the device if there are several.
+[[nodiscard]] Table check_table(const std::vector<CheckReport>& reports);
+
+// The results of `gloam check` as one HTML page: the devices with the number of failed checks, the story of
+// each failure, accuracy_table() and check_table(). `notes`: paragraphs below the title, for example
+// conflicts between merged files.
+[[nodiscard]] std::string to_check_page(const std::vector<CheckReport>& reports,
+                                        const std::vector<std::string>& notes = {});
+
 // A report, and the file that it was read from.
 struct ReportFile {
     std::string file;
@@ -102,8 +112,8 @@ struct MergedReports {
 
 // Merges files. Two drivers are the same if all their reported properties are; their rows for the same inputs
 // and seed are united, so that shards become the whole. Of two rows that differ (except in time) the worse is
-// kept: first one that did not
-// run, then one with a fault, then the larger share outside, then the larger error.
+// kept: first one that did not run, then one with a fault, then the larger share outside, then the larger
+// error.
 [[nodiscard]] MergedReports merge(const std::vector<ReportFile>& files);
 
 // A line for each check that newly failed or was mended since an earlier run, and whose error grew or shrank

@@ -92,8 +92,8 @@ std::string failure_text(const DeviceSummary& device, const check::Answer& row,
         row.verdict == check::Verdict::rules ? "what Vulkan's precision rules permit"
                                              : "the documented accuracy",
         to_text(row.budget), device.name, device.driver, api_of(device), device.type,
-        yes_no(device.preserves_signed_zero_inf_nan), yes_no(device.preserves_denormals),
-        yes_no(device.flushes_denormals), yes_no(device.rounds_to_even));
+        yes_no(device.float32.preserves_signed_zero_inf_nan), yes_no(device.float32.preserves_denormals),
+        yes_no(device.float32.flushes_denormals), yes_no(device.float32.rounds_to_even));
     if (!again.versions.empty()) text += "Versions: " + again.versions + "\n\n";
     if (!note.empty()) text += note + "\n\n";
     const std::string command = again.command.empty()

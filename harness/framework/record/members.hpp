@@ -14,9 +14,17 @@
 #include "record/json.hpp"
 
 // JSON of a structure, and back. Its members are named once, by a function template members(io, structure)
-// beside it: a MemberWriter writes them in this order, a MemberReader reads them. An enumeration has
-// name_of(value) and value_from(json, value); so has a structure with more to read than its members.
+// beside it: a MemberWriter writes them in this order, a MemberReader reads them, and then calls
+// complete(json, structure) where there is that. An enumeration has name_of(value) and `names_of`.
 namespace gloam::record {
+
+// members() of a structure whose members have their own names in the text.
+#define GLOAM_MEMBER(name) io.member(#name, all.name);
+#define GLOAM_MEMBERS(Structure, ...)                                        \
+    template <class Io>                                                      \
+    void members(Io& io, Structure& all) {                                   \
+        NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(GLOAM_MEMBER, __VA_ARGS__)) \
+    }
 
 // How a structure is written.
 enum class Form {
@@ -34,6 +42,21 @@ enum class Present {
     if_given,  // null where `given` is false
     derived    // it follows from others, and is not read
 };
+
+// An enumeration to be read: how many values it has, counted from 0, and what they are.
+struct Names {
+    std::size_t count = 0;
+    const char* expected = nullptr;
+};
+template <class Enumeration>
+inline constexpr Names names_of{};
+
+template <class Enumeration>
+[[nodiscard]] Enumeration value_named(const JsonReader& json, std::string_view name) {
+    for (std::size_t i = 0; i < names_of<Enumeration>.count; ++i)
+        if (name_of(static_cast<Enumeration>(i)) == name) return static_cast<Enumeration>(i);
+    json.expected(names_of<Enumeration>.expected);
+}
 
 template <class T>
 concept Optional = requires(const T& value) { value.has_value(); };
@@ -124,11 +147,12 @@ class MemberReader {
     }
     template <class T>
     static void read(const JsonReader& json, T& value) {
-        if constexpr (requires { value_from(json, value); }) {
-            value = value_from(json, value);
+        if constexpr (std::is_enum_v<T>) {
+            value = value_named<T>(json, json.text());
         } else {
             MemberReader reader(json);
             members(reader, value);
+            if constexpr (requires { complete(json, value); }) complete(json, value);
         }
     }
 
@@ -136,11 +160,11 @@ class MemberReader {
     JsonReader json_;
 };
 
-// Several members that are always present: a name, a value, and so on.
-template <class Io, class T, class... Rest>
+// Several members: a name, a value, and so on.
+template <Present present = Present::always, class Io, class T, class... Rest>
 void each(Io& io, const char* name, T&& value, Rest&&... rest) {
-    io.member(name, value);
-    if constexpr (sizeof...(rest) > 0) each(io, rest...);
+    io.member(name, value, present);
+    if constexpr (sizeof...(rest) > 0) each<present>(io, rest...);
 }
 
 template <class T>

@@ -116,23 +116,8 @@ void Page::preformatted(std::string_view text) {
     body_ += fmt::format("<pre>{}</pre>\n", escaped_html(text));
 }
 
-void Page::source(const std::vector<PageLine>& lines) {
-    constexpr unsigned hottest = 4;
-    body_ += "<pre class=\"source\">";
-    for (const PageLine& line : lines)
-        body_ += fmt::format("<span class=\"heat{}\"><b>{:>4}</b> {}<i>{}{}</i></span>\n",
-                             std::min(line.heat, hottest), line.number, escaped_html(line.text),
-                             line.note.empty() ? "" : "  // ", escaped_html(line.note));
-    body_ += "</pre>\n";
-}
-
 void Page::script(std::string_view file) {
     scripts_ += fmt::format("<script src=\"{}\" defer></script>\n", url_of(file));
-}
-
-void Page::fold(std::string_view summary) {
-    body_ += fmt::format("<details class=\"fold\"><summary>{}</summary>\n", escaped_html(summary));
-    folded_ = true;
 }
 
 void Page::choose(const std::vector<PagePicture>& pictures, std::string_view caption) {
@@ -180,11 +165,11 @@ std::string Page::html() const {
         "style-src 'unsafe-inline'; script-src 'sha256-{}'{}\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"generator\" content=\"gloam {}\">\n<title>{}</title>\n"
-        "<style>\n{}</style>\n{}</head>\n<body>\n<main>\n<h1>{}</h1>\n{}{}</main>\n<script>{}</script>\n"
+        "<style>\n{}</style>\n{}</head>\n<body>\n<main>\n<h1>{}</h1>\n{}</main>\n<script>{}</script>\n"
         "</body>\n</html>\n",
         base64_of_hex(internal::page_script_sha256), scripts_.empty() ? "" : " 'self' file:", base::version(),
         escaped_html(title_), internal::page_style, scripts_, escaped_html(title_), body_,
-        folded_ ? "</details>\n" : "", internal::page_script);
+        internal::page_script);
 }
 
 }  // namespace gloam::record

@@ -15,14 +15,6 @@ struct PagePicture {
     std::string caption;
 };
 
-// A line of a source text, coloured by a number.
-struct PageLine {
-    unsigned number = 0;
-    std::string text;
-    unsigned heat = 0;   // 0 (plain) to 4 (worst)
-    std::string note{};  // behind the line
-};
-
 // An HTML page in one file, without network or library. It is light or dark like the reader's system, and
 // every control is accessible by keyboard. Texts can be untrusted: they are escaped, and the content security
 // policy permits the page's own script only, and those of script().
@@ -33,16 +25,12 @@ class Page {
     void heading(std::string_view text);
     void paragraph(std::string_view text);
     void preformatted(std::string_view text);
-    void source(const std::vector<PageLine>& lines);
 
     // Elements of HTML as they are: the caller has escaped what they contain.
     void markup(std::string_view html) { body_ += html; }
 
     // A script in a file beside the page. It runs when the page has been read.
     void script(std::string_view file);
-
-    // Folds what follows, to the end of the page, below a line that opens it. Once.
-    void fold(std::string_view summary);
 
     // Pictures of one size with a button each: the chosen one is shown, at first the first. At most five.
     void choose(const std::vector<PagePicture>& pictures, std::string_view caption);
@@ -60,7 +48,6 @@ class Page {
     std::string body_;
     std::string scripts_;  // elements
     int choices_ = 0;
-    bool folded_ = false;
 };
 
 // Escapes a text for HTML, in element content and in quoted attributes: & < > " ' become entities, control

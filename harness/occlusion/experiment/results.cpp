@@ -9,14 +9,6 @@
 #include "record/members.hpp"
 #include "record/output.hpp"
 
-// The members of a part that have their own names in the text.
-#define GLOAM_MEMBER(name) io.member(#name, all.name);
-#define GLOAM_MEMBERS(Part, ...)                                             \
-    template <class Io>                                                      \
-    void members(Io& io, Part& all) {                                        \
-        NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(GLOAM_MEMBER, __VA_ARGS__)) \
-    }
-
 namespace gloam::effect {
 
 GLOAM_MEMBERS(Errors, rmse, bias, percentile_99)

@@ -12,7 +12,6 @@
 #include "cli/framework/check/selection.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/progress.hpp"
-#include "record/check_page.hpp"
 #include "record/check_report.hpp"
 #include "record/output.hpp"
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "record/check_page.hpp"
 #include "record/check_report.hpp"
 #include "record/output.hpp"
 

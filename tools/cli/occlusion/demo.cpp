@@ -19,7 +19,7 @@
 #include "cli/progress.hpp"
 #include "effect/methods.hpp"
 #include "pictures/plot.hpp"
-#include "record/check_page.hpp"
+#include "record/check_report.hpp"
 #include "record/page.hpp"
 #include "site/live_page.hpp"
 
@@ -116,12 +116,13 @@ record::Page page_of(const std::vector<Shown>& scenes, record::OutputFolder& out
 }
 
 void add_check(record::Page& page, const CheckOutcome& outcome) {
-    page.fold("The check: " + to_text(outcome.counts));
+    page.markup("<details class=\"fold\"><summary>The check: " + to_text(outcome.counts) + "</summary>\n");
     page.paragraph(
         fmt::format("Every equation of the library ran on this device with {} inputs, and each result was "
                     "compared with the equation in double precision.",
                     few_inputs));
     page.table(record::check_table(outcome.reports));
+    page.markup("</details>\n");
 }
 
 std::string pictures_line(const std::vector<Shown>& scenes) {

@@ -143,10 +143,7 @@ record::DeviceSummary Checker::device() const {
             .driver = base::one_line(info.driver),
             .type = info.type,
             .api_version = info.api_version,
-            .preserves_signed_zero_inf_nan = info.float32.preserves_signed_zero_inf_nan,
-            .preserves_denormals = info.float32.preserves_denormals,
-            .flushes_denormals = info.float32.flushes_denormals,
-            .rounds_to_even = info.float32.rounds_to_even};
+            .float32 = info.float32};
 }
 
 check::Answer Checker::run(const CheckTask& task) {
