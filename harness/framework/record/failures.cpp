@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "judge/interpretation.hpp"
 #include "numeric/numbers.hpp"
 #include "record/assets.hpp"
 
@@ -22,14 +23,20 @@ using check::Reproduction;
 using Words = std::vector<std::uint32_t>;
 
 constexpr std::size_t words_in_a_line = 8;
-constexpr std::size_t fault_words = 5;
-// The canary that the kernel writes behind the outputs: the bits of 1, visible as a float and as a word.
-constexpr std::uint32_t canary = 0x3f800000U;
+// Of a kernel of one input. Its canary is 1 as a float, which is visible as a float and as a word.
+constexpr check::KernelRun one_input{
+    .count = 1, .row_length = check::kernel_group_size, .canary = 0x3f800000U};
 constexpr auto largest = std::numeric_limits<float>::max();
+
+// No buffer and no array is empty.
+Words not_empty(Words words) {
+    if (words.empty()) words.push_back(0U);
+    return words;
+}
 
 std::string buffer_declaration(const std::string& name, const Words& words) {
     std::string text = fmt::format("BUFFER {} DATA_TYPE uint32 DATA\n", name);
-    const Words& all = words.empty() ? Words{0U} : words;  // no buffer is empty
+    const Words all = not_empty(words);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const bool last = i + 1 == all.size() || (i + 1) % words_in_a_line == 0;
         text += fmt::format("0x{:08x}{}", all[i], last ? "\n" : " ");
@@ -48,19 +55,6 @@ std::string output_comment(const Reproduction& all, std::size_t output) {
         is_float(all, output) ? check::text_of(all.outputs[output], word) : fmt::format("0x{:08x}", word);
     return fmt::format("here it was {}; the reference gives {}", got,
                        numeric::to_text(all.failure->want[output]));
-}
-
-// The hull of an output's ranges, as a script cannot say "or".
-numeric::Bounds hull_at(const Reproduction& all, std::size_t output) {
-    numeric::Bounds hull = all.outcomes.front().at(output);
-    for (const check::Sample::Outcome& outcome : all.outcomes) hull = numeric::hull(hull, outcome.at(output));
-    return hull;
-}
-
-bool is_inside(bool is_float, std::uint32_t found, const numeric::Bounds& bounds) {
-    if (is_float) return bounds.contains(static_cast<double>(std::bit_cast<float>(found)));
-    const std::int64_t number = bounds.low < 0.0 ? std::bit_cast<std::int32_t>(found) : std::int64_t{found};
-    return bounds.contains(static_cast<double>(number));
 }
 
 // Of an output, as the float or the word that it is, with a number: "GE 1.00000000".
@@ -95,21 +89,21 @@ void compare_word(const numeric::Bounds& allowed, Comparisons& all) {
     add("LE", allowed.high);
 }
 
-// Those with the hull, and with what was found where that is in the hull, but in no outcome's range.
+// Those with the hull, as a script cannot say "or", and with what was found where that is in the hull, but in
+// no outcome's range.
 Comparisons comparisons_of(const Reproduction& all, std::size_t i) {
     if (all.outcomes.empty()) return {};
     const bool as_float = is_float(all, i);
     const std::uint32_t found = all.failure->got[i];
-    const numeric::Bounds hull = hull_at(all, i);
+    const double number = check::number_at(all.outputs[i], found);
+    const numeric::Bounds hull = check::hull_of(all.outcomes)[i];
     Comparisons comparisons;
     (as_float ? compare_float : compare_word)(hull, comparisons);
-    const bool between = is_inside(as_float, found, hull) &&
-                         std::ranges::none_of(all.outcomes, [&](const check::Sample::Outcome& outcome) {
-                             return is_inside(as_float, found, outcome.at(i));
-                         });
-    if (between)
-        comparisons.push_back(as_float ? fmt::format("NE {:#.9g}", std::bit_cast<float>(found))
-                                       : fmt::format("NE {}", found));
+    if (hull.contains(number) &&
+        std::ranges::none_of(all.outcomes, [&](const check::Sample::Outcome& outcome) {
+            return outcome.at(i).contains(number);
+        }))
+        comparisons.push_back(as_float ? fmt::format("NE {:#.9g}", number) : fmt::format("NE {}", found));
     return comparisons;
 }
 
@@ -138,7 +132,7 @@ std::string view_of(const Reproduction& all, bool floats) {
     text += pipeline(all, view);
     text += "# the kernel ran to its end\n";
     text += fmt::format("EXPECT {} IDX {} EQ {}\n", view, 4 * all.outputs.size(),
-                        floats ? "1.0" : std::to_string(canary));
+                        floats ? "1.0" : std::to_string(one_input.canary));
     for (std::size_t i = 0; i < all.outputs.size(); ++i) {
         if (is_float(all, i) != floats) continue;
         text += fmt::format("# output {}: {}\n", i, output_comment(all, i));
@@ -162,10 +156,10 @@ std::string to_amber(const Reproduction& all, const std::vector<std::string>& co
     if (!text.ends_with('\n')) text += '\n';
     text += "END\n\n";
     text += "# how many inputs, invocations in a row, the word to write behind the outputs\n";
-    text += buffer_declaration("run", {1U, check::kernel_group_size, canary});
+    text += buffer_declaration("run", {one_input.count, one_input.row_length, one_input.canary});
     text += buffer_declaration("inputs", all.inputs);
     text += "# accesses outside an image: how many, and the first\n";
-    text += buffer_declaration("faults", Words(fault_words));
+    text += buffer_declaration("faults", Words(sizeof(check::KernelFaults) / sizeof(check::Word)));
     for (std::size_t i = 0; i < all.images.size(); ++i) {
         text += fmt::format("# {}: width, height, clamped, then the pixels row by row\n", all.images[i].name);
         text += buffer_declaration(fmt::format("image{}", i), all.images[i].words);
@@ -182,12 +176,10 @@ std::string to_amber(const Reproduction& all, const std::vector<std::string>& co
 namespace {
 
 std::string array(const std::string& name, const Words& words) {
-    constexpr std::size_t in_a_line = 8;
     std::string text = fmt::format("static const uint32_t {}[] = {{", name);
-    const Words one{0U};  // no array is empty
-    const Words& all = words.empty() ? one : words;
+    const Words all = not_empty(words);
     for (std::size_t i = 0; i < all.size(); ++i)
-        text += fmt::format("{}0x{:08x}u,", i % in_a_line == 0 ? "\n    " : " ", all[i]);
+        text += fmt::format("{}0x{:08x}u,", i % words_in_a_line == 0 ? "\n    " : " ", all[i]);
     return text + "\n};\n";
 }
 
@@ -252,7 +244,7 @@ std::string to_c_program(const Reproduction& all, const std::vector<std::string>
         "#include <string.h>\n#include <vulkan/vulkan.h>\n\n";
     text += fmt::format("#define FOUND_ON {}\n", literal(device));
     text += fmt::format("#define ROW_LENGTH {}u\n#define SPECIALIZED {}\n#define IMAGES {}\n\n",
-                        check::kernel_group_size, all.specialized ? 1 : 0, all.images.size());
+                        one_input.row_length, all.specialized ? 1 : 0, all.images.size());
     text += array("inputs", all.inputs);
     std::vector<std::pair<const char*, const Words*>> modules{
         {all.before.empty() ? "the module" : "after the steps", &all.spirv}};
