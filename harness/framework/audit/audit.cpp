@@ -51,28 +51,14 @@ AuditPlace place_of(const interpreter::Undefined& why) {
     return {why.place.file, why.place.line, why.place.function, why.cause};
 }
 
-// The width of what is permitted, beside the exact value.
-double relative_width(const ExplainedStep& step) {
-    const double width = step.permitted.high - step.permitted.low;
-    return std::isfinite(width) && step.exact != 0.0 ? width / std::abs(step.exact) : 0.0;
-}
-
-// The first operation with a result that is not finite, or of which every value is permitted; null: none.
-const ExplainedStep* first_with(Concern concern, const Explanation& all) {
-    const auto first = std::ranges::find_if(all.steps, [concern](const ExplainedStep& step) {
-        return concern == Concern::not_finite ? !std::isfinite(step.value)
-                                              : step.permitted.is_anything() || step.permitted.nan;
-    });
-    return first == all.steps.end() ? nullptr : &*first;
-}
-
-// The operation at which the width of what is permitted grows most.
+// The operation at which the width of what is permitted, beside the exact value, grows most.
 AuditPlace widest_place(const Explanation& all) {
     double widest = 0.0;
     double most = 0.0;
     AuditPlace place;
     for (const ExplainedStep& step : all.steps) {
-        const double width = relative_width(step);
+        const double span = step.permitted.high - step.permitted.low;
+        const double width = std::isfinite(span) && step.exact != 0.0 ? span / std::abs(step.exact) : 0.0;
         if (width - widest > most) {
             most = width - widest;
             place = place_of(step);
@@ -98,6 +84,7 @@ class Findings {
   public:
     Findings(AuditRuns& runs, internal::AuditSearch& search) : runs_(runs), search_(search) {}
 
+    // The gravest first.
     [[nodiscard]] std::vector<AuditFinding> all() {
         add_fault();
         for (const Concern concern : {Concern::not_finite, Concern::undefined, Concern::unspecified})
@@ -105,7 +92,6 @@ class Findings {
         add_parting();
         add_loss();
         add_width();
-        std::ranges::stable_sort(all_, {}, &AuditFinding::concern);
         return std::move(all_);
     }
 
@@ -128,7 +114,7 @@ class Findings {
         if (finding != nullptr) finding->message = runs_.read(finding->words).fault;
     }
 
-    // The operation at which an input goes wrong.
+    // The first operation with a result that is not finite, or of which every value is permitted.
     AuditPlace origin(Concern concern, const std::vector<Word>& words) {
         if (concern == Concern::undefined) {
             const Reading reading = runs_.read(words);
@@ -136,8 +122,11 @@ class Findings {
                 if (output.undefined) return place_of(*output.undefined);
         }
         const Explanation steps = runs_.steps(words, gaps_of(concern));
-        const ExplainedStep* const step = first_with(concern, steps);
-        return step == nullptr ? AuditPlace{} : place_of(*step);
+        const auto first = std::ranges::find_if(steps.steps, [concern](const ExplainedStep& step) {
+            return concern == Concern::not_finite ? !std::isfinite(step.value)
+                                                  : step.permitted.is_anything() || step.permitted.nan;
+        });
+        return first == steps.steps.end() ? AuditPlace{} : place_of(*first);
     }
 
     [[nodiscard]] bool is_so(Concern concern, const std::vector<Word>& words) {

@@ -99,7 +99,7 @@ std::optional<Parting> AuditRuns::parting_of_driver(std::span<const Word> input,
     if (results.size() != scalars_.size()) return std::nullopt;
     for (std::size_t w = 0; w < results.size(); ++w) {
         const double distance = distance_to(reading.outputs[w].permitted, results[w]);
-        if (distance > least_part * std::max(std::abs(reading.outputs[w].value), usual_of(w)))
+        if (distance > least_part * std::max(std::abs(reading.outputs[w].value), least_[w]))
             return Parting{w, results[w], driver};
     }
     return std::nullopt;
@@ -110,12 +110,6 @@ AuditPlace AuditRuns::place_of(const Parting& parting, std::span<const Word> inp
     if (parting.driver == 0) return first_other(here, decisions_of(doubles_, input));
     drivers_.machine().set_sampling(static_cast<std::uint64_t>(parting.driver));
     return first_other(here, decisions_of(drivers_, input));
-}
-
-double AuditRuns::usual_of(std::size_t output) const {
-    std::size_t v = 0;
-    for (; v + 1 < sizes_.size() && output >= sizes_[v]; ++v) output -= sizes_[v];
-    return least_[v];
 }
 
 }  // namespace gloam::check::internal

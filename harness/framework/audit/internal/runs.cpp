@@ -32,7 +32,7 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
     : question_(question),
       scalars_(question.signature.output_scalars()),
       sizes_(question.signature.output_values()),
-      least_(sizes_.size(), std::numeric_limits<float>::min()),
+      least_(scalars_.size(), std::numeric_limits<float>::min()),
       images_(std::move(images)),
       modules_{std::make_shared<const KernelModule>(std::move(module))},
       decoded_(modules_, images_),
@@ -146,10 +146,11 @@ void AuditRuns::set_usual(const Domain::Inputs& inputs) {
             if (std::isfinite(length)) lengths[v].push_back(length);
         }
     }
-    for (std::size_t v = 0; v < sizes_.size(); ++v) {
+    for (std::size_t v = 0, first = 0; v < sizes_.size(); first += sizes_[v++]) {
         std::ranges::sort(lengths[v]);
         const double median = lengths[v].empty() ? 0.0 : lengths[v][lengths[v].size() / 2];
-        least_[v] = std::max(least_[v], usual_part * median);
+        std::fill_n(least_.begin() + static_cast<std::ptrdiff_t>(first), sizes_[v],
+                    std::max(least_[first], usual_part * median));
     }
 }
 
@@ -195,7 +196,7 @@ Loss AuditRuns::largest(Concern concern, const Reading& reading) const {
     Loss worst;
     std::size_t first = 0;
     for (std::size_t v = 0; v < sizes_.size(); first += sizes_[v++]) {
-        double length = least_[v];
+        double length = least_[first];
         for (std::size_t w = first; w < first + sizes_[v]; ++w)
             if (std::isfinite(reading.outputs[w].exact))
                 length = std::max(length, std::abs(reading.outputs[w].exact));

@@ -102,8 +102,6 @@ class AuditRuns {
     AuditRuns(KernelModule module, const Question& question, ImageSet images);
     [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const Word> input,
                                                            const Reading& reading, int driver);
-    // The result that counts as large, for a word of the outputs.
-    [[nodiscard]] double usual_of(std::size_t output) const;
     // Runs a kernel along paths of the rules, at most `most`, and takes its outputs by their numbers, or why
     // it has none.
     template <class N, class Take, class Fail>
@@ -129,7 +127,7 @@ class AuditRuns {
     const Question& question_;
     std::vector<shader::Scalar> scalars_;
     std::vector<std::size_t> sizes_;  // of the result's vectors
-    std::vector<double> least_;       // results of these vectors below count as large as this
+    std::vector<double> least_;       // results in a word below count as large as this
     ImageSet images_;
     KernelModules modules_;
     Decoded decoded_;
