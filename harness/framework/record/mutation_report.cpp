@@ -9,7 +9,7 @@
 
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "record/json.hpp"
+#include "record/members.hpp"
 #include "record/table.hpp"
 
 namespace gloam::record {
@@ -101,28 +101,23 @@ std::string to_text(const MutationReport& report) {
 
 std::string to_mutation_json(const MutationReport& report) {
     using nlohmann::ordered_json;
-    ordered_json json{
-        {"gloam", base::version()}, {"command", report.command}, {"mutants", ordered_json::array()}};
+    ordered_json mutants = ordered_json::array();
     for (const MutantRow& row : report.mutants) {
-        ordered_json one{{"file", report.files.at(row.file)}, {"line", row.mutation.line},
-                         {"kind", row.mutation.kind},         {"function", row.mutation.function},
-                         {"before", row.mutation.before},     {"after", row.mutation.after},
-                         {"fate", name_of(row.fate)},         {"seconds", row.seconds}};
-        if (row.fate == Fate::known) one["reason"] = row.reason;
-        if (row.fate == Fate::survived) {
-            const check::MutantComparison& found = row.comparison;
-            one["difference"] = name_of(found.difference);
-            one["inputs"] = found.inputs;
-            if (!found.words.empty()) {
-                one["input"] = found.values;
-                one["words"] = found.words;
-                one["result"] = found.before;
-                one["result_with_fault"] = found.after;
-            }
-        }
-        json["mutants"].push_back(std::move(one));
+        const shader::Mutation& mutation = row.mutation;
+        const check::MutantComparison& found = row.comparison;
+        MemberWriter<Form::whole> one;
+        each(one, "file", report.files.at(row.file), "line", mutation.line, "kind", mutation.kind, "function",
+             mutation.function, "before", mutation.before, "after", mutation.after, "fate", row.fate,
+             "seconds", row.seconds);
+        if (row.fate == Fate::known) each(one, "reason", row.reason);
+        if (row.fate == Fate::survived) each(one, "difference", found.difference, "inputs", found.inputs);
+        if (row.fate == Fate::survived && !found.words.empty())
+            each(one, "input", found.values, "words", found.words, "result", found.before,
+                 "result_with_fault", found.after);
+        mutants.push_back(std::move(one.json));
     }
-    return to_text(json);
+    return to_text(
+        {{"gloam", base::version()}, {"command", report.command}, {"mutants", std::move(mutants)}});
 }
 
 }  // namespace gloam::record
