@@ -150,6 +150,13 @@ std::string reason_of(const std::vector<OrdinaryValues>& parts) {
     return parts.empty() ? "type" : parts.front().reason;
 }
 
+// Those of all parts, as of one parameter.
+Values joined(std::span<const OrdinaryValues> parts) {
+    std::vector<Values> values;
+    for (const OrdinaryValues& part : parts) values.push_back(part.values);
+    return values.size() == 1 ? values.front() : vector(values);
+}
+
 // The values of a parameter, or of a member of one.
 class Ordinary {
   public:
@@ -183,11 +190,10 @@ class Ordinary {
         add(element, name, parts);
         int count = 1;
         for (const std::uint32_t size : type.sizes) count *= static_cast<int>(size);
-        std::vector<Values> elements;
-        for (int i = 0; i < count; ++i)
-            for (const OrdinaryValues& part : parts) elements.push_back(part.values);
+        std::vector<OrdinaryValues> elements;
+        for (int i = 0; i < count; ++i) elements.insert(elements.end(), parts.begin(), parts.end());
         all.push_back({name, fmt::format("{} of {}", count, text_of(parts)), reason_of(parts),
-                       parts.size() == 1 ? vector(count, parts[0].values) : vector(elements)});
+                       parts.size() == 1 ? vector(count, parts[0].values) : joined(elements)});
     }
 
     // What is known of a value, and why.
@@ -227,12 +233,9 @@ class Ordinary {
 // The same values in each invocation of a quad, as one entry.
 OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
                        const std::vector<OrdinaryValues>& parts) {
-    std::vector<Values> values;
-    for (const OrdinaryValues& part : parts) values.push_back(part.values);
     const bool pixels = parameter.name == fragment_coordinate;
     return {parameter.name, pixels ? "the pixels of a quad" : "neighbours, each " + text_of(parts),
-            pixels ? "type" : reason_of(parts),
-            neighbours(type, values.size() == 1 ? values.front() : vector(values), pixels)};
+            pixels ? "type" : reason_of(parts), neighbours(type, joined(parts), pixels)};
 }
 
 }  // namespace
@@ -266,9 +269,8 @@ Domain ordinary_domain(const shader::Function& function, const std::vector<Ordin
     for (const shader::Parameter& parameter : function.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
         const std::size_t count = entries_of(parameter.type);
-        std::vector<Values> members;
-        for (std::size_t i = 0; i < count; ++i) members.push_back(ordinary.at(next++).values);
-        parameters.push_back(count == 1 ? members.front() : vector(members));
+        parameters.push_back(joined(std::span(ordinary).subspan(next, count)));
+        next += count;
     }
     return Domain(std::move(parameters))
         .and_degenerate({.result = function.result, .parameters = function.parameters}, true);
