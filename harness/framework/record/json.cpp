@@ -70,21 +70,10 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
     return all;
 }
 
-std::string JsonReader::text() const {
-    if (!json_->is_string()) expected("a text");
-    return json_->get<std::string>();
-}
-
 std::string JsonReader::name() const {
     const std::string value = text();
     if (!value.empty() && !base::is_name(value)) expected("a text of one line, at most 1000 bytes");
     return value;
-}
-
-std::string JsonReader::word_of(const std::vector<std::string>& words) const {
-    if (!json_->is_string() || std::ranges::count(words, json_->get<std::string>()) == 0)
-        expected(fmt::format("one of {}", fmt::join(words, ", ")));
-    return json_->get<std::string>();
 }
 
 double JsonReader::number() const {
@@ -95,26 +84,10 @@ double JsonReader::number() const {
     expected("a number");
 }
 
-double JsonReader::number(double least, double most) const {
-    if (!json_->is_number() || !(json_->get<double>() >= least) || !(json_->get<double>() <= most))
-        expected(fmt::format("a number from {:g} to {:g}", least, most));
-    return json_->get<double>();
-}
-
 int JsonReader::integer(int least, int most) const {
     if (!json_->is_number_integer() || json_->get<double>() < least || json_->get<double>() > most)
         expected(fmt::format("a whole number from {} to {}", least, most));
     return json_->get<int>();
-}
-
-std::size_t JsonReader::count() const {
-    if (!json_->is_number_unsigned()) expected("a count");
-    return json_->get<std::size_t>();
-}
-
-bool JsonReader::flag() const {
-    if (!json_->is_boolean()) expected("true or false");
-    return json_->get<bool>();
 }
 
 std::uint32_t JsonReader::word() const {

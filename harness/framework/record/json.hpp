@@ -34,20 +34,25 @@ class JsonReader {
     [[nodiscard]] const nlohmann::ordered_json& json() const { return *json_; }
     [[nodiscard]] bool is_null() const { return json_->is_null(); }
     [[nodiscard]] bool is_array() const { return json_->is_array(); }
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string text() const { return value<std::string>(json_->is_string(), "a text"); }
     // A text for tables, titles and messages: one line, or empty.
     [[nodiscard]] std::string name() const;
-    [[nodiscard]] std::string word_of(const std::vector<std::string>& words) const;
     [[nodiscard]] double number() const;
-    [[nodiscard]] double number(double least, double most) const;
     [[nodiscard]] int integer(int least, int most) const;
-    [[nodiscard]] std::size_t count() const;
-    [[nodiscard]] bool flag() const;
+    [[nodiscard]] std::size_t count() const {
+        return value<std::size_t>(json_->is_number_unsigned(), "a count");
+    }
+    [[nodiscard]] bool flag() const { return value<bool>(json_->is_boolean(), "true or false"); }
     [[nodiscard]] std::uint32_t word() const;
 
     [[noreturn]] void expected(const std::string& what) const;
 
   private:
+    template <class T>
+    [[nodiscard]] T value(bool is_expected, const char* what) const {
+        if (!is_expected) expected(what);
+        return json_->get<T>();
+    }
     [[nodiscard]] std::string path_of(const std::string& member) const;
 
     const nlohmann::ordered_json* json_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -24,13 +25,17 @@ void read(const JsonReader& value, bool& flag) {
     flag = value.flag();
 }
 void read(const JsonReader& value, double& number, double least, double most) {
-    number = value.number(least, most);
+    number = value.json().is_number() ? value.number() : std::nan("");
+    if (!(number >= least && number <= most))
+        value.expected(fmt::format("a number from {:g} to {:g}", least, most));
 }
 void read(const JsonReader& value, int& count, int least, int most) {
     count = value.integer(least, most);
 }
 void read(const JsonReader& value, std::string& word, const std::vector<std::string>& words) {
-    word = value.word_of(words);
+    if (std::ranges::none_of(words, [&](const std::string& one) { return value.json() == one; }))
+        value.expected(fmt::format("one of {}", fmt::join(words, ", ")));
+    word = value.text();
 }
 template <class T, class... Bounds>
 void read(const JsonReader& value, std::optional<T>& read_value, Bounds... bounds) {
