@@ -44,8 +44,8 @@ TEST_F(SearchTest, StaysInsideTheDomain) {
 }
 
 TEST_F(SearchTest, AFoundInputIsPartOfEveryRunAfterwards) {
-    const Question narrow =
-        planted("narrow_peak", Domain{uniform(0, 1), uniform(0, 1)}.and_input(0.7123F, 0.3004F));
+    const Question narrow = planted(
+        "narrow_peak", Domain{uniform(0, 1), uniform(0, 1)}.and_words({to_word(0.7123F), to_word(0.3004F)}));
     EXPECT_GT(run(lab, narrow, {.inputs = 16}).fraction, 0.99);
 }
 

@@ -16,7 +16,8 @@ std::string module_of(const char* variant, Constants constants) {
     source.preserve_nan = false;  // as a check has it
     const std::vector<Word> inputs{std::bit_cast<Word>(0.3F), std::bit_cast<Word>(0.7F)};
     const std::string text = constant_kernel_code(source, constants, inputs, 1);
-    return shader::disassemble(lab.compile({.name = "constants", .text = text}, lab.compile_options()));
+    return shader::disassemble(
+        lab.cache().compile({.name = "constants", .text = text}, lab.compile_options()));
 }
 
 TEST(ConstantCode, TheCompilerFoldsLiterals) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "subject/domain.hpp"
 #include "judge/reproduction.hpp"
-#include "judge/run.hpp"
 #include "numeric/numbers.hpp"
 #include "support/lab.hpp"
 
@@ -118,7 +117,7 @@ TEST(Domain, NonsenseIsRefused) {
 
 TEST(Domain, AnAdjustedDomainKeepsAGivenInputAsItIs) {
     const Domain domain =
-        Domain{uniform(0, 1)}.adjusted([](std::span<Word> row) { row[0] = 0U; }).and_input(0.5F);
+        Domain{uniform(0, 1)}.adjusted([](std::span<Word> row) { row[0] = 0U; }).and_words({to_word(0.5F)});
     const Domain::Inputs inputs = domain.draw(3, 1);
     EXPECT_EQ(from_word<float>(inputs.row(0)[0]), 0.5F);
     EXPECT_EQ(inputs.row(1)[0], 0U);

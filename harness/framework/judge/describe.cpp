@@ -7,7 +7,6 @@
 
 #include "judge/answer.hpp"
 #include "numeric/numbers.hpp"
-#include "subject/scalars.hpp"
 
 namespace gloam::check {
 namespace {

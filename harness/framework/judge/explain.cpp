@@ -13,7 +13,6 @@
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 #include "subject/interpreted_kernel.hpp"
-#include "subject/scalars.hpp"
 
 namespace gloam::check {
 namespace {

@@ -60,7 +60,7 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
                               .text = code_of(source, constants, inputs)};
     shader::CompileOptions in_stage = lab.compile_options();
     in_stage.stage = stage_of(source.team);
-    KernelModule module = kernel_module(source, lab.compile(text, in_stage));
+    KernelModule module = kernel_module(source, lab.cache().compile(text, in_stage));
     try {
         lab.take_steps(module, text);
     } catch (const shader::StepError&) {  // the module before them is what there is

@@ -16,7 +16,6 @@
 #include "judge/interpretation.hpp"
 #include "module/spirv.hpp"
 #include "subject/kernel_code.hpp"
-#include "subject/scalars.hpp"
 
 namespace gloam::check {
 
@@ -205,7 +204,7 @@ ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
 
 Domain domain_of(const Lab& lab, const Question& question, const KernelSource& source) {
     const shader::Spirv module =
-        lab.compile({.name = "kernel of " + question.function, .text = kernel_code(source)},
+        lab.cache().compile({.name = "kernel of " + question.function, .text = kernel_code(source)},
                     {.stage = stage_of(source.team),
                      .include_roots = lab.options().include_roots,
                      .variant = {}});  // the same inputs in every variant

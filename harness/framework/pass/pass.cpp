@@ -47,7 +47,7 @@ shader::Spirv compiled(const Lab& lab, const std::string& file) {
     }
     shader::CompileOptions options = lab.compile_options();
     options.lines = lab.info().type == interpreter_name;  // its errors have a place
-    shader::Spirv module = lab.compile({.name = path.string(), .text = shader::read_text(path)}, options);
+    shader::Spirv module = lab.cache().compile({.name = path.string(), .text = shader::read_text(path)}, options);
     if (const std::string other = shader::spirv::other_number(module); !other.empty())
         throw std::invalid_argument(file + ": " + shader::spirv::not_judged(other));
     return module;

@@ -94,32 +94,14 @@ struct Domain::Degenerate {
     std::vector<Change> changes;
     std::vector<Number> numbers;
     std::vector<Vector> vectors;
-
-    // Vectors in a struct or an array are only copied from. They are not changed, because their valid values
-    // are unknown.
-    void add_vectors(const shader::Type& type, std::size_t first, std::size_t parameter) {
-        if (!type.sizes.empty()) {
-            const shader::Type element = shader::element_of(type);
-            for (std::uint32_t i = 0; i < type.sizes.front(); ++i, first += scalars_of(element).size())
-                add_vectors(element, first, nothing);
-        } else if (type.scalar == Scalar::structure) {
-            for (const shader::Member& member : type.members) {
-                add_vectors(member.type, first, nothing);
-                first += scalars_of(member.type).size();
-            }
-        } else if (type.scalar == Scalar::float_ && type.columns == 1 && type.rows > 1) {
-            vectors.push_back({first, static_cast<std::size_t>(type.rows), parameter});
-        }
-    }
 };
 
 Domain::Domain(std::vector<Values> parameters)
     : parameters_(std::move(parameters)), degenerate_(std::make_shared<const Degenerate>()) {
     for (const Values& values : parameters_)
-        if (std::ranges::any_of(values.fixed, [words = values.words()](const Values::Fixed& fixed) {
-                return fixed.words.size() != words;
-            }))
-            throw std::invalid_argument("a fixed value is of another type than those drawn");
+        for (const std::size_t words = values.words(); const Values::Fixed& fixed : values.fixed)
+            if (fixed.words.size() != words)
+                throw std::invalid_argument("a fixed value is of another type than those drawn");
 }
 
 Domain Domain::tied(std::size_t target, std::size_t source, double factor) const {
@@ -160,9 +142,15 @@ Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) con
     Degenerate all;
     for_each_input(signature, [&](const shader::Type& type, std::size_t parameter, std::size_t first) {
         const Values& values = parameters_[parameter];
-        all.add_vectors(type, first, values.only_drawn ? nothing : parameter);
-        if (values.only_drawn || only_vectors) return;
         const bool composed = type.scalar == Scalar::structure || !type.sizes.empty();
+        // Vectors in a struct or an array are only copied from: their valid values are unknown.
+        for_each_value(type, [&, at = first](const shader::Type& one) mutable {
+            const auto size = static_cast<std::size_t>(one.columns * one.rows);
+            if (one.scalar == Scalar::float_ && one.columns == 1 && one.rows > 1)
+                all.vectors.push_back({at, size, values.only_drawn || composed ? nothing : parameter});
+            at += size;
+        });
+        if (values.only_drawn || only_vectors) return;
         const std::vector<Scalar> scalars = scalars_of(type);
         for (std::size_t i = 0; composed && i < scalars.size(); ++i)
             for (const auto change : of_floats)
@@ -276,32 +264,28 @@ class Domain::Drawing {
     }
 
     bool make_degenerate(std::span<Word> row, const Forced& forced) {
-        if (forced.change != nothing) {
-            change(forced.change, row);
-            return true;
-        }
+        if (forced.change != nothing) return change(forced.change, row);
         if (forced.parameter != nothing || random_.below(chances) >= degenerate_chance) return false;
         const std::size_t changes = degenerate_.changes.size();
-        if (changes > 0 && random_.below(4) == 0) {
-            change(random_.below(changes), row);
-            return true;
-        }
+        if (changes > 0 && random_.below(4) == 0) return change(random_.below(changes), row);
         const bool once = relate(row);
         return relate(row) || once;
     }
 
-    void change(std::size_t i, std::span<Word> row) const {
+    // Returns true.
+    bool change(std::size_t i, std::span<Word> row) const {
         const std::size_t changes = degenerate_.changes.size();
         if (i < changes) {
             Word& word = row[degenerate_.changes[i].word];
             word = degenerate_.changes[i].changed(word);
-            return;
+            return true;
         }
         const Degenerate::Number& number = degenerate_.numbers[i - changes];
         const Word before = std::exchange(row[number.word], number.bits);
         const std::size_t first = offsets_[number.parameter];
         const auto value = row.subspan(first, offsets_[number.parameter + 1] - first);
         if (!number.anywhere && !parameters_[number.parameter].admits(value)) row[number.word] = before;
+        return true;
     }
 
     // Replaces one vector, chosen at random, by an axis or by another vector of the input, if its Values

@@ -141,12 +141,6 @@ class Domain {
 
     // Adds an input that every run includes, for example the worst one that a search found. It is passed to
     // the function without adjustment, with the size of the run's images.
-    template <class... T>
-    [[nodiscard]] Domain and_input(const T&... values) const {
-        std::vector<Word> words;
-        (append_words(values, words), ...);
-        return and_words(words);
-    }
     [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
 
     // Adds inputs that independent draws hardly ever produce: vectors that are equal, opposite or parallel to

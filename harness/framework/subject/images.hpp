@@ -10,9 +10,10 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
+#include "backend/backend.hpp"
 #include "backend/sampled.hpp"
 #include "numeric/random.hpp"
 #include "subject/signature.hpp"
@@ -85,5 +86,28 @@ struct ImageScenario {
 // mixture of pixels that are 0, 1, zeros and ones by component, or unchanged. A pixel of three numbers 1
 // becomes a unit vector along an axis. If an image has infinite pixels, the mixture has more of them.
 [[nodiscard]] std::vector<ImageScenario> with_exact_ends(std::vector<ImageScenario> scenarios);
+
+// A prototype T name(ivec2 pixel) or a sampler with a synthetic image behind it, or an image of the function
+// itself.
+struct ImagePrototype : backend::KernelImage {
+    std::string name;
+    shader::Type element;
+    std::string sampler = {};  // shader::is_sampler_type() of what is sampled, which stands for no prototype
+    // The kernel's variable for a parameter of that type. Empty: the file has one, whose binding is `macro`,
+    // as that of an image that the function loads or stores: scratch memory that the kernel fills.
+    std::string variable = {};
+    std::string macro = {};
+
+    [[nodiscard]] bool is_prototype() const { return !sampled && layered.empty(); }
+};
+
+// Random content for prototypes and samplers. Where there are samplers, they have different filters, edges
+// and levels.
+[[nodiscard]] std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images);
+
+// An image for a sampler of this type ("usampler3D"), as backend/sampled.hpp has it. The image's pixels have
+// four components, of which depths use the first. Throws std::invalid_argument where its size and its words
+// disagree, for a cube without six square faces, and for depths outside [0, 1].
+[[nodiscard]] std::vector<Word> sampled_words(const Image& image, std::string_view sampler);
 
 }  // namespace gloam::check

@@ -6,7 +6,6 @@
 #include <concepts>
 #include <cstddef>
 #include <deque>
-#include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -17,15 +16,6 @@
 #include "subject/kernel_code.hpp"
 
 namespace gloam::check {
-
-// The words of each of a kernel's images, in the format of its buffers. Throws std::invalid_argument if a
-// prototype has no image or one of another type.
-[[nodiscard]] std::vector<std::vector<Word>> image_words(const KernelModule& kernel, const ImageSet& images);
-
-// An image for a sampler of this type ("usampler3D"), as backend/sampled.hpp has it. The image's pixels have
-// four components, of which depths use the first. Throws std::invalid_argument where its size and its words
-// disagree, for a cube without six square faces, and for depths outside [0, 1].
-[[nodiscard]] std::vector<Word> sampled_words(const Image& image, std::string_view sampler);
 
 // A kernel that the interpreter runs, one input at a time, on one number type (interpreter/number.hpp). Not
 // thread-safe.
@@ -39,13 +29,12 @@ class InterpretedKernel {
           team_(module.team),
           subgroup_size_(team_.kind == backend::Team::Kind::quad ? team_.count() : module.subgroup_size),
           row_(module.output_words + 1),
-          run_{.count = static_cast<Word>(std::max<std::size_t>(module.fixed_inputs, 1)),
-               .row_length = team_.kind == backend::Team::Kind::alone ? kernel_group_size : 1},
-          outputs_(row_ * run_.count) {
+          run_{static_cast<Word>(std::max<std::size_t>(module.fixed_inputs, 1)),
+               team_.kind == backend::Team::Kind::alone ? kernel_group_size : 1, 0},
+          outputs_(row_ * run_.front()) {
         machine_.bind(0, KernelBinding::outputs, outputs_);
         machine_.bind(0, KernelBinding::faults, faults_);
-        push_ = {run_.count, run_.row_length, run_.canary};
-        machine_.bind_push_constants(push_);
+        machine_.bind_push_constants(run_);
         for (std::size_t i = 0; i < images.size(); ++i) {
             const auto binding = KernelBinding::first_image + static_cast<unsigned>(i);
             if (!module.images[i].layered.empty()) {
@@ -96,11 +85,11 @@ class InterpretedKernel {
     void bind_layers(std::uint32_t binding, const std::string& format) {
         std::vector<Word>& texels = layers_.emplace_back();
         const Word one = format.ends_with('f') ? to_word(1.0F) : 1U;
-        const std::size_t count = std::size_t{image_sides[0]} * image_sides[1] * run_.count;
+        const std::size_t count = std::size_t{image_sides[0]} * image_sides[1] * run_.front();
         for (std::size_t i = 0; i < count; ++i) texels.insert(texels.end(), {0U, 0U, 0U, one});
         machine_.bind(
             0, binding,
-            interpreter::ImageView{.size = {image_sides[0], image_sides[1], run_.count}, .texels = texels});
+            interpreter::ImageView{.size = {image_sides[0], image_sides[1], run_.front()}, .texels = texels});
     }
 
     void begin(std::span<const Word> inputs, std::size_t index) {
@@ -117,10 +106,9 @@ class InterpretedKernel {
     std::uint32_t subgroup_size_;
     interpreter::Order order_ = interpreter::Order::forward;
     std::size_t row_;
-    KernelRun run_;
+    std::array<Word, 3> run_;  // those of KernelRun
     std::vector<Word> outputs_;
     std::array<Word, sizeof(KernelFaults) / sizeof(Word)> faults_{};
-    std::array<Word, 3> push_{};
     std::deque<std::vector<Word>> layers_;  // of each image that the function loads or stores
     std::size_t first_ = 0;
 };

@@ -71,19 +71,14 @@ void gloam_kernel_fault(uint image, ivec2 pixel) {{
 
 // The #extension lines for the kernel's own conversions.
 std::string number_extensions(const KernelSource& source) {
-    std::vector<Scalar> scalars = scalars_of(source.function.result);
-    for (const shader::Parameter& parameter : source.function.parameters)
-        append_scalars(parameter.type, scalars);
-    for (const ImagePrototype& image : source.images) append_scalars(image.element, scalars);
-    return std::ranges::find(scalars, Scalar::float16_) == scalars.end()
-               ? ""
-               : "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n";
-}
-
-// The position of the invocation's input.
-const char* input_position(const backend::Team& team) {
-    if (team.kind == backend::Team::Kind::quad) return "(uvec2(gl_FragCoord.xy) / 2u)";
-    return team.kind == backend::Team::Kind::group ? "gl_WorkGroupID" : "gl_GlobalInvocationID";
+    const auto has_half = [](const shader::Type& type) {
+        return std::ranges::count(scalars_of(type), Scalar::float16_) > 0;
+    };
+    return has_half(source.function.result) ||
+                   std::ranges::any_of(source.function.parameters, has_half, &shader::Parameter::type) ||
+                   std::ranges::any_of(source.images, has_half, &ImagePrototype::element)
+               ? "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n"
+               : "";
 }
 
 // The size of the work groups; the file of a function may state the same.
@@ -109,8 +104,10 @@ std::string image_interface(const ImagePrototype& image, std::size_t index) {
 }
 
 // The definition of a prototype: it finds the pixel or reports the fault.
-std::string image_definition(const ImagePrototype& image, std::size_t index, const ImageWordText& read) {
-    const auto read_word = [&](const std::string& at) { return read(index, at); };
+std::string image_definition(const ImagePrototype& image, std::size_t index, std::string_view word_of_image) {
+    const auto read_word = [&](const std::string& at) {
+        return fmt::format(fmt::runtime(word_of_image), index, at);
+    };
     const std::size_t scalars = scalars_of(image.element).size();
     const std::string type = name_of(image.element);
     std::string code = fmt::format(
@@ -131,23 +128,25 @@ std::string image_definition(const ImagePrototype& image, std::size_t index, con
     return code + "    return gloam_kernel_value;\n}\n";
 }
 
-// Whether this word can be the name of a macro.
-bool can_be_macro(std::string_view word) {
-    return !word.starts_with("GL_") && word.find("__") == std::string_view::npos && word != "defined";
-}
-
 // Directives that undefine every name that a text uses, so that macros of the user's file do not affect the
 // text.
 std::string without_macros(std::string_view text) {
-    std::set<std::string> words;
+    std::set<std::string> words;  // that can be names of macros
     for (const shader::Token& token : shader::tokens_of(text))
-        if (token.is_word() && can_be_macro(token.text)) words.insert(token.text);
+        if (token.is_word() && !token.text.starts_with("GL_") && token.text != "defined" &&
+            token.text.find("__") == std::string::npos)
+            words.insert(token.text);
     std::string code;
     for (const std::string& word : words) code += fmt::format("#undef {}\n", word);
     return code;
 }
 
 }  // namespace
+
+const char* input_position(const backend::Team& team) {
+    if (team.kind == backend::Team::Kind::quad) return "(uvec2(gl_FragCoord.xy) / 2u)";
+    return team.kind == backend::Team::Kind::group ? "gl_WorkGroupID" : "gl_GlobalInvocationID";
+}
 
 std::string kernel_text(const KernelSource& source, const std::string& rest) {
     std::string code(header);
@@ -165,18 +164,15 @@ std::string storage_interface(const KernelSource& source, std::string_view run) 
     return code;
 }
 
-std::string file_and_rest(const KernelSource& source, const ImageWordText& read, const std::string& rest) {
+std::string file_and_rest(const KernelSource& source, std::string_view word_of_image,
+                          const std::string& rest) {
     std::string ours;
     for (std::size_t i = 0; i < source.images.size(); ++i)
-        if (source.images[i].is_prototype()) ours += image_definition(source.images[i], i, read);
+        if (source.images[i].is_prototype()) ours += image_definition(source.images[i], i, word_of_image);
     ours += rest;
     const std::string file = source.text.empty() ? fmt::format("#include \"{}\"\n", source.file)
                                                  : source.text + "#line 1 \"kernel\"\n";
     return file + without_macros(ours) + ours;
-}
-
-std::string word_of_buffer(std::size_t image, const std::string& at) {
-    return fmt::format("gloam_kernel_image{}[{}]", image, at);
 }
 
 }  // namespace gloam::check::internal

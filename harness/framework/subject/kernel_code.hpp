@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,20 +14,6 @@
 #include "subject/signature.hpp"
 
 namespace gloam::check {
-
-// A prototype T name(ivec2 pixel) or a sampler with a synthetic image behind it, or an image of the function
-// itself.
-struct ImagePrototype : backend::KernelImage {
-    std::string name;
-    shader::Type element;
-    std::string sampler = {};  // shader::is_sampler_type() of what is sampled, which stands for no prototype
-    // The kernel's variable for a parameter of that type. Empty: the file has one, whose binding is `macro`,
-    // as that of an image that the function loads or stores: scratch memory that the kernel fills.
-    std::string variable = {};
-    std::string macro = {};
-
-    [[nodiscard]] bool is_prototype() const { return !sampled && layered.empty(); }
-};
 
 // What a compute shader is generated from.
 struct KernelSource {
@@ -74,6 +59,10 @@ struct KernelModule : backend::KernelProgram {
     std::uint32_t subgroup_size = 1;
 };
 [[nodiscard]] KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv);
+
+// The words of each of a kernel's images, in the format of its buffers. Throws std::invalid_argument if a
+// prototype has no image or one of another type.
+[[nodiscard]] std::vector<std::vector<Word>> image_words(const KernelModule& kernel, const ImageSet& images);
 
 // The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;
 // otherwise each evaluated its fixed_inputs.

@@ -18,12 +18,6 @@ namespace {
 // The value of the memory behind the outputs before and after the dispatch.
 constexpr Word guard_pattern = 0xdeadbeefU;
 
-// A new value for each dispatch: memory of an earlier one does not hold it.
-Word new_canary() {
-    std::random_device entropy;
-    return entropy();
-}
-
 // Some of a run's inputs.
 struct Part {
     std::size_t first;  // position of its first input in the whole run
@@ -86,6 +80,7 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
         throw std::invalid_argument(fmt::format("{}: {} inputs of {} words need {} words, got {}",
                                                 module_->name, count, in, count * in, inputs.size()));
     }
+    std::random_device entropy;  // for each dispatch a new canary: memory of an earlier one does not hold it
     Result result;
     if (module_->judged_by_rules) result.modules = {module_};
     result.outputs.reserve(count * out);
@@ -96,7 +91,7 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
                                      .outputs = std::vector<Word>(part.count * (out + 1)),
                                      .images = words};
         memory.outputs.resize(memory.outputs.size() + backend::guard_words, guard_pattern);
-        const Word canary = new_canary();
+        const Word canary = entropy();
         kernel_->run(part.count, canary, memory);
         add_outputs(part, canary, out, memory.outputs, module_->name, result.outputs);
         add_faults(part, memory.faults, *module_, images, result.fault);
@@ -131,46 +126,38 @@ class InterpreterKernel : public backend::Kernel {
     void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
         const auto shares = base::shares_of(count, base::processors());
         std::vector<KernelFaults> faults(shares.size());
-        base::for_each_index(shares.size(), 0,
-                             [&](std::size_t i) { run(shares[i], canary, memory, faults[i]); });
+        base::for_each_index(shares.size(), 0, [&](std::size_t share) {
+            InterpretedKernel<float> kernel(program_, module_, memory.images);
+            for (std::size_t i = shares[share].begin; i < shares[share].end; ++i)
+                run(kernel, i, canary, memory, faults[share]);
+        });
         for (const KernelFaults& share : faults) add(share, memory.faults);
     }
 
   private:
-    // The inputs of a share, one after another.
-    void run(const base::Range& share, Word canary, backend::KernelMemory& memory,
+    void run(InterpretedKernel<float>& kernel, std::size_t i, Word canary, backend::KernelMemory& memory,
              KernelFaults& faults) const {
-        InterpretedKernel<float> kernel(program_, module_, memory.images);
         const std::size_t row = module_.output_words + 1;
-        for (std::size_t i = share.begin; i < share.end; ++i) {
-            const std::size_t invocation = module_.fixed_inputs > 0 ? i : 0;
-            run(kernel, i, invocation, memory.inputs);
-            for (std::size_t w = 0; w < row; ++w) memory.outputs[i * row + w] = kernel.output(w).bits();
-            // The interpreter's own canary is 0, xor the invocation.
-            memory.outputs[i * row + row - 1] ^=
-                static_cast<Word>(invocation) ^ canary ^ static_cast<Word>(i);
-            // Without prototypes an optimised module has no fault buffer.
-            const auto is_prototype = [](const backend::KernelImage& image) {
-                return !image.sampled && image.layered.empty();
-            };
-            if (std::ranges::none_of(module_.images, is_prototype)) continue;
-            KernelFaults fault = kernel.faults();
-            fault.input = static_cast<Word>(i);
-            add(fault, faults);
-        }
-    }
-
-    void run(InterpretedKernel<float>& kernel, std::size_t i, std::size_t invocation,
-             std::span<const Word> inputs) const {
+        const std::size_t invocation = module_.fixed_inputs > 0 ? i : 0;
         try {
-            kernel.run(inputs.empty() ? inputs : inputs.subspan(i * module_.input_words, module_.input_words),
-                       invocation);
+            kernel.run(memory.inputs.subspan(i * module_.input_words, module_.input_words), invocation);
         } catch (const interpreter::Error& error) {
             const std::string message = fmt::format("{}: input {}: {}", module_.name, i, error.what());
             if (error.is_of_group()) throw interpreter::Error(error.kind(), message);
             if (error.is_of_input()) throw backend::UndefinedResult(message);
             throw backend::Fault(message);
         }
+        for (std::size_t w = 0; w < row; ++w) memory.outputs[i * row + w] = kernel.output(w).bits();
+        // The interpreter's own canary is 0, xor the invocation.
+        memory.outputs[i * row + row - 1] ^= static_cast<Word>(invocation) ^ canary ^ static_cast<Word>(i);
+        // Without prototypes an optimised module has no fault buffer.
+        if (std::ranges::none_of(module_.images, [](const backend::KernelImage& image) {
+                return !image.sampled && image.layered.empty();
+            }))
+            return;
+        KernelFaults fault = kernel.faults();
+        fault.input = static_cast<Word>(i);
+        add(fault, faults);
     }
 
     static void add(const KernelFaults& later, KernelFaults& all) {

@@ -86,13 +86,9 @@ bool matches(const Signature& signature, const shader::Function& function) {
 }
 
 // The vertex shader before the kernel of a quad.
-shader::Source quad_vertices() {
-    return {
-        .name = "vertices of a quad",
-        .text =
-            "#version 450\nvoid main() {\n    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
-            "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n"};
-}
+constexpr const char* quad_vertices =
+    "#version 450\nvoid main() {\n    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
+    "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n";
 
 // A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
 void show_to_the_loader(const std::string& device) {
@@ -234,7 +230,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
                     .text = text,
                     .team = signature.team};
         }
-        named.push_back(to_glsl_with_layouts(candidate));
+        named.push_back(to_glsl({candidate.result, candidate.parameters}, candidate.name));
     }
     if (!named.empty()) {
         throw std::invalid_argument(
@@ -256,7 +252,8 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
     KernelModule module =
         kernel_module(made_of, compile_kernel(text, made_of.images, stage_of(made_of.team)));
     if (made_of.team.kind == backend::Team::Kind::quad)
-        module.vertex_spirv = compile(quad_vertices(), {.stage = shader::Stage::vertex});
+        module.vertex_spirv = cache_.compile({.name = "vertices of a quad", .text = quad_vertices},
+                                             {.stage = shader::Stage::vertex});
     if (const auto text_language = language()) {
         if (shader::has_float16(module.spirv))
             throw backend::Unsupported(function + ": needs float16_t, which OpenGL has no standard type for");
@@ -290,7 +287,7 @@ void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
     if (options_.variant.optimization != shader::Optimization::none) {
         shader::CompileOptions options = judged_options();
         options.stage = stage;
-        module.before = compile(text, options);
+        module.before = cache_.compile(text, options);
     }
     if (options_.variant.steps.empty()) return;
     const auto glsl = [&] { return shader::pack({text}, {.stage = stage}, options_.include_roots); };
@@ -299,15 +296,11 @@ void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
     if (module.before.empty()) module.before = std::move(given);
 }
 
-shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOptions& options) const {
-    return cache_.compile(text, options);
-}
-
 shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<ImagePrototype>& images,
                                   shader::Stage stage) const {
     shader::CompileOptions options = compile_options();
     options.stage = stage;
-    shader::Spirv module = compile(text, options);
+    shader::Spirv module = cache_.compile(text, options);
     if (const std::string other = shader::spirv::other_number(module); !other.empty())
         throw backend::Unsupported(text.name + ": " + shader::spirv::not_judged(other));
     for (const shader::Resource& resource : shader::used_resources(module)) {

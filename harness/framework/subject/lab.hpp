@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +17,6 @@
 #include "module/compile.hpp"
 #include "module/texts.hpp"
 #include "subject/kernel_code.hpp"
-#include "subject/own_file.hpp"
 #include "subject/signature.hpp"
 
 namespace gloam::check {
@@ -81,6 +80,29 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 // The text whose functions are those of a file, or of an excerpt of the file (shader::Excerpt::text).
 [[nodiscard]] shader::Source probe_of(const std::string& file, const std::string& excerpt = {});
 
+// A user's shader file, cut into its functions once. Labs that run them share it.
+struct OwnFile {
+    // `text`: what the file holds. `roots`: folders of its includes. `defines`: macros that hold before it
+    // begins (shader::excerpts()). Throws shader::CompileError for what the preprocessor rejects.
+    OwnFile(const std::filesystem::path& path, std::string contents, std::vector<std::filesystem::path> roots,
+            const std::vector<std::string>& defines = {})
+        : name(path.filename().string()),
+          text(std::move(contents)),
+          include_roots(std::move(roots)),
+          excerpts(shader::excerpts({path.string(), text}, include_roots, defines)) {}
+
+    // Null: it defines no such function.
+    [[nodiscard]] const shader::Excerpt* find(const std::string& function) const {
+        const auto found = std::ranges::find(excerpts.functions, function, &shader::Excerpt::function);
+        return found == excerpts.functions.end() ? nullptr : &*found;
+    }
+
+    std::string name;  // without its folder, as kernels and reports call it
+    std::string text;
+    std::vector<std::filesystem::path> include_roots;
+    shader::Excerpts excerpts;
+};
+
 struct LabOptions {
     std::string device;                                // see gpu::DeviceOptions; or interpreter_name;
                                                        // or an OpenGL device (backend/gl/device.hpp)
@@ -122,12 +144,11 @@ class Lab {
     [[nodiscard]] KernelSource source(const std::string& file, const std::string& function,
                                       const Signature& signature) const;
 
-    // The module of a shader. Throws shader::CompileError.
-    [[nodiscard]] shader::Spirv compile(const shader::Source& text,
-                                        const shader::CompileOptions& options) const;
+    // Of the modules of its shaders.
+    [[nodiscard]] const shader::SpirvCache& cache() const { return cache_; }
 
-    // That of a kernel with these images, in the lab's variant. Also throws std::invalid_argument if the
-    // function uses other bindings, because no resource is bound to them.
+    // The module of a kernel with these images, in the lab's variant. Throws shader::CompileError;
+    // std::invalid_argument if the function uses other bindings, because no resource is bound to them.
     [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text,
                                                const std::vector<ImagePrototype>& images,
                                                shader::Stage stage = shader::Stage::compute) const;

@@ -2,19 +2,21 @@
 #include "subject/own_function.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <regex>
-#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "interpreter/machine.hpp"
 #include "module/module.hpp"
 #include "module/reflection.hpp"
-#include "subject/internal/refused.hpp"
+#include "source/tokens.hpp"
 
 namespace gloam::check {
 namespace {
@@ -26,36 +28,25 @@ constexpr double usual_high = 1e6;
 constexpr long usual_integer = 1000;
 constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
 constexpr long largest_unsigned = 1L << 31;
-
-// Of a float type, those of its numbers.
-Range usual_range(Scalar scalar) {
-    const numeric::FloatFormat& format = format_of(scalar);
-    return {std::max(usual_low, format.smallest_normal()), std::min(usual_high, format.largest())};
-}
-
-// Values of any type in a range.
-Values values_in(Scalar scalar, const Range& range) {
-    if (shader::is_float(scalar)) return uniform(range.low, range.high, scalar);
-    return integers(static_cast<long>(range.low), static_cast<long>(range.high));
-}
+constexpr const char* judged_samplers =
+    "sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, those of integers, and "
+    "sampler2DShadow";
 
 Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
-    if (range && scalar != Scalar::bool_) return values_in(scalar, *range);
-    const Range usual = usual_range(scalar);
-    switch (scalar) {
-        case Scalar::float_:
-        case Scalar::float16_:
-            // Most parameters of shader functions are shares, colours or coordinates.
-            return either(uniform(0, 1, scalar),
-                          signed_log_uniform(usual.low, usual.high, scalar).and_special(scalar));
-        case Scalar::int_:
-            return either(integers(0, usual_index),
-                          either(log_integers(usual_integer), integers(-usual_integer, usual_integer)));
-        case Scalar::bool_:
-            return booleans();
-        default:
-            return either(integers(0, usual_index), log_integers(largest_unsigned));
+    if (shader::is_float(scalar)) {
+        if (range) return uniform(range->low, range->high, scalar);
+        const numeric::FloatFormat& format = format_of(scalar);
+        const double low = std::max(usual_low, format.smallest_normal());
+        const double high = std::min(usual_high, format.largest());
+        // Most parameters of shader functions are shares, colours or coordinates.
+        return either(uniform(0, 1, scalar), signed_log_uniform(low, high, scalar).and_special(scalar));
     }
+    if (scalar == Scalar::bool_) return booleans();
+    if (range) return integers(static_cast<long>(range->low), static_cast<long>(range->high));
+    return either(integers(0, usual_index),
+                  scalar == Scalar::int_
+                      ? either(log_integers(usual_integer), integers(-usual_integer, usual_integer))
+                      : log_integers(largest_unsigned));
 }
 
 Values values_of(const shader::Type& type, const std::optional<Range>& range) {
@@ -69,8 +60,7 @@ std::string obstacle(const shader::Type& type) {
     if (type.scalar == Scalar::oversized)
         return fmt::format("{} has more than {} scalars", type.name, shader::most_scalars);
     if (type.scalar == Scalar::unsupported)
-        return fmt::format("{} is not judged: gloam judges {}", shader::name_of(type),
-                           internal::judged_samplers);
+        return fmt::format("{} is not judged: gloam judges {}", shader::name_of(type), judged_samplers);
     for (const shader::Member& member : type.members)
         if (const std::string inside = obstacle(member.type); !inside.empty())
             return fmt::format("in {}, {}", shader::name_of(type), inside);
@@ -133,148 +123,71 @@ std::string definition_of(const shader::Function& function) {
     return fmt::format("{}({})", function.name, types);
 }
 
-// Sorts the functions of one file.
-class Sorting {
-  public:
-    Sorting(const OwnFile& file, const std::vector<std::string>& names) : file_(file), names_(names) {}
-
-    void add(const shader::Excerpt& excerpt, const std::vector<shader::Function>& compiled,
-             const backend::Team& team) {
-        std::vector<std::pair<shader::Function, std::string>> own;  // and its comment
-        std::size_t k = 0;
-        for (const shader::Function& function : compiled) {
-            if (function.name != excerpt.function || !function.defined) continue;
-            const bool known = k < excerpt.definitions.size();  // not made by a macro
-            if (!known || !excerpt.definitions[k].empty())
-                own.emplace_back(with_globals(function, excerpt), known ? excerpt.comments[k] : "");
-            ++k;
-        }
-        const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
-            return !function.defined && !image_prototype(function);
-        });
-        for (const auto& [function, comment] : own) {
-            const std::string definition = definition_of(function);
-            if (!wants(definition)) continue;
-            const shader::Function called = together(function, team);
-            std::string why = why_not(function, excerpt, team);
-            if (why.empty() && unserved != compiled.end())
-                why = fmt::format("it calls {}, which has no body; expected T name(ivec2)",
-                                  definition_of(*unserved));
-            if (why.empty()) {
-                all_.found.push_back(
-                    {{file_.name, called, images_of(excerpt, function), false, excerpt.text, team},
-                     own.size() > 1 ? definition : function.name,
-                     comment});
-            } else {
-                all_.left_out.push_back({definition, why});
-            }
-        }
-    }
-
-    void refuse(const shader::Excerpt& excerpt, const std::string& errors) {
-        for (const std::string& definition : excerpt.definitions)
-            if (!definition.empty() && wants(definition))
-                all_.left_out.push_back(internal::refused(excerpt, definition, errors));
-    }
-
-    OwnFunctions take() {
-        const auto unmet = std::ranges::find_if(names_, [this](const std::string& name) {
-            return std::ranges::none_of(seen_, [&](const auto& one) { return is_named(one, name); });
-        });
-        if (unmet == names_.end()) return std::move(all_);
-        std::string known;
-        for (const auto& excerpt : file_.excerpts.functions)
-            known += (known.empty() ? "" : ", ") + excerpt.function;
-        throw std::invalid_argument(fmt::format("{}: no function {}; it defines: {}", file_.name, *unmet,
-                                                known.empty() ? "none" : known));
-    }
-
-  private:
-    bool wants(const std::string& definition) {
-        seen_.push_back(definition);
-        return names_.empty() || std::ranges::any_of(names_, [&](const std::string& name) {
-                   return is_named(definition, name);
-               });
-    }
-
-    const OwnFile& file_;
-    const std::vector<std::string>& names_;
-    std::vector<std::string> seen_;
-    OwnFunctions all_;
-};
-
-// Pixels of a prototype: positive numbers of usual size. Accesses outside read the border.
-Image random_image(const ImagePrototype& prototype, glm::ivec2 size, numeric::Random& random) {
-    Image image{.element = prototype.element, .size = size, .border = Border::clamp, .words = {}};
-    for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
-        for (const Scalar scalar : scalars_of(prototype.element)) {
-            const double value = random.uniform(0.1, 10.0);
-            image.words.push_back(shader::is_float(scalar) ? float_word(scalar, value)
-                                                           : static_cast<Word>(random.below(2)));
-        }
-    }
-    return image;
+// A variable of GLSL 1.20 that later versions have not.
+bool is_legacy(std::string_view name) {
+    constexpr std::array<std::string_view, 20> beginnings{
+        "gl_ModelView", "gl_Projection", "gl_Normal",    "gl_TextureMatrix", "gl_MultiTexCoord",
+        "gl_TexCoord",  "gl_Color",      "gl_Secondary", "gl_Front",         "gl_Back",
+        "gl_FogCoord",  "gl_FogFrag",    "gl_Fog",       "gl_Light",         "gl_FragData",
+        "gl_ClipPlane", "gl_ClipVertex", "gl_Point",     "gl_TextureEnv",    "gl_MaxLights"};
+    if (name == "gl_Vertex" || name == "ftransform") return true;
+    return std::ranges::any_of(beginnings, [&](auto beginning) { return name.starts_with(beginning); });
 }
 
-// Texels of a sampler. Floats are multiples of 1/64, which 16 bits represent.
-Image random_texels(const ImagePrototype& prototype, glm::ivec2 size, Image::Sampling sampling,
-                    numeric::Random& random) {
-    constexpr unsigned layers = 3;
-    using backend::SampledShape;
-    const SampledShape shape = backend::shape_of_sampler(prototype.sampler);
-    const bool is_depth = backend::texel_of_sampler(prototype.sampler) == backend::SampledTexel::depth;
-    const bool is_cube = backend::is_cube(shape);
-    if (shape == SampledShape::three || shape == SampledShape::layers) sampling.depth = layers;
-    if (is_cube) sampling.depth = backend::cube_faces * (shape == SampledShape::cube ? 1 : layers);
-    if (is_cube) size.y = size.x;
-    const backend::SampledHeader header{.width = static_cast<Word>(size.x),
-                                        .height = static_cast<Word>(size.y),
-                                        .depth = sampling.depth,
-                                        .levels = sampling.levels,
-                                        .shape = shape};
-    const bool floats = prototype.element.scalar == Scalar::float_;
-    const std::uint64_t values = is_depth ? 9 : 640;  // depths are eighths, 0 and 1 among them
-    const float unit = is_depth ? 8.0F : 64.0F;
-    sampling.linear = sampling.linear && floats;
-    Image image{.element = prototype.element, .size = size, .words = {}, .sampling = sampling};
-    for (std::size_t i = 0; i < backend::texels_before(header, header.levels) * backend::texel_words; ++i) {
-        const auto value = static_cast<Word>(random.below(values));
-        image.words.push_back(floats ? to_word(static_cast<float>(value) / unit) : value);
-    }
-    return image;
+// A word of HLSL; empty if the text has none.
+std::string word_of_hlsl(const std::string& text) {
+    static const std::regex words(R"(\b(float[234](x[234])?|half[234]|int[234]|uint[234]|cbuffer|SV_\w+)\b)");
+    std::smatch found;
+    return std::regex_search(text, found, words) ? found.str() : "";
 }
 
-ImageScenario random_scenario(const std::vector<ImagePrototype>& images, const std::string& name,
-                              glm::ivec2 size, const Image::Sampling& sampling) {
-    const auto make = [images, sampling](glm::ivec2 pixels, numeric::Random& random) {
-        ImageSet set;
-        for (const ImagePrototype& image : images)
-            set.emplace(image.name, image.sampled ? random_texels(image, pixels, sampling, random)
-                                                  : random_image(image, pixels, random));
-        return set;
-    };
-    return {.name = name, .size = size, .make = make};
+// A reference to a buffer as a type of the excerpt, which lacks it.
+std::string pointer_of(const shader::Excerpt& excerpt) {
+    if (excerpt.text.find("GL_EXT_buffer_reference") == std::string::npos) return {};
+    const std::vector<shader::Token> tokens = shader::tokens_of(excerpt.text);
+    const auto found = std::ranges::adjacent_find(tokens, [&](const auto& type, const auto& name) {
+        return excerpt.interface.contains(type.text) && name.is_word();
+    });
+    return found == tokens.end() ? "" : found->text;
 }
 
-}  // namespace
-
-std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& all) {
-    std::vector<ImagePrototype> images;  // that have a content
-    std::ranges::copy_if(all, std::back_inserter(images),
-                         [](const auto& image) { return image.layered.empty(); });
-    using backend::Compare;
-    using backend::Wrap;
-    if (images.empty()) return {};
-    if (std::ranges::none_of(images, &ImagePrototype::sampled))
-        return {random_scenario(images, "5 x 4, random", {5, 4}, {})};
-    return {random_scenario(images, "5 x 4, random, linear, repeat", {5, 4}, {.linear = true}),
-            random_scenario(images, "4 x 4, random, linear, edge, 3 levels", {4, 4},
-                            {.linear = true, .wrap = Wrap::edge, .levels = 3, .compare = Compare::greater}),
-            random_scenario(images, "5 x 4, random, nearest, mirrored, 2 levels", {5, 4},
-                            {.wrap = Wrap::mirrored, .levels = 2, .compare = Compare::less})};
+// Why an excerpt does not compile as a part of a compute shader. `errors`: what the compiler says.
+LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
+    const std::string first = errors.substr(0, errors.find('\n'));
+    std::istringstream parts(first);  // "own.frag:10: 'image' : undeclared identifier"
+    std::string place;
+    std::string name;
+    std::getline(parts, place, '\'');
+    std::getline(parts, name, '\'');
+    place.erase(place.find_last_not_of(": ") + 1);
+    const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
+    const bool lacks = excerpt.interface.contains(name);
+    if (const std::string type = pointer_of(excerpt); !type.empty() && (lacks || is("syntax error")))
+        return {definition,
+                fmt::format("gloam cannot run it: {}, at {}, is a reference to memory (buffer_reference)",
+                            type, place)};
+    if (lacks)
+        return {
+            definition,
+            fmt::format("it uses \"{}\", an image or sampler, at {}; expected no array, but one of {}, an "
+                        "image2D with a format of 32 bits like r32f, or values from parameters and "
+                        "prototypes T name(ivec2)",
+                        name, place, judged_samplers)};
+    if (is_legacy(name))
+        return {definition,
+                fmt::format("\"{}\" at {} is of GLSL 1.20; pass its value as a parameter or a uniform", name,
+                            place)};
+    if (const std::string word = word_of_hlsl(excerpt.text); !word.empty())
+        return {definition, fmt::format("it is HLSL (\"{}\"), and gloam reads GLSL: {}", word, first), true};
+    if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
+        return {definition,
+                fmt::format("{} at {} needs another stage than compute and fragment", name, place)};
+    if (is("Atomic memory function") || is("atomic memory functions"))
+        return {definition,
+                fmt::format("{} at {} needs memory that invocations share: each input is run by itself", name,
+                            place)};
+    return {definition, "it does not compile: " + first, true};
 }
-
-namespace {
 
 // The invocations that run a function of the excerpt together.
 backend::Team team_for(const shader::Excerpt& excerpt, const std::string& file,
@@ -289,26 +202,74 @@ backend::Team team_for(const shader::Excerpt& excerpt, const std::string& file,
             .size = shader::reflect(cache.compile(whole, {.variant = {}})).local_size};
 }
 
+// Adds the functions of an excerpt whose definition is wanted.
+template <class Wants>
+void add_functions(const OwnFile& file, const shader::Excerpt& excerpt, const shader::SpirvCache& cache,
+                   const Wants& wants, OwnFunctions& all) {
+    const backend::Team team = team_for(excerpt, file.name, cache);
+    const std::vector<shader::Function> compiled =
+        cache.functions(probe_of(file.name, excerpt.text), {.stage = stage_of(team), .variant = {}});
+    std::vector<std::pair<shader::Function, std::string>> own;  // and its comment
+    std::size_t k = 0;
+    for (const shader::Function& function : compiled) {
+        if (function.name != excerpt.function || !function.defined) continue;
+        const bool known = k < excerpt.definitions.size();  // not made by a macro
+        if (!known || !excerpt.definitions[k].empty())
+            own.emplace_back(with_globals(function, excerpt), known ? excerpt.comments[k] : "");
+        ++k;
+    }
+    const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
+        return !function.defined && !image_prototype(function);
+    });
+    for (const auto& [function, comment] : own) {
+        const std::string definition = definition_of(function);
+        if (!wants(definition)) continue;
+        std::string why = why_not(function, excerpt, team);
+        if (why.empty() && unserved != compiled.end())
+            why = fmt::format("it calls {}, which has no body; expected T name(ivec2)",
+                              definition_of(*unserved));
+        if (!why.empty())
+            all.left_out.push_back({definition, why});
+        else
+            all.found.push_back({{file.name, together(function, team), images_of(excerpt, function), false,
+                                  excerpt.text, team},
+                                 own.size() > 1 ? definition : function.name,
+                                 comment});
+    }
+}
+
 }  // namespace
 
 OwnFunctions own_functions(const LabOptions& options, const std::vector<std::string>& names) {
-    const std::string& file = options.file->name;
-    Sorting sorting(*options.file, names);
+    const OwnFile& file = *options.file;
     const shader::SpirvCache cache = shader_cache(options);
-    for (const shader::Excerpt& excerpt : options.file->excerpts.functions) {
+    OwnFunctions all;
+    std::vector<std::string> unmet = names;
+    const auto wants = [&](const std::string& definition) {
+        const auto named = [&](const std::string& name) { return is_named(definition, name); };
+        std::erase_if(unmet, named);
+        return names.empty() || std::ranges::any_of(names, named);
+    };
+    for (const shader::Excerpt& excerpt : file.excerpts.functions) {
         const bool asked = names.empty() || std::ranges::any_of(names, [&](const std::string& name) {
                                return without_blanks(name.substr(0, name.find('('))) == excerpt.function;
                            });
         if (!asked) continue;
         try {
-            const backend::Team team = team_for(excerpt, file, cache);
-            const shader::CompileOptions in_stage{.stage = stage_of(team), .variant = {}};
-            sorting.add(excerpt, cache.functions(probe_of(file, excerpt.text), in_stage), team);
+            add_functions(file, excerpt, cache, wants, all);
         } catch (const shader::CompileError& error) {
-            sorting.refuse(excerpt, error.what());
+            for (const std::string& definition : excerpt.definitions)
+                if (!definition.empty() && wants(definition))
+                    all.left_out.push_back(refused(excerpt, definition, error.what()));
         }
     }
-    OwnFunctions all = sorting.take();
+    if (!unmet.empty()) {
+        std::vector<std::string> known;
+        for (const shader::Excerpt& excerpt : file.excerpts.functions) known.push_back(excerpt.function);
+        throw std::invalid_argument(
+            fmt::format("{}: no function {}; it defines: {}", file.name, unmet.front(),
+                        known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+    }
     std::erase_if(all.found, [&](const OwnFunction& own) {
         const std::string why = why_not_run(own, cache);
         if (!why.empty()) all.left_out.push_back({own.name, "gloam cannot run it: " + why});

@@ -37,10 +37,6 @@ struct OwnFunctions {
 [[nodiscard]] OwnFunctions own_functions(const LabOptions& options,
                                          const std::vector<std::string>& names = {});
 
-// Random content for prototypes and samplers. Where there are samplers, they have different filters, edges
-// and levels.
-[[nodiscard]] std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images);
-
 // The inputs of a function that is checked by the rules alone. They follow from its types where no range is
 // given:
 //   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,

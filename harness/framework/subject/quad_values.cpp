@@ -60,33 +60,26 @@ void append_pixels(DrawContext& context, Words& words) {
     constexpr std::uint64_t side = 2048;
     const auto x = static_cast<float>(2 * context.random.below(side));
     const auto y = static_cast<float>(2 * context.random.below(side));
-    for (std::size_t k = 0; k < quad; ++k) {
-        words.push_back(to_word(x + (is_right(k) ? 1.5F : 0.5F)));
-        words.push_back(to_word(y + (is_below(k) ? 1.5F : 0.5F)));
-        words.push_back(to_word(static_cast<float>(context.random.uniform(0.0, 1.0))));
-        words.push_back(to_word(1.0F));
-    }
+    for (std::size_t k = 0; k < quad; ++k)
+        append_words(glm::vec4(x + (is_right(k) ? 1.5F : 0.5F), y + (is_below(k) ? 1.5F : 0.5F),
+                               static_cast<float>(context.random.uniform(0.0, 1.0)), 1.0F),
+                     words);
 }
 
 }  // namespace
 
 Values neighbours(const shader::Type& type, const Values& one, bool pixels) {
+    if (pixels) return {.draw = append_pixels};
     Values all;
-    if (pixels) {
-        all.draw = append_pixels;
-        return all;
-    }
     all.draw = [one, scalars = scalars_of(type)](DrawContext& context, Words& words) {
         const std::uint64_t lot = context.random.below(4);
         if (lot < 2) return append_stepped(one, scalars, context, words);
-        Words first;
-        one.draw(context, first);
-        for (std::size_t k = 0; k < quad; ++k) {
-            if (lot == 2 && k > 0) {
-                first.clear();
-                one.draw(context, first);
-            }
-            words.insert(words.end(), first.begin(), first.end());
+        const std::size_t first = words.size();
+        one.draw(context, words);
+        const std::size_t width = words.size() - first;
+        for (std::size_t k = 1; k < quad; ++k) {
+            if (lot == 2) one.draw(context, words);
+            for (std::size_t w = 0; lot != 2 && w < width; ++w) words.push_back(words[first + w]);
         }
     };
     if (one.contains)
@@ -97,8 +90,7 @@ Values neighbours(const shader::Type& type, const Values& one, bool pixels) {
             return true;
         };
     for (const Values::Fixed& fixed : one.fixed) {
-        Values::Fixed& equal = all.fixed.emplace_back();
-        equal.branch = fixed.branch;
+        Values::Fixed& equal = all.fixed.emplace_back(Values::Fixed{.words = {}, .branch = fixed.branch});
         for (std::size_t k = 0; k < quad; ++k)
             equal.words.insert(equal.words.end(), fixed.words.begin(), fixed.words.end());
     }

@@ -1,24 +1,90 @@
 // SPDX-License-Identifier: MIT
 #include "subject/signature.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
 namespace gloam::check {
 
 using shader::Direction;
 using shader::Scalar;
 
+void for_each_value(const shader::Type& type, const std::function<void(const shader::Type&)>& visit) {
+    if (!type.sizes.empty()) {
+        const shader::Type element = shader::element_of(type);
+        for (std::uint32_t i = 0; i < type.sizes.front(); ++i) for_each_value(element, visit);
+    } else if (type.scalar == Scalar::structure) {
+        for (const shader::Member& member : type.members) for_each_value(member.type, visit);
+    } else if (type.scalar != Scalar::void_ && type.scalar != Scalar::sampler) {
+        visit(type);
+    }
+}
+
+std::vector<Scalar> scalars_of(const shader::Type& type) {
+    std::vector<Scalar> scalars;
+    for_each_value(type, [&](const shader::Type& one) {
+        scalars.insert(scalars.end(), static_cast<std::size_t>(one.columns * one.rows), one.scalar);
+    });
+    return scalars;
+}
+
+double whole_number(Scalar scalar, Word word) {
+    return scalar == Scalar::int_ ? from_word<int>(word) : static_cast<double>(word);
+}
+
+double number_at(Scalar scalar, Word word) {
+    return shader::is_float(scalar) ? from_word<double>(word) : whole_number(scalar, word);
+}
+
+const numeric::FloatFormat& format_of(Scalar scalar) {
+    return scalar == Scalar::float16_ ? numeric::float16 : numeric::float32;
+}
+
+Word float_word(Scalar scalar, double value) {
+    if (scalar == Scalar::float16_ && std::isfinite(value)) {
+        const double low = numeric::float16.round_down(value);
+        const double high = numeric::float16.round_up(value);
+        value = value - low <= high - value ? low : high;
+    }
+    return to_word(static_cast<float>(value));
+}
+
+Word stepped_float(Scalar scalar, Word word, std::int64_t steps) {
+    if (scalar == Scalar::float_)
+        return to_word(numeric::step(from_word<float>(word), static_cast<int>(steps)));
+    const auto value = from_word<double>(word);
+    if (!std::isfinite(value)) return word;
+    // At a power of two the numbers above stand twice as far apart as those below.
+    const double within = std::nextafter(value, steps < 0 ? -numeric::infinity : numeric::infinity);
+    return float_word(scalar, value + static_cast<double>(steps) * numeric::float16.ulp(within));
+}
+
+bool same_bits(std::span<const Scalar> scalars, std::span<const Word> a, std::span<const Word> b) {
+    const auto is_nan = [](Word word) { return std::isnan(from_word<float>(word)); };
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i] && !(shader::is_float(scalars[i]) && is_nan(a[i]) && is_nan(b[i]))) return false;
+    return true;
+}
+
+std::string text_of(Scalar scalar, Word word) {
+    if (shader::is_float(scalar)) return numeric::to_text(from_word<float>(word));
+    if (scalar == Scalar::int_) return fmt::format("{}", from_word<int>(word));
+    if (scalar == Scalar::bool_) return word != 0U ? "true" : "false";
+    return fmt::format("{0} (0x{0:08x})", word);
+}
+
 std::vector<Scalar> Signature::input_scalars() const {
     std::vector<Scalar> scalars;
-    for (const shader::Parameter& p : parameters) {
-        if (p.direction != Direction::out) append_scalars(p.type, scalars);
-    }
+    for (const shader::Parameter& p : parameters)
+        if (p.direction != Direction::out) std::ranges::copy(scalars_of(p.type), std::back_inserter(scalars));
     return scalars;
 }
 
 std::vector<Scalar> Signature::output_scalars() const {
     std::vector<Scalar> scalars = scalars_of(result);
-    for (const shader::Parameter& p : parameters) {
-        if (p.direction != Direction::in) append_scalars(p.type, scalars);
-    }
+    for (const shader::Parameter& p : parameters)
+        if (p.direction != Direction::in) std::ranges::copy(scalars_of(p.type), std::back_inserter(scalars));
     return scalars;
 }
 
@@ -30,27 +96,14 @@ std::size_t Signature::output_words() const {
     return output_scalars().size();
 }
 
-namespace {
-
-void append_values(const shader::Type& type, std::vector<std::size_t>& values) {
-    if (!type.sizes.empty()) {
-        const shader::Type element = shader::element_of(type);
-        for (std::uint32_t i = 0; i < type.sizes.front(); ++i) append_values(element, values);
-    } else if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members) append_values(member.type, values);
-    } else if (type.scalar != Scalar::void_) {
-        values.push_back(scalars_of(type).size());
-    }
-}
-
-}  // namespace
-
 std::vector<std::size_t> Signature::output_values() const {
     std::vector<std::size_t> values;
-    append_values(result, values);
-    for (const shader::Parameter& p : parameters) {
-        if (p.direction != Direction::in) append_values(p.type, values);
-    }
+    const auto add = [&](const shader::Type& one) {
+        values.push_back(static_cast<std::size_t>(one.columns * one.rows));
+    };
+    for_each_value(result, add);
+    for (const shader::Parameter& p : parameters)
+        if (p.direction != Direction::in) for_each_value(p.type, add);
     return values;
 }
 
@@ -102,11 +155,8 @@ shader::Function together(shader::Function function, const backend::Team& team) 
 }
 
 std::string to_glsl(const Signature& signature, const std::string& name) {
-    return to_glsl_with_layouts(
-        {.name = name, .result = signature.result, .parameters = signature.parameters, .defined = true});
-}
-
-std::string to_glsl_with_layouts(shader::Function function) {
+    shader::Function function{
+        .name = name, .result = signature.result, .parameters = signature.parameters, .defined = true};
     const auto spell_out = [](shader::Type& type) {
         if (type.scalar != Scalar::structure) return;
         shader::Type one = type;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
-#include <map>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -13,10 +16,29 @@
 #include "backend/backend.hpp"
 #include "module/compile.hpp"
 #include "module/texts.hpp"
-#include "subject/scalars.hpp"
+#include "numeric/numbers.hpp"
 #include "subject/values_in_words.hpp"
 
 namespace gloam::check {
+
+// Calls visit() with the type of each scalar, vector and matrix in a value, in order; samplers are none.
+void for_each_value(const shader::Type& type, const std::function<void(const shader::Type&)>& visit);
+// The scalars of a value, a word for each.
+[[nodiscard]] std::vector<shader::Scalar> scalars_of(const shader::Type& type);
+
+// A word as the number that it stands for.
+[[nodiscard]] double number_at(shader::Scalar scalar, Word word);
+// Of a word that is no float.
+[[nodiscard]] double whole_number(shader::Scalar scalar, Word word);
+[[nodiscard]] const numeric::FloatFormat& format_of(shader::Scalar scalar);
+// The word of a float: the nearest value of its type; so many values above another one.
+[[nodiscard]] Word float_word(shader::Scalar scalar, double value);
+[[nodiscard]] Word stepped_float(shader::Scalar scalar, Word word, std::int64_t steps);
+// Whether all words are equal; all NaNs of a type are.
+[[nodiscard]] bool same_bits(std::span<const shader::Scalar> scalars, std::span<const Word> a,
+                             std::span<const Word> b);
+// "0.1 (0x3dcccccd)", "-3", "true".
+[[nodiscard]] std::string text_of(shader::Scalar scalar, Word word);
 
 // Marks a GLSL `out` parameter in a C++ signature: float(glm::vec2, Out<float>). A reference, float&, is
 // `inout`.
@@ -28,15 +50,7 @@ struct Out {
 // A type of the signature with double in place of float and Float16, for references.
 template <class T>
 struct InDoubleOf {
-    using type = T;
-};
-template <>
-struct InDoubleOf<float> {
-    using type = double;
-};
-template <>
-struct InDoubleOf<Float16> {
-    using type = double;
+    using type = std::conditional_t<std::same_as<T, float> || std::same_as<T, Float16>, double, T>;
 };
 template <glm::length_t N, class T>
 struct InDoubleOf<glm::vec<N, T>> {
@@ -120,19 +134,8 @@ inline constexpr std::array<std::uint32_t, 2> image_sides{5, 4};
 // "float f(vec2, out float)"; structures are written in full.
 [[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);
 
-// The same for a compiled function; its structures are written in full, member by member.
-[[nodiscard]] std::string to_glsl_with_layouts(shader::Function function);
-
 namespace detail {
 
-template <class T>
-struct Wrap {
-    using type = std::tuple<T>;
-};
-template <>
-struct Wrap<void> {
-    using type = std::tuple<>;
-};
 template <bool Keep, class T>
 using KeepIf = std::conditional_t<Keep, std::tuple<T>, std::tuple<>>;
 
@@ -146,8 +149,9 @@ struct SignatureOf<R(P...)> {
     using Result = R;
     // Values that a call takes and returns: tuples of plain types.
     using Inputs = decltype(std::tuple_cat(detail::KeepIf<is_input<P>, typename ParameterOf<P>::value>{}...));
-    using Outputs = decltype(std::tuple_cat(
-        typename detail::Wrap<R>::type{}, detail::KeepIf<is_output<P>, typename ParameterOf<P>::value>{}...));
+    using Outputs =
+        decltype(std::tuple_cat(detail::KeepIf<!std::is_void_v<R>, R>{},
+                                detail::KeepIf<is_output<P>, typename ParameterOf<P>::value>{}...));
 
     [[nodiscard]] static Signature describe() {
         const backend::Team team = team_of_all<R, typename ParameterOf<P>::value...>();

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -20,15 +19,13 @@ using Words = std::vector<Word>;
 
 using shader::Scalar;
 
-Values float_values(Scalar scalar, double low, double high, std::function<double(numeric::Random&)> make) {
-    Values values;
+Values float_values(Scalar scalar, double low, double high,
+                    const std::function<double(numeric::Random&)>& make) {
+    Values values = made_by<Word>([=](numeric::Random& random) { return float_word(scalar, make(random)); });
     values.contains = [=](std::span<const Word> words) {
         const auto value = from_word<double>(words.front());
-        if (!(value >= low && value <= high)) return false;
-        return scalar != Scalar::float16_ || float_word(scalar, value) == words.front();
-    };
-    values.draw = [scalar, make = std::move(make)](DrawContext& context, Words& words) {
-        words.push_back(float_word(scalar, make(context.random)));
+        return value >= low && value <= high &&
+               (scalar != Scalar::float16_ || float_word(scalar, value) == words.front());
     };
     return values;
 }
@@ -39,9 +36,8 @@ double squared_length(std::span<const Word> vector) {
     return squared;
 }
 
-Values and_number(Values values, Scalar scalar, double number) {
+void add_number(Values& values, Scalar scalar, double number) {
     values.fixed.push_back({.words = {float_word(scalar, number)}});
-    return values;
 }
 
 void require_order(double low, double high) {
@@ -95,9 +91,8 @@ Values Values::and_near(std::initializer_list<double> points, Scalar scalar) con
 Values Values::and_near_integers(std::initializer_list<long> points) const {
     Values more = *this;
     for (const long point : points) {
-        for (const long offset : {-1L, 0L, 1L}) {
+        for (const long offset : {-1L, 0L, 1L})
             more.fixed.push_back({.words = {static_cast<Word>(point + offset)}, .branch = true});
-        }
     }
     return more;
 }
@@ -113,21 +108,22 @@ Values uniform(double low, double high, Scalar scalar) {
     require_order(low, high);
     Values values = float_values(scalar, low, high,
                                  [low, high](numeric::Random& random) { return random.uniform(low, high); });
-    values = and_number(and_number(std::move(values), scalar, low), scalar, high);
+    for (const double end : {low, high}) add_number(values, scalar, end);
     const numeric::FloatFormat& format = format_of(scalar);
     for (const double size : {0.0, format.smallest_subnormal(), format.smallest_normal()})
         for (const double side : {size, -size})
-            if (side >= low && side <= high) values = and_number(std::move(values), scalar, side);
+            if (side >= low && side <= high) add_number(values, scalar, side);
     return values;
 }
 
 Values log_uniform(double low, double high, Scalar scalar) {
     require_order(low, high);
     if (!(low > 0.0)) throw std::invalid_argument("log_uniform needs 0 < low");
-    const Values values = float_values(scalar, low, high, [low, high](numeric::Random& random) {
+    Values values = float_values(scalar, low, high, [low, high](numeric::Random& random) {
         return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low, high);
     });
-    return and_number(and_number(values, scalar, low), scalar, high);
+    for (const double end : {low, high}) add_number(values, scalar, end);
+    return values;
 }
 
 Values signed_log_uniform(double low, double high, Scalar scalar) {
@@ -138,30 +134,24 @@ Values signed_log_uniform(double low, double high, Scalar scalar) {
         words.back() ^= context.random.below(2) == 0 ? 0U : 0x80000000U;
     };
     values.contains = [magnitude](std::span<const Word> words) {
-        Words positive(words.begin(), words.end());
-        positive.back() &= 0x7fffffffU;
-        return magnitude.contains(positive);
+        const Word positive = words.front() & 0x7fffffffU;
+        return magnitude.contains(std::span(&positive, 1));
     };
-    for (const double end : {low, -low, high, -high}) values = and_number(std::move(values), scalar, end);
+    for (const double end : {low, -low, high, -high}) add_number(values, scalar, end);
     return values;
 }
 
 Values any_float() {
-    Values values;
-    values.draw = [](DrawContext& context, Words& words) {
-        words.push_back(static_cast<Word>(context.random.bits()));
-    };
+    Values values = made_by<Word>([](numeric::Random& random) { return random.bits(); });
     values.contains = [](std::span<const Word>) { return true; };
     return values;
 }
 
 Values integers(long low, long high) {
     require_order(static_cast<double>(low), static_cast<double>(high));
-    Values values;
-    values.draw = [=](DrawContext& context, Words& words) {
-        const auto count = static_cast<std::uint64_t>(high - low) + 1U;
-        words.push_back(static_cast<Word>(low + static_cast<long>(context.random.below(count))));
-    };
+    const auto count = static_cast<std::uint64_t>(high - low) + 1U;
+    Values values =
+        made_by<Word>([=](numeric::Random& random) { return low + static_cast<long>(random.below(count)); });
     for (const long end : {low, high}) values.fixed.push_back({.words = {static_cast<Word>(end)}});
     // The distance from `low`, modulo 2^32, must not exceed that of `high`.
     values.contains = [first = static_cast<Word>(low), last = static_cast<Word>(high)](
@@ -170,11 +160,10 @@ Values integers(long low, long high) {
 }
 
 Values log_integers(long high) {
-    Values values;
-    values.draw = [high](DrawContext& context, Words& words) {
-        const double drawn = std::exp(context.random.uniform(0.0, std::log(static_cast<double>(high) + 1.0)));
-        words.push_back(static_cast<Word>(std::min(static_cast<long>(drawn), high)));
-    };
+    const double most = std::log(static_cast<double>(high) + 1.0);
+    Values values = made_by<Word>([=](numeric::Random& random) {
+        return std::min(static_cast<long>(std::exp(random.uniform(0.0, most))), high);
+    });
     values.fixed = {{.words = {0U}}, {.words = {1U}}, {.words = {static_cast<Word>(high)}}};
     values.contains = [high](std::span<const Word> words) { return words[0] <= static_cast<Word>(high); };
     return values;
@@ -190,9 +179,8 @@ Values vector(int components, const Values& component) {
     Values values = vector(std::vector<Values>(static_cast<std::size_t>(components), component));
     for (const Values::Fixed& fixed : component.fixed) {
         Values::Fixed all{.words = {}, .branch = fixed.branch};
-        for (int i = 0; i < components; ++i) {
+        for (int i = 0; i < components; ++i)
             all.words.insert(all.words.end(), fixed.words.begin(), fixed.words.end());
-        }
         values.fixed.push_back(std::move(all));
     }
     return values;
@@ -243,57 +231,52 @@ Values vector(const std::vector<Values>& components) {
 
 namespace {
 
-// Uniform on the unit sphere of four dimensions: two points on circles, whose squared radii add up to 1.
-void draw_quaternion(numeric::Random& random, Words& words) {
-    const double share = random.unit();
-    for (const double radius : {std::sqrt(1.0 - share), std::sqrt(share)}) {
-        const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
-        words.push_back(to_word(static_cast<float>(radius * std::cos(angle))));
-        words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
-    }
+void append_point(double radius, double angle, Words& words) {
+    words.push_back(to_word(static_cast<float>(radius * std::cos(angle))));
+    words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
 }
 
 }  // namespace
 
 Values unit_vector(int components) {
     if (components < 2 || components > 4) throw std::invalid_argument("unit_vector has 2, 3 or 4 components");
+    constexpr double turn = 2.0 * std::numbers::pi;
     Values values;
     values.draw = [components](DrawContext& context, Words& words) {
-        if (components == 4) {
-            draw_quaternion(context.random, words);
+        numeric::Random& random = context.random;
+        if (components == 4) {  // two points on circles, whose squared radii add up to 1
+            const double share = random.unit();
+            for (const double radius : {std::sqrt(1.0 - share), std::sqrt(share)})
+                append_point(radius, random.uniform(0.0, turn), words);
             return;
         }
-        const double angle = context.random.uniform(0.0, 2.0 * std::numbers::pi);
-        const double z = components == 3 ? context.random.uniform(-1.0, 1.0) : 0.0;
-        const double radius = std::sqrt(1.0 - z * z);
-        words.push_back(to_word(static_cast<float>(radius * std::cos(angle))));
-        words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
+        const double angle = random.uniform(0.0, turn);
+        const double z = components == 3 ? random.uniform(-1.0, 1.0) : 0.0;
+        append_point(std::sqrt(1.0 - z * z), angle, words);
         if (components == 3) words.push_back(to_word(static_cast<float>(z)));
     };
     values.contains = [](std::span<const Word> words) {
         return std::abs(squared_length(words) - 1.0) <= 0x1p-22;  // within the rounding error of drawn values
     };
-    for (int axis = 0; axis < components; ++axis) {
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(components); ++axis) {
         for (const float sign : {1.0F, -1.0F}) {
-            Values::Fixed fixed{.words = Words(static_cast<std::size_t>(components), to_word(0.0F))};
-            fixed.words[static_cast<std::size_t>(axis)] = to_word(sign);
-            values.fixed.push_back(std::move(fixed));
+            Values::Fixed& fixed = values.fixed.emplace_back();
+            fixed.words.resize(static_cast<std::size_t>(components));
+            fixed.words[axis] = to_word(sign);
         }
     }
     return values;
 }
 
 Values vector_of_length(int components, const Values& length) {
-    const Values direction = unit_vector(components);
     Values values;
-    values.draw = [direction, length](DrawContext& context, Words& words) {
+    values.draw = [direction = unit_vector(components), length](DrawContext& context, Words& words) {
         Words scale;
         length.draw(context, scale);
         const std::size_t first = words.size();
         direction.draw(context, words);
-        for (std::size_t i = first; i < words.size(); ++i) {
+        for (std::size_t i = first; i < words.size(); ++i)
             words[i] = to_word(from_word<float>(words[i]) * from_word<float>(scale.front()));
-        }
     };
     values.contains = [length](std::span<const Word> words) {
         const Word measured = to_word(std::sqrt(squared_length(words)));
@@ -303,12 +286,11 @@ Values vector_of_length(int components, const Values& length) {
 }
 
 Values either(const Values& a, const Values& b) {
-    Values values;
+    Values values{.fixed = a.fixed};
+    values.fixed.insert(values.fixed.end(), b.fixed.begin(), b.fixed.end());
     values.draw = [a, b](DrawContext& context, Words& words) {
         (context.random.below(2) == 0 ? a : b).draw(context, words);
     };
-    values.fixed = a.fixed;
-    values.fixed.insert(values.fixed.end(), b.fixed.begin(), b.fixed.end());
     values.contains = [a, b](std::span<const Word> words) { return a.admits(words) || b.admits(words); };
     return values;
 }
@@ -316,34 +298,31 @@ Values either(const Values& a, const Values& b) {
 Values image_pixel() {
     Values values;
     values.draw = [](DrawContext& context, Words& words) {
-        for (int axis = 0; axis < 2; ++axis) {
+        for (int axis = 0; axis < 2; ++axis)
             words.push_back(static_cast<Word>(
                 context.random.below(static_cast<std::uint64_t>(context.image_size[axis]))));
-        }
     };
     return values;
 }
 
 Values image_size() {
-    Values values;
+    Values values{.image_sizes = {0}};
     values.draw = [](DrawContext& context, Words& words) { append_words(context.image_size, words); };
-    values.image_sizes = {0};
     return values;
 }
 
 std::pair<std::string, Range> range_from(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::size_t colon = text.find(':', std::min(equals, text.size()));
-    const auto ends = [&]() -> std::optional<Range> {
-        if (equals == 0 || equals == std::string::npos || colon == std::string::npos) return std::nullopt;
-        const auto low = base::number_from<double>(text.substr(equals + 1, colon - equals - 1));
-        const auto high = base::number_from<double>(text.substr(colon + 1));
-        return low && high ? std::optional(Range{*low, *high}) : std::nullopt;
-    }();
-    if (!ends) throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", text));
-    if (!(ends->low <= ends->high))
-        throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
-    return {text.substr(0, equals), *ends};
+    const bool has_ends = equals != 0 && equals != std::string::npos && colon != std::string::npos;
+    const auto number = [&](std::size_t from, std::size_t to) {
+        return has_ends ? base::number_from<double>(text.substr(from + 1, to - from - 1)) : std::nullopt;
+    };
+    const auto low = number(equals, colon);
+    const auto high = number(colon, text.size());
+    if (!low || !high) throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", text));
+    if (!(*low <= *high)) throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
+    return {text.substr(0, equals), {*low, *high}};
 }
 
 }  // namespace gloam::check

@@ -55,37 +55,22 @@ void for_each_field(T& value, Visit&& visit) {
     static_assert(count > 0 && !detail::initializable<Value>(std::make_index_sequence<11>{}),
                   "a struct has 1 to 10 members");
     const auto all = [&visit](auto&... fields) { (visit(fields), ...); };
-    if constexpr (count == 1) {
-        auto& [a] = value;
-        all(a);
-    } else if constexpr (count == 2) {
-        auto& [a, b] = value;
-        all(a, b);
-    } else if constexpr (count == 3) {
-        auto& [a, b, c] = value;
-        all(a, b, c);
-    } else if constexpr (count == 4) {
-        auto& [a, b, c, d] = value;
-        all(a, b, c, d);
-    } else if constexpr (count == 5) {
-        auto& [a, b, c, d, e] = value;
-        all(a, b, c, d, e);
-    } else if constexpr (count == 6) {
-        auto& [a, b, c, d, e, f] = value;
-        all(a, b, c, d, e, f);
-    } else if constexpr (count == 7) {
-        auto& [a, b, c, d, e, f, g] = value;
-        all(a, b, c, d, e, f, g);
-    } else if constexpr (count == 8) {
-        auto& [a, b, c, d, e, f, g, h] = value;
-        all(a, b, c, d, e, f, g, h);
-    } else if constexpr (count == 9) {
-        auto& [a, b, c, d, e, f, g, h, i] = value;
-        all(a, b, c, d, e, f, g, h, i);
-    } else {
-        auto& [a, b, c, d, e, f, g, h, i, j] = value;
-        all(a, b, c, d, e, f, g, h, i, j);
+#define GLOAM_FIELDS(number, ...)    \
+    if constexpr (count == number) { \
+        auto& [__VA_ARGS__] = value; \
+        all(__VA_ARGS__);            \
     }
+    GLOAM_FIELDS(1, a)
+    GLOAM_FIELDS(2, a, b)
+    GLOAM_FIELDS(3, a, b, c)
+    GLOAM_FIELDS(4, a, b, c, d)
+    GLOAM_FIELDS(5, a, b, c, d, e)
+    GLOAM_FIELDS(6, a, b, c, d, e, f)
+    GLOAM_FIELDS(7, a, b, c, d, e, f, g)
+    GLOAM_FIELDS(8, a, b, c, d, e, f, g, h)
+    GLOAM_FIELDS(9, a, b, c, d, e, f, g, h, i)
+    GLOAM_FIELDS(10, a, b, c, d, e, f, g, h, i, j)
+#undef GLOAM_FIELDS
 }
 
 // Conversion of C++ values to the 32-bit words of a kernel and back. A value is the sequence of its scalars:

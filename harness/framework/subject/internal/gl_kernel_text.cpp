@@ -16,10 +16,6 @@ namespace {
 
 using shader::Scalar;
 
-std::string word_of_texture(const std::string& texture, const std::string& at) {
-    return fmt::format("gloam_kernel_word({}, uint({}))", texture, at);
-}
-
 std::string fragment_interface(const KernelSource& source, std::size_t row, std::size_t targets) {
     std::string code =
         "uniform uint gloam_kernel_count;\nuniform uint gloam_kernel_canary;\n"
@@ -94,10 +90,8 @@ std::string gl_compute_text(const KernelSource& source) {
 std::string gl_fragment_text(const KernelSource& source) {
     const auto input = [](Scalar scalar, std::size_t word) {
         return scalar_of_word(
-            scalar, word_of_texture("gloam_kernel_inputs", fmt::format("gloam_kernel_input_at + {}u", word)));
-    };
-    const auto image = [](std::size_t index, const std::string& at) {
-        return word_of_texture(fmt::format("gloam_kernel_image{}", index), at);
+            scalar,
+            fmt::format("gloam_kernel_word(gloam_kernel_inputs, uint(gloam_kernel_input_at + {}u))", word));
     };
     const Evaluation calls = evaluation(source, input);
     const std::size_t row = gl::kernel_row(calls.output_words, source.images.size());
@@ -112,7 +106,7 @@ std::string gl_fragment_text(const KernelSource& source) {
         gl::kernel_target_width, calls.input_words);
     return fragment_interface(source, row, targets) +
            file_and_rest(
-               source, image,
+               source, "gloam_kernel_word(gloam_kernel_image{}, uint({}))",
                begin + calls.code + fragment_end(calls.output_words, source.images.size(), targets));
 }
 

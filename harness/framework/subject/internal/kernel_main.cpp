@@ -19,24 +19,25 @@ namespace {
 
 using ScalarPaths = std::vector<std::pair<Scalar, std::string>>;
 
-void add_paths(const Type& type, const std::string& variable, ScalarPaths& paths) {
-    if (type.scalar == Scalar::void_) return;
+// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
+ScalarPaths scalar_paths(const Type& type, const std::string& variable) {
+    ScalarPaths paths;
+    const auto add = [&paths](const Type& part, const std::string& path) {
+        std::ranges::copy(scalar_paths(part, path), std::back_inserter(paths));
+    };
     if (!type.sizes.empty()) {
-        const Type element = shader::element_of(type);
         for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
-            add_paths(element, fmt::format("{}[{}]", variable, i), paths);
-        return;
+            add(shader::element_of(type), fmt::format("{}[{}]", variable, i));
+    } else if (type.scalar == Scalar::structure) {
+        for (const shader::Member& member : type.members) add(member.type, variable + "." + member.name);
+    } else if (type.scalar != Scalar::void_) {
+        for (int column = 0; column < type.columns; ++column) {
+            const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
+            for (int row = 0; row < type.rows; ++row)
+                paths.emplace_back(type.scalar, type.rows > 1 ? fmt::format("{}[{}]", base, row) : base);
+        }
     }
-    if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members)
-            add_paths(member.type, variable + "." + member.name, paths);
-        return;
-    }
-    for (int column = 0; column < type.columns; ++column) {
-        const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
-        for (int row = 0; row < type.rows; ++row)
-            paths.emplace_back(type.scalar, type.rows > 1 ? fmt::format("{}[{}]", base, row) : base);
-    }
+    return paths;
 }
 
 // How a scalar becomes its word, and a word its scalar; those of uint are equal.
@@ -54,13 +55,6 @@ constexpr std::array conversions{
 std::string converted(Scalar scalar, const char* Conversion::* how, const std::string& text) {
     const auto found = std::ranges::find(conversions, scalar, &Conversion::scalar);
     return found == conversions.end() ? text : fmt::format(fmt::runtime((*found).*how), text);
-}
-
-// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
-ScalarPaths scalar_paths(const Type& type, const std::string& variable) {
-    ScalarPaths paths;
-    add_paths(type, variable, paths);
-    return paths;
 }
 
 }  // namespace
@@ -185,12 +179,10 @@ class Evaluator {
         return p.global && p.image.empty() ? p.name : argument_name(i);
     }
 
-    void add_argument(std::size_t i) { arguments_ += (i > 0 ? ", " : "") + variable_of(i); }
-
     void read(std::size_t i) {
         const shader::Parameter& p = function_.parameters[i];
         const std::string variable = variable_of(i);
-        if (!p.global) add_argument(i);
+        if (!p.global) arguments_ += (i > 0 ? ", " : "") + variable;
         if (p.type.scalar == Scalar::sampler) return;
         const Type type = own_type(p.type, p.uniform);
         if (!p.global || !p.image.empty())

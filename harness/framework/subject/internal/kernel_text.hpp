@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "subject/kernel_code.hpp"
 
@@ -19,21 +19,22 @@ namespace gloam::check::internal {
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
 
+// The GLSL expression of the position of the invocation's input.
+[[nodiscard]] const char* input_position(const backend::Team& team);
+
 // The declarations that a kernel has on Vulkan and on OpenGL: the size of its groups, the numbers of a run,
 // whose layout is `run`, the storage buffers of inputs, outputs, faults and images, uint gloam_kernel_input()
 // and void gloam_kernel_fault(uint image, ivec2 pixel).
 [[nodiscard]] std::string storage_interface(const KernelSource& source, std::string_view run);
 
-// The GLSL expression of a word of an image, given the image's position and the GLSL expression of the
-// word's.
-using ImageWordText = std::function<std::string(std::size_t image, const std::string& at)>;
-
-// That expression for an image in a storage buffer.
-[[nodiscard]] std::string word_of_buffer(std::size_t image, const std::string& at);
+// The GLSL expression of a word of an image in a storage buffer, for fmt::format: of the image's position and
+// the GLSL expression of the word's.
+inline constexpr std::string_view word_of_buffer = "gloam_kernel_image{}[{}]";
 
 // What stands behind the interface of a kernel, whatever that is: the function's file, the definitions of its
 // prototypes, `rest`. The interface defines void gloam_kernel_fault(uint image, ivec2 pixel).
-[[nodiscard]] std::string file_and_rest(const KernelSource& source, const ImageWordText& read,
+// `word_of_image`: such an expression.
+[[nodiscard]] std::string file_and_rest(const KernelSource& source, std::string_view word_of_image,
                                         const std::string& rest);
 
 // The GLSL expression of an input scalar, given its position among the words of one input.

@@ -138,7 +138,7 @@ class Frames {
         const std::string usual = "filters/convergence";
         if (const std::size_t at = text.find(usual); at != std::string::npos)
             text.replace(at, usual.size(), "passes/study/filters/" + one_.filter);
-        return {lab_, name, lab_.compile({path.string(), text}, lab_.compile_options())};
+        return {lab_, name, lab_.cache().compile({path.string(), text}, lab_.compile_options())};
     }
 
     // The values of a pass by their names, and those of the camera.
