@@ -18,7 +18,6 @@
 #include "judge/explain.hpp"
 #include "judge/run.hpp"
 #include "module/include.hpp"
-#include "module/texts.hpp"
 #include "subject/own_function.hpp"
 
 namespace py = pybind11;

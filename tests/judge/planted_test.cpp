@@ -74,9 +74,9 @@ void expect_noticed(const Entry& entry, Evaluate evaluate) {
 }
 
 Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& question, std::size_t inputs) {
-    const Verdict verdict = verdict_of(lab.options().variant, question);
+    const Verdict verdict = question.verdict_in(lab.options().variant);
     Verdicts verdicts(empty_answer(question, verdict));
-    for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
+    for (const auto& [scenario, share] : question.shares(inputs)) {
         const Session session(lab, question, kernel, scenario, 1, verdict);
         auto evaluated =
             session.run(question.domain.draw(share, session.input_seed(), scenario.size), verdicts.right);
@@ -85,7 +85,7 @@ Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& q
             as_given.result.outputs = outputs;
             session.judge(as_given, answer);
         });
-    });
+    }
     return verdicts;
 }
 

@@ -70,7 +70,7 @@ Rows worst_inputs(const Context& context, const catalogue::Entry& entry) {
     const check::SearchResult found =
         check::search(context.lab, entry.question, {.inputs = inputs, .seed = context.seed});
     const check::Answer& answer = found.answer;
-    const std::string limit = answer.verdict == check::Verdict::rules ? "permitted" : "documented";
+    const std::string limit = answer.rules_alone() ? "permitted" : "documented";
     return {{worst_inputs_name, fmt::format("{} {}", equation, input_text(answer)),
              fmt::format("worst error found, of what is {}", limit), answer.fraction, 1.0},
             {worst_inputs_name, equation, "worst error of the random inputs alone", found.drawn_fraction}};

@@ -88,8 +88,8 @@ Coverage measure_coverage(const Lab& lab, const Question& question, const RunOpt
     std::size_t run = 0;
     std::size_t next_look = first_look;
     bool complete = false;
-    for_each_scenario(question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-        if (complete) return;
+    for (const auto& [scenario, share] : question.shares(options.inputs)) {
+        if (complete) break;
         const auto words = image_words(module, images_of(scenario, options.seed));
         InterpretedKernel<float> kernel(program, module, words);
         const Domain::Inputs inputs =
@@ -107,7 +107,7 @@ Coverage measure_coverage(const Lab& lab, const Question& question, const RunOpt
             complete = points_of(seen, run).is_complete();
         }
         complete = complete || points_of(seen, run).is_complete();
-    });
+    }
     Coverage all = points_of(seen, run);
     std::map<std::string, std::vector<std::string>> files;
     for (Coverage::Point& point : all.points) {

@@ -29,14 +29,16 @@ void evaluate(const Session& session, const Domain& domain, Answer& answer,
 
 SearchResult search(const Lab& lab, const Question& question, const RunOptions& options) {
     using internal::Moves;
-    SearchResult found;
-    const auto climb = [&](const Session& session, const ImageScenario& scenario, std::size_t share,
-                           Answer& answer) {
-        if (question.domain.parameters().empty() || share == 0) return;
+    const Verdict verdict = options.verdict.value_or(question.verdict_in(lab.options().variant));
+    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+    SearchResult found{.answer = empty_answer(question, verdict)};
+    for (const auto& [scenario, share] : question.shares(options.inputs)) {
+        if (question.domain.parameters().empty() || share == 0) continue;
+        const Session session(lab, question, kernel, scenario, options.seed, verdict);
         const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
         Moves moves(question, drawn, scenario.size, session.input_seed(), options.seed);
         const auto run = [&](std::vector<Moves::Candidate>& some) {
-            evaluate(session, question.domain, answer, some);
+            evaluate(session, question.domain, found.answer, some);
         };
         std::vector<Moves::Candidate> pool;
         std::vector<Moves::Candidate> first(moves.drawn().count());
@@ -46,9 +48,8 @@ SearchResult search(const Lab& lab, const Question& question, const RunOptions& 
         Moves::add(std::move(first), pool);
         if (!pool.empty()) found.drawn_fraction = std::max(found.drawn_fraction, pool.front().score);
         moves.climb(pool, share - drawn, generation, run, [] { return true; });
-    };
-    found.answer = answered(lab, question, options.inputs, options.seed,
-                            verdict_of(lab.options().variant, question), climb);
+    }
+    complete(found.answer, lab, question, kernel.module(), options.seed);
     return found;
 }
 

@@ -42,7 +42,7 @@ std::size_t AnswerCounts::total(std::size_t ClassCount::* member) const {
 
 std::size_t Answer::judged() const {
     const std::size_t promised = inputs() - recorded();
-    if (verdict != Verdict::rules || bounded == 0) return promised - open();
+    if (!rules_alone() || bounded == 0) return promised - open();
     return promised * (bounded - std::min(open(), bounded)) / bounded;
 }
 
@@ -56,7 +56,7 @@ std::vector<InputClass> Answer::not_promised() const {
     std::vector<InputClass> found;
     for (std::size_t i = 0; i < input_class_count; ++i) {
         const ClassCount& c = classes[i];
-        const std::size_t without = c.recorded + (verdict == Verdict::rules ? c.open : 0);
+        const std::size_t without = c.recorded + (rules_alone() ? c.open : 0);
         if (c.inputs > 0 && without == c.inputs) found.push_back(static_cast<InputClass>(i));
     }
     return found;
@@ -79,7 +79,7 @@ std::string Answer::not_judged_because() const {
                           no_result == NoResult::too_long ? "it takes too long" : "its result is undefined",
                           first_undefined);
     if (recorded() == inputs() && undefined > 0) return "none of its inputs could be judged" + why;
-    if (recorded() == inputs() && verdict == Verdict::rules)
+    if (recorded() == inputs() && rules_alone())
         return "it documents no accuracy, and there are no precision rules for this device";
     if (recorded() == inputs()) return "the device promises nothing for any of its inputs";
     if (judged() == 0) return "every result would pass";
@@ -88,7 +88,7 @@ std::string Answer::not_judged_because() const {
                            inputs(), 100.0 * least_judged_share, why);
     for (std::size_t i = 0; i < input_class_count; ++i) {
         const ClassCount& c = classes[i];
-        if (verdict == Verdict::budget && c.open > 0 && c.open + c.recorded == c.inputs)
+        if (!rules_alone() && c.open > 0 && c.open + c.recorded == c.inputs)
             return fmt::format("every result would pass for its {} inputs",
                                name_of(static_cast<InputClass>(i)));
     }
@@ -145,28 +145,18 @@ void Answer::add_undefined(InputClass input_class, NoResult kind, const std::str
     first_undefined = why;
 }
 
-void Answer::add_guarantee(const Guarantee& more) {
-    guarantee = {std::max(guarantee.ulp, more.ulp), std::max(guarantee.absolute, more.absolute),
-                 std::max(guarantee.fraction, more.fraction)};
-}
-
 void AnswerCounts::merge(const AnswerCounts& later) {
-    for (std::size_t i = 0; i < input_class_count; ++i) {
-        classes[i].inputs += later.classes[i].inputs;
-        classes[i].outside += later.classes[i].outside;
-        classes[i].recorded += later.classes[i].recorded;
-        classes[i].open += later.classes[i].open;
-    }
-    for (std::size_t i = 0; i < predicate.size(); ++i) {
-        predicate[i].inputs += later.predicate[i].inputs;
-        predicate[i].judged += later.predicate[i].judged;
-    }
-    by_rules += later.by_rules;
-    forbidden += later.forbidden;
-    bounded += later.bounded;
-    unbounded += later.unbounded;
-    undefined += later.undefined;
-    differs += later.differs;
+    for (std::size_t i = 0; i < input_class_count; ++i)
+        for (const auto one :
+             {&ClassCount::inputs, &ClassCount::outside, &ClassCount::recorded, &ClassCount::open})
+            classes[i].*one += later.classes[i].*one;
+    for (std::size_t i = 0; i < predicate.size(); ++i)
+        for (const auto one : {&PredicateCount::inputs, &PredicateCount::judged})
+            predicate[i].*one += later.predicate[i].*one;
+    using All = AnswerCounts;
+    for (const auto one :
+         {&All::by_rules, &All::forbidden, &All::bounded, &All::unbounded, &All::undefined, &All::differs})
+        this->*one += later.*one;
 }
 
 void WorstCases::merge(const WorstCases& later) {
@@ -184,7 +174,7 @@ void WorstCases::merge(const WorstCases& later) {
 void Answer::merge(const Answer& later) {
     AnswerCounts::merge(later);
     WorstCases::merge(later);
-    add_guarantee(later.guarantee);
+    guarantee.raise(later.guarantee);
     if (broken.empty()) broken = later.broken;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iosfwd>
@@ -115,12 +116,17 @@ struct PredicateCount {
     std::size_t judged = 0;  // of these, inputs for which some result would have failed
 };
 
-// The largest errors that Vulkan's rules permit, over the inputs for which the budget is promised and the
-// rules bound the result.
-struct Guarantee {
+// The largest of some errors, by each measure.
+struct ErrorSize {
     double ulp = 0.0;
     double absolute = 0.0;
     double fraction = 0.0;  // of the budget: ULP or absolute error, whichever is less
+
+    void raise(const ErrorSize& other) {
+        ulp = std::max(ulp, other.ulp);
+        absolute = std::max(absolute, other.absolute);
+        fraction = std::max(fraction, other.fraction);
+    }
 };
 
 using base::Reason;
@@ -155,6 +161,8 @@ struct AnswerIdentity {
     Verdict verdict = Verdict::budget;
     Budget budget;
 
+    // Whether Vulkan's rules alone judge; the budget is measured then.
+    [[nodiscard]] bool rules_alone() const { return verdict == Verdict::rules; }
     // The two parts of `variant`: "shipped" and "spirv-opt -O", which can be empty.
     [[nodiscard]] std::string variant_before_steps() const;
     [[nodiscard]] std::string steps() const;
@@ -210,7 +218,9 @@ struct WorstCases {
 // The result of one question in one variant on one device, or the reason why there is none. Tables, pages and
 // JSON are made from it, and processes exchange it.
 struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
-    Guarantee guarantee;
+    // What Vulkan's rules permit, over the inputs for which the budget is promised and the rules bound the
+    // result.
+    ErrorSize guarantee;
     std::optional<Coverage> coverage;  // what the inputs reached, if measured
     std::string fault;                 // an access outside an image; empty: none
     std::string broken;                // see Question::must_hold; the first such input; empty: none
@@ -223,9 +233,7 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
     // the inputs whose bounds were calculated, and the same share is assumed of the others.
     [[nodiscard]] std::size_t judged() const;
     // The worst error as a fraction of the permitted width, or of the budget.
-    [[nodiscard]] double fraction_of_allowed() const {
-        return verdict == Verdict::rules ? fraction : budget_fraction;
-    }
+    [[nodiscard]] double fraction_of_allowed() const { return rules_alone() ? fraction : budget_fraction; }
     [[nodiscard]] bool ran() const { return error.empty(); }
     [[nodiscard]] Outcome outcome() const;
     // Why the outcome is `not_judged`; empty otherwise.
@@ -240,7 +248,6 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
     void add(const Sample& sample, bool is_outside);
     void add_unbounded(const Sample& sample);
     void add_undefined(InputClass input_class, NoResult kind, const std::string& why);
-    void add_guarantee(const Guarantee& guarantee);
     // Adds the answer of another part of the same run. Parts are merged in the order of their inputs.
     void merge(const Answer& later);
 };

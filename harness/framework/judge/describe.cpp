@@ -91,7 +91,7 @@ std::string describe_outputs(const Signature& signature, const std::vector<Word>
 
 std::string describe(const Signature& signature, const Answer& answer) {
     const std::string limit =
-        answer.verdict == Verdict::rules ? "what Vulkan's precision rules permit" : to_text(answer.budget);
+        answer.rules_alone() ? "what Vulkan's precision rules permit" : to_text(answer.budget);
     std::string text = fmt::format("{} ({}): {} of {} inputs outside {}\n", answer.function, answer.file,
                                    answer.outside(), answer.inputs(), limit);
     if (!answer.fault.empty()) text += fmt::format("  {}\n", answer.fault);

@@ -24,8 +24,16 @@ constexpr const char* kernel_name = "kernel";
 constexpr std::uint64_t most_instructions = 500'000;  // of one explanation, which stores all of them
 constexpr std::size_t most_outcomes = 4;              // of an operation: an angle is pi or -pi
 
-// What is known of a value, whatever operation made it.
-ExplainedStep explained(const interpreter::Value<Explained>& value, const numeric::FloatFormat& format) {
+// What is known of a value, whatever operation made it, or why it is undefined.
+ExplainedStep explained(interpreter::Machine<Explained>& machine, const interpreter::Value<Explained>& value,
+                        const numeric::FloatFormat& format) {
+    if (const auto why = machine.why_undefined(value)) {
+        const bool is_ours = why->place.file == kernel_name;
+        return {.file = is_ours ? "" : why->place.file,
+                .line = is_ours ? 0 : why->place.line,
+                .permitted = numeric::Bounds::anything(),
+                .undefined = why->cause};
+    }
     if (!value.is_number())
         return {.value = static_cast<double>(value.bits()), .kind = ExplainedStep::Kind::integer};
     const Explained x = value.number();
@@ -36,18 +44,6 @@ ExplainedStep explained(const interpreter::Value<Explained>& value, const numeri
                       .local = x.local,
                       .ulps = numeric::ulp_error(x.value, x.exact, format)};
     if (std::isnan(one.error)) one.error = 0.0;  // one infinity equals the other
-    return one;
-}
-
-// The same, or why it is undefined.
-ExplainedStep explained(interpreter::Machine<Explained>& machine, const interpreter::Value<Explained>& value,
-                        const numeric::FloatFormat& format) {
-    const auto why = machine.why_undefined(value);
-    if (!why) return explained(value, format);
-    ExplainedStep one{.permitted = numeric::Bounds::anything(), .undefined = why->cause};
-    if (why->place.file == kernel_name) return one;
-    one.file = why->place.file;
-    one.line = why->place.line;
     return one;
 }
 
@@ -240,7 +236,7 @@ KernelModule lined_module(const shader::CompileOptions& options, const KernelSou
 KernelModule lined_module(const Lab& lab, const KernelSource& source) {
     shader::CompileOptions options = lab.compile_options();
     options.variant = {};
-    KernelModule module = lined_module(options, source, shader_cache(lab.options()));
+    KernelModule module = lined_module(options, source, lab.cache());
     module.subgroup_size = std::max(lab.info().subgroup_size, 1U);
     return module;
 }

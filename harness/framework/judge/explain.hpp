@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "judge/question.hpp"
 #include "module/compile.hpp"
 #include "numeric/interval.hpp"
 #include "numeric/paths.hpp"
 #include "subject/interpreted_kernel.hpp"
 #include "subject/kernel_code.hpp"
 #include "subject/lab.hpp"
-#include "subject/signature.hpp"
 
 namespace gloam::check {
 

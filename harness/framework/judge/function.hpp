@@ -90,7 +90,7 @@ class Function {
         return check_property(core_, question(domain), holds_for, options);
     }
 
-    // One input, operation by operation (check/explain.hpp).
+    // One input, operation by operation (judge/explain.hpp).
     template <class... Arguments>
         requires std::is_constructible_v<Inputs, Arguments...>
     [[nodiscard]] Explanation explain(const Arguments&... arguments) const {

@@ -4,10 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <thread>
 
 #include "base/threads.hpp"
 #include "interpreter/program.hpp"
@@ -77,10 +74,6 @@ class Judge {
 
     void add(Answer& answer, Sample& sample, bool branch) {
         sample.input_class = internal::class_of(sample.inputs, scalars_.inputs, branch);
-        if (options_.recorded_only) {
-            answer.add_recorded(sample.input_class);
-            return;
-        }
         try {
             find_want(sample);
         } catch (const interpreter::Error& error) {
@@ -97,7 +90,7 @@ class Judge {
         }
         const bool promised = !question_.promised || question_.promised(sample.inputs);
         const bool edge = options_.edges && question_.reference && internal::is_edge(sample, scalars_);
-        const internal::Error error = budget_.measure(sample, promised);
+        const ErrorSize error = budget_.measure(sample, promised);
         sample.ulp = error.ulp;
         sample.absolute = error.absolute;
         sample.budget_fraction = error.fraction;
@@ -118,13 +111,6 @@ class Judge {
         if (predicate_) answer.add_predicate(sample.want, !open);
     }
 
-    // Number of instructions for the bounds of an input.
-    [[nodiscard]] double cost_of(const InputRow& input) {
-        const std::uint64_t before = rules_->steps();
-        static_cast<void>(rules_->all_permitted(input));
-        return static_cast<double>(rules_->steps() - before);
-    }
-
   private:
     void find_want(Sample& sample) {
         if (question_.reference) {
@@ -139,7 +125,8 @@ class Judge {
     }
 
     // Whether the rules permit every result; false if that was not asked. `only_rules`: nothing else judges
-    // this input.
+    // this input. Sets the permitted bounds, the fraction of their width, and whether the outputs are
+    // forbidden: then the fraction is above 1, and the outcomes are set.
     bool ask_rules(Answer& answer, Sample& sample, bool promised, bool only_rules) {
         const InputRow input{sample.index, sample.inputs};
         const bool bounded = plan_.bounded(sample.index);
@@ -150,23 +137,17 @@ class Judge {
             if (options_.verdict == Verdict::rules) sample.fraction = 0.0;
             return false;
         }
-        measure(input, sample);
+        const Permitted permitted = rules_->all_permitted(input);
+        sample.permitted = hull_of(permitted);
+        sample.fraction = infinity;
+        for (const Sample::Outcome& outcome : permitted)
+            sample.fraction = std::min(sample.fraction, fraction_of(sample, outcome));
+        sample.forbidden = sample.fraction > 1.0;
+        if (sample.forbidden) sample.outcomes = outcomes_beside(permitted, sample.got);
         if (bounded) add_bounds(answer, sample, promised);
         if (options_.verdict == Verdict::budget)
             sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
         return (bounded || must_know) && permits_every(sample);
-    }
-
-    // Sets the permitted bounds, the fraction of their width, and whether the outputs are forbidden: then the
-    // fraction is above 1, and the outcomes are set.
-    void measure(const InputRow& input, Sample& sample) {
-        permitted_ = rules_->all_permitted(input);
-        sample.permitted = hull_of(permitted_);
-        sample.fraction = infinity;
-        for (const Sample::Outcome& outcome : permitted_)
-            sample.fraction = std::min(sample.fraction, fraction_of(sample, outcome));
-        sample.forbidden = sample.fraction > 1.0;
-        if (sample.forbidden) sample.outcomes = outcomes_beside(sample.got);
     }
 
     [[nodiscard]] double fraction_of(const Sample& sample, const Sample::Outcome& outcome) const {
@@ -178,9 +159,10 @@ class Judge {
     }
 
     // Sample::outcomes.
-    [[nodiscard]] std::vector<Sample::Outcome> outcomes_beside(std::span<const Word> got) const {
+    [[nodiscard]] std::vector<Sample::Outcome> outcomes_beside(const Permitted& permitted,
+                                                               std::span<const Word> got) const {
         std::vector<Sample::Outcome> all;
-        for (const Sample::Outcome& outcome : permitted_) {
+        for (const Sample::Outcome& outcome : permitted) {
             if (std::ranges::any_of(all, [&](const auto& other) { return covers(other, outcome); })) continue;
             std::erase_if(all, [&](const auto& other) { return covers(outcome, other); });
             all.push_back(outcome);
@@ -219,23 +201,20 @@ class Judge {
         const bool anything = std::ranges::any_of(sample.permitted, &Bounds::is_anything);
         if (anything) answer.add_unbounded(sample);
         if (!anything && promised && sample.input_class <= InputClass::zero)
-            answer.add_guarantee(largest_permitted(sample));
+            answer.guarantee.raise(largest_permitted(sample));
     }
 
     // The largest error, as the budget measures it, that the rules permit.
-    [[nodiscard]] Guarantee largest_permitted(const Sample& sample) const {
-        Guarantee largest;
+    [[nodiscard]] ErrorSize largest_permitted(const Sample& sample) const {
+        ErrorSize largest;
         std::size_t first = 0;
         for (const std::size_t words : scalars_.output_values) {
             const numeric::FloatFormat& format = format_of(scalars_.outputs[first]);
             const double unit = budget_.unit_of(std::span(sample.want).subspan(first, words), format);
             for (std::size_t i = first; i < first + words; ++i) {
                 if (!shader::is_float(scalars_.outputs[i])) continue;
-                for (const double end : {sample.permitted[i].low, sample.permitted[i].high}) {
-                    const internal::Error error = budget_.float_error(end, sample.want[i], unit, format);
-                    largest = {std::max(largest.ulp, error.ulp), std::max(largest.absolute, error.absolute),
-                               std::max(largest.fraction, error.fraction)};
-                }
+                for (const double end : {sample.permitted[i].low, sample.permitted[i].high})
+                    largest.raise(budget_.float_error(end, sample.want[i], unit, format));
             }
             first += words;
         }
@@ -250,7 +229,6 @@ class Judge {
     internal::BudgetJudge budget_;
     bool predicate_;  // all results are boolean
     std::optional<Interpretation> rules_;
-    Permitted permitted_;  // by the rules, of the input that was measured last
 };
 
 // The decoded modules. Empty if there are none. Also empty if they are not needed and the interpreter does
@@ -265,14 +243,16 @@ std::optional<Decoded> decoded_modules(const KernelModules& modules, const Image
     }
 }
 
-// The mean cost of evenly distributed inputs of the run, in instructions.
-double mean_cost(Judge& judge, const Domain::Inputs& inputs) {
+// The mean cost of the bounds of evenly distributed inputs of the run, in instructions.
+double mean_cost(const Decoded& decoded, const Question& question, const Domain::Inputs& inputs) {
     constexpr std::size_t probes = 32;
+    const internal::Scalars scalars(question.signature);
+    Interpretation rules(decoded, scalars.outputs, scalars.result_words);
     const std::size_t step = std::max<std::size_t>(inputs.count() / probes, 1);
-    double sum = 0.0;
     std::size_t probed = 0;
-    for (std::size_t i = 0; i < inputs.count(); i += step, ++probed) sum += judge.cost_of({i, inputs.row(i)});
-    return sum / static_cast<double>(std::max<std::size_t>(probed, 1));
+    for (std::size_t i = 0; i < inputs.count(); i += step, ++probed)
+        static_cast<void>(rules.all_permitted({i, inputs.row(i)}));
+    return static_cast<double>(rules.steps()) / static_cast<double>(std::max<std::size_t>(probed, 1));
 }
 
 }  // namespace
@@ -288,44 +268,34 @@ Answer empty_answer(const Question& question, Verdict verdict) {
 Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,
              std::span<const Word> outputs, const ImageSet& images, const std::string& scenario,
              std::span<double> fractions) {
-    const bool needs_modules =
-        !options.recorded_only && (options.verdict == Verdict::rules || !question.reference);
-    if (needs_modules && options.modules.empty())
-        throw std::invalid_argument(
-            "cannot be judged by Vulkan's rules without the modules that gave the outputs");
+    Answer all = empty_answer(question, options.verdict);
+    const bool needs_modules = options.verdict == Verdict::rules || !question.reference;
+    if (needs_modules && options.modules.empty()) {
+        const std::vector<shader::Scalar> scalars = question.signature.input_scalars();
+        for (std::size_t i = 0; i < inputs.count(); ++i)
+            all.add_recorded(internal::class_of(inputs.row(i), scalars, inputs.branch[i]));
+        return all;
+    }
     const std::optional<Decoded> decoded = decoded_modules(options.modules, images, needs_modules);
     const Decoded* const modules = decoded ? &*decoded : nullptr;
     Plan plan(options.verdict, inputs.count(), !fractions.empty());
-    if (plan.needs_cost() && !options.recorded_only) {
-        Judge probe(question, options, images, modules, plan);
-        plan.set_cost(mean_cost(probe, inputs), inputs.count());
-    }
+    if (plan.needs_cost()) plan.set_cost(mean_cost(*decoded, question, inputs), inputs.count());
     const std::size_t width = question.signature.output_words();
-    const auto part = [&](std::size_t begin, std::size_t end) {
-        Judge judge(question, options, images, modules, plan);
-        Answer answer;
-        Sample sample{.scenario = scenario};
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto row = inputs.row(i);
-            const auto got = outputs.subspan(i * width, width);
-            sample.index = i;
-            sample.inputs.assign(row.begin(), row.end());
-            sample.got.assign(got.begin(), got.end());
-            sample.want.clear();
-            sample.permitted.clear();
-            sample.outcomes.clear();
-            sample.fraction = 0.0;
-            sample.forbidden = false;
-            judge.add(answer, sample, inputs.branch[i]);
-            if (!fractions.empty()) fractions[i] = sample.fraction;
-        }
-        return answer;
-    };
     const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
     std::vector<Answer> parts(shares.size());
-    base::for_each_index(parts.size(), 0,
-                         [&](std::size_t i) { parts[i] = part(shares[i].begin, shares[i].end); });
-    Answer all = empty_answer(question, options.verdict);
+    base::for_each_index(parts.size(), 0, [&](std::size_t part) {
+        Judge judge(question, options, images, modules, plan);
+        for (std::size_t i = shares[part].begin; i < shares[part].end; ++i) {
+            const auto row = inputs.row(i);
+            const auto got = outputs.subspan(i * width, width);
+            Sample sample{.index = i,
+                          .scenario = scenario,
+                          .inputs = {row.begin(), row.end()},
+                          .got = {got.begin(), got.end()}};
+            judge.add(parts[part], sample, inputs.branch[i]);
+            if (!fractions.empty()) fractions[i] = sample.fraction;
+        }
+    });
     for (const Answer& answer : parts) all.merge(answer);
     if (all.outside() == 0 && !all.broken.empty())
         throw std::runtime_error(

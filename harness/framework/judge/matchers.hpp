@@ -4,8 +4,6 @@
 // Matchers for GoogleMock. The other headers need no test library.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <type_traits>
 #include <vector>
 
 #include "numeric/numbers.hpp"

@@ -8,6 +8,20 @@
 
 namespace gloam::check {
 
+Verdict Question::verdict_in(const shader::Variant& variant) const {
+    const bool by_rules =
+        variant.strict || variant.relaxed || !variant.steps.empty() || only_rules || !reference;
+    return by_rules ? Verdict::rules : Verdict::budget;
+}
+
+std::vector<std::pair<ImageScenario, std::size_t>> Question::shares(std::size_t inputs) const {
+    if (scenarios.empty()) return {{ImageScenario{}, inputs}};
+    std::vector<std::pair<ImageScenario, std::size_t>> all;
+    for (std::size_t i = 0; i < std::min(scenarios.size(), inputs); ++i)
+        all.emplace_back(scenarios[i], inputs / scenarios.size() + (i < inputs % scenarios.size() ? 1 : 0));
+    return all;
+}
+
 ImageScenario Question::first_scenario() const {
     return scenarios.empty() ? ImageScenario{} : scenarios.front();
 }

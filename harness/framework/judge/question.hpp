@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <span>
@@ -38,7 +37,6 @@ struct Question {
     Signature signature;
     Domain domain;
     Reference reference;  // empty: the rules judge, and the module in double is the reference
-                          // in double
     Budget budget;
     Codomain codomain;
     // Inputs for which the budget is promised; empty: all. For other inputs, for example after overflow, only
@@ -55,6 +53,13 @@ struct Question {
     // Of a whole pass: runs and judges it. Its inputs are pixels, and there is no kernel of the function.
     std::function<Answer(const Lab&)> answers;
 
+    // What judges its results in a variant: in strict and relaxed ones and after steps the rules alone, in
+    // all others the documented budget and the rules. With only_rules or without a reference it is never a
+    // budget.
+    [[nodiscard]] Verdict verdict_in(const shader::Variant& variant) const;
+    // Its scenarios, each with its share of so many inputs, 1 at least; if it reads no image, all inputs with
+    // an empty scenario.
+    [[nodiscard]] std::vector<std::pair<ImageScenario, std::size_t>> shares(std::size_t inputs) const;
     // An empty one if it reads no image.
     [[nodiscard]] ImageScenario first_scenario() const;
     // The one of this name; empty: without images. Throws std::invalid_argument if it has no such images.

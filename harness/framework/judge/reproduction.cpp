@@ -3,17 +3,14 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "judge/explain.hpp"
 #include "judge/internal/budget_judge.hpp"
-#include "judge/interpretation.hpp"
 #include "judge/session.hpp"
 #include "module/spirv.hpp"
 #include "module/steps.hpp"
 #include "module/texts.hpp"
-#include "numeric/numbers.hpp"
 #include "subject/interpreted_kernel.hpp"
 #include "subject/kernel_code.hpp"
 
@@ -31,7 +28,7 @@ Session session_of(const Lab& lab, const Question& question, const RunOptions& o
             lab.kernel(question.file, question.function, question.signature),
             question.scenario_of(scenario),
             options.seed,
-            verdict_of(lab.options().variant, question)};
+            question.verdict_in(lab.options().variant)};
 }
 
 // The inputs of a check and what they give, in memory in every variant.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -9,7 +8,6 @@
 #include <vector>
 
 #include "judge/run.hpp"
-#include "numeric/interval.hpp"
 #include "subject/lab.hpp"
 
 namespace gloam::check {

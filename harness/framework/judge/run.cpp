@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "interpreter/program.hpp"
 #include "judge/explain.hpp"
@@ -34,33 +33,6 @@ std::size_t inputs_of_run(const Question& question, std::size_t wanted) {
     return std::min(wanted, most_words / std::max<std::size_t>(words, 1));
 }
 
-}  // namespace
-
-Verdict verdict_of(const shader::Variant& variant, const Question& question) {
-    const bool by_rules = variant.strict || variant.relaxed || !variant.steps.empty() ||
-                          question.only_rules || !question.reference;
-    return by_rules ? Verdict::rules : Verdict::budget;
-}
-
-namespace {
-
-Answer judged(const Lab& lab, const Question& question, const RunOptions& options) {
-    std::optional<Domain> domain;
-    const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
-    const auto run = [&](const Session& session, const ImageScenario& scenario, std::size_t share,
-                         Answer& answer) {
-        const std::uint64_t seed = session.input_seed();
-        if (!domain) domain = domain_of(lab, question, session.source());
-        const Domain::Inputs drawn =
-            constants ? few_inputs(*domain, constants_of_each(question.scenarios.size()), seed, scenario.size)
-                      : domain->draw(share, seed, scenario.size);
-        Domain::Inputs inputs = session.without_long_runs(drawn, answer);
-        if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
-    };
-    return answered(lab, question, inputs_of_run(question, options.inputs), options.seed,
-                    verdict_of(lab.options().variant, question), run);
-}
-
 // Throws the error that invocations disturb each other with the lines of the source, which the module of a
 // kernel need not have.
 void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t seed) {
@@ -76,10 +48,8 @@ void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t se
     for (std::size_t i = 0; i < inputs.count(); ++i) {
         for (const auto order : {interpreter::Order::backward, interpreter::Order::forward}) {
             kernel.set_order(order);
-            std::vector<Word> row(inputs.row(i).begin(), inputs.row(i).end());
-            question.domain.adjust(row);
             try {
-                kernel.run(row);
+                kernel.run(inputs.row(i));
             } catch (const interpreter::Error& error) {
                 if (!error.is_of_group()) continue;
                 throw interpreter::Error(
@@ -93,8 +63,24 @@ void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t se
 
 Answer run(const Lab& lab, const Question& question, const RunOptions& options) {
     if (question.answers) return question.answers(lab);
+    const shader::Variant& variant = lab.options().variant;
+    const Verdict verdict = question.verdict_in(variant);
     try {
-        return judged(lab, question, options);
+        const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+        const Domain domain = domain_of(lab, question, *kernel.module().source);
+        Answer answer = empty_answer(question, verdict);
+        for (const auto& [scenario, share] : question.shares(inputs_of_run(question, options.inputs))) {
+            const Session session(lab, question, kernel, scenario, options.seed, verdict);
+            const std::uint64_t seed = session.input_seed();
+            const Domain::Inputs drawn =
+                variant.constants == shader::Variant::Constants::none
+                    ? domain.draw(share, seed, scenario.size)
+                    : few_inputs(domain, constants_of_each(question.scenarios.size()), seed, scenario.size);
+            Domain::Inputs inputs = session.without_long_runs(drawn, answer);
+            if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
+        }
+        complete(answer, lab, question, kernel.module(), options.seed);
+        return answer;
     } catch (const interpreter::Error& error) {
         if (error.is_of_group() && !lab.compile_options().lines)
             throw_with_lines(lab, question, options.seed);

@@ -3,12 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "judge/answer.hpp"
 #include "judge/question.hpp"
@@ -29,17 +25,15 @@ struct JudgeOptions {
     // With Verdict::rules the budget and the codomain are measured, but do not fail.
     Verdict verdict = Verdict::budget;
     // The modules that produced the outputs. Whatever the verdict, an output that the rules do not permit for
-    // these modules fails. Without modules the rules are not asked.
+    // these modules fails. Without modules the rules are not asked;
+    // where the verdict needs them, inputs are only recorded then.
     KernelModules modules;
-    // What gave the outputs has no rules, and the verdict needs them: inputs are only recorded.
-    bool recorded_only = false;
 };
 
 // An answer to a question, without any inputs.
 [[nodiscard]] Answer empty_answer(const Question& question, Verdict verdict);
 
-// Judges every output of a run. Throws std::invalid_argument for Verdict::rules without modules;
-// interpreter::Error for a module that the interpreter cannot run.
+// Judges every output of a run. Throws interpreter::Error for a module that the interpreter cannot run.
 // `outputs`: count x output words, in the order of the inputs.
 // `fractions`: if not empty, it receives each input's fraction of what the verdict allows, 0 if the input is
 // only recorded.
@@ -52,11 +46,6 @@ struct RunOptions {
     std::size_t inputs = 65'536;  // fewer are run if those and their outputs have more than 2^26 words
     std::uint64_t seed = 1;
 };
-
-// The criterion for results in a variant: in strict and relaxed ones and after steps the rules alone, in all
-// others the documented budget and the rules. A question with only_rules or without a reference is never
-// judged by a budget.
-[[nodiscard]] Verdict verdict_of(const shader::Variant& variant, const Question& question);
 
 // Compiles the function, evaluates the inputs and judges every output. Throws like Lab::kernel and
 // KernelCore::run; interpreter::Error (race, divergent_barrier) for invocations that disturb each other, with

@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <exception>
-#include <functional>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "base/threads.hpp"
@@ -39,10 +36,6 @@ Session::Session(const Lab& lab, const Question& question, KernelCore kernel, Im
 }
 
 Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
-    if (inputs.width != kernel_.input_words()) {
-        throw std::invalid_argument(fmt::format("{}: the domain draws {} words, the function takes {}",
-                                                answer.function, inputs.width, kernel_.input_words()));
-    }
     if (!options_.nan) internal::set_positive_zeros(inputs.words, question_.signature.input_scalars());
     KernelCore::Result outputs;
     try {
@@ -166,13 +159,10 @@ KernelCore::Result Session::run_constants(const Domain::Inputs& inputs) const {
 }
 
 void Session::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {
-    const KernelCore::Result& result = evaluated.result;
     JudgeOptions options = options_;
-    options.modules = result.modules;
-    options.recorded_only =
-        result.modules.empty() && (options.verdict == Verdict::rules || !question_.reference);
-    answer.merge(check::judge(question_, options, evaluated.inputs, result.outputs, images_, scenario_.name,
-                              fractions));
+    options.modules = evaluated.result.modules;
+    answer.merge(check::judge(question_, options, evaluated.inputs, evaluated.result.outputs, images_,
+                              scenario_.name, fractions));
 }
 
 std::optional<Sample> Session::first_failing(std::span<const std::vector<Word>> inputs) const {
@@ -205,20 +195,10 @@ ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
 Domain domain_of(const Lab& lab, const Question& question, const KernelSource& source) {
     const shader::Spirv module =
         lab.cache().compile({.name = "kernel of " + question.function, .text = kernel_code(source)},
-                    {.stage = stage_of(source.team),
-                     .include_roots = lab.options().include_roots,
-                     .variant = {}});  // the same inputs in every variant
+                            {.stage = stage_of(source.team),
+                             .include_roots = lab.options().include_roots,
+                             .variant = {}});  // the same inputs in every variant
     return question.domain.and_numbers(question.signature, shader::float_constants(module));
-}
-
-void for_each_scenario(const Question& question, std::size_t inputs,
-                       const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit) {
-    if (question.scenarios.empty()) return visit(ImageScenario{}, inputs);
-    const std::size_t scenarios = question.scenarios.size();
-    for (std::size_t i = 0; i < scenarios; ++i) {
-        const std::size_t share = inputs / scenarios + (i < inputs % scenarios ? 1 : 0);
-        if (share > 0) visit(question.scenarios[i], share);
-    }
 }
 
 namespace {
@@ -290,30 +270,17 @@ std::string culprit_text(const Lab& lab, const Question& question, const KernelM
     }
 }
 
-void tell_story(const Lab& lab, const Question& question, const KernelModule& given, std::uint64_t seed,
-                Answer& answer) {
+}  // namespace
+
+void complete(Answer& answer, const Lab& lab, const Question& question, const KernelModule& given,
+              std::uint64_t seed) {
+    answer.variant = lab.options().variant.name;
     if (!answer.failed()) return;
     answer.story = describe(question.signature, answer);
-    if (answer.worst && answer.verdict == Verdict::budget)
-        answer.story += codomain_text(question, *answer.worst);
+    if (answer.worst && !answer.rules_alone()) answer.story += codomain_text(question, *answer.worst);
     if (answer.outside() == 0 || !answer.worst) return;
     answer.story += culprit_text(lab, question, given, *answer.worst, seed);
     answer.story += explanation_of(lab, question, *given.source, *answer.worst, seed);
-}
-
-}  // namespace
-
-Answer answered(
-    const Lab& lab, const Question& question, std::size_t inputs, std::uint64_t seed, Verdict verdict,
-    const std::function<void(const Session&, const ImageScenario&, std::size_t share, Answer&)>& visit) {
-    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
-    Answer answer = empty_answer(question, verdict);
-    answer.variant = lab.options().variant.name;
-    for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
-        visit(Session(lab, question, kernel, scenario, seed, verdict), scenario, share, answer);
-    });
-    tell_story(lab, question, kernel.module(), seed, answer);
-    return answer;
 }
 
 }  // namespace gloam::check

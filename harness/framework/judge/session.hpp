@@ -72,11 +72,6 @@ inline constexpr std::size_t most_constants = 64;
 // with is an input. Throws shader::CompileError.
 [[nodiscard]] Domain domain_of(const Lab& lab, const Question& question, const KernelSource& source);
 
-// Calls visit(scenario, share) for each scenario of a question with its share of `inputs`. A function without
-// images gets one call with an empty scenario.
-void for_each_scenario(const Question& question, std::size_t inputs,
-                       const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit);
-
 // The seed of a scenario's inputs in a run with seed `seed`.
 [[nodiscard]] std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario,
                                           std::uint64_t seed);
@@ -84,10 +79,9 @@ void for_each_scenario(const Question& question, std::size_t inputs,
 // The images of a scenario in a run with seed `seed`; empty for a scenario without images.
 [[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
 
-// The answer to a question by what visit() adds for each scenario, with the story of a failure: what was
-// found, and the worst input operation by operation. Throws like Lab::kernel().
-[[nodiscard]] Answer answered(
-    const Lab& lab, const Question& question, std::size_t inputs, std::uint64_t seed, Verdict verdict,
-    const std::function<void(const Session&, const ImageScenario&, std::size_t share, Answer&)>& visit);
+// Gives an answer to which all sessions have added its variant and, of a failure, its story: what was found,
+// and the worst input operation by operation. `given`: the module of the function's kernel.
+void complete(Answer& answer, const Lab& lab, const Question& question, const KernelModule& given,
+              std::uint64_t seed);
 
 }  // namespace gloam::check

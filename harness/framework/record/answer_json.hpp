@@ -61,7 +61,7 @@ void members(Io& io, check::Sample& sample) {
 }
 
 template <class Io>
-void members(Io& io, check::Guarantee& guarantee) {
+void members(Io& io, check::ErrorSize& guarantee) {
     each(io, "ulp", guarantee.ulp, "abs", guarantee.absolute, "fraction", guarantee.fraction);
 }
 
@@ -93,7 +93,7 @@ void members(Io& io, check::Answer& answer) {
          answer.first_undefined);
     if (answer.undefined > 0) io.member("undefined_because", answer.no_result, Present::later);
     each(io, "differs", answer.differs, "max_ulp", answer.max_ulp, "max_abs", answer.max_absolute);
-    const bool by_rules = answer.verdict == check::Verdict::rules;
+    const bool by_rules = answer.rules_alone();
     io.member("width_fraction", answer.fraction, Present::if_given, by_rules);
     io.member("budget_fraction", answer.budget_fraction);
     io.member("guarantee", answer.guarantee, Present::if_given, by_rules);

@@ -90,17 +90,17 @@ void add_stories(Page& page, const std::vector<CheckReport>& reports) {
 struct EquationAccuracy {
     std::string equation;
     std::string documented;                      // "4 ulp"
-    std::optional<check::Guarantee> any_driver;  // by the rules; nullopt without a strict run
+    std::optional<check::ErrorSize> any_driver;  // by the rules; nullopt without a strict run
     double open = 0.0;  // share of the inputs for which the rules permit every result
     // Of each report, the largest error of a variant that is judged by the documented one; nullptr: none is.
     std::vector<const check::Answer*> worst;
 
     void add(std::size_t report, const check::Answer& row) {
-        const bool by_rules = row.verdict == check::Verdict::rules;
+        const bool by_rules = row.rules_alone();
         // A function without a documented error is judged by the rules in every variant.
         if (by_rules && row.variant != "strict" && row.variant != "relaxed") documented = "Vulkan's rules";
         if (row.bounded > 0 && row.variant != "relaxed") {
-            const check::Guarantee most = any_driver.value_or(check::Guarantee{});
+            const check::ErrorSize most = any_driver.value_or(check::ErrorSize{});
             any_driver = {.ulp = std::max(most.ulp, row.guarantee.ulp),
                           .absolute = std::max(most.absolute, row.guarantee.absolute)};
             open = std::max(open, static_cast<double>(row.unbounded) / static_cast<double>(row.bounded));

@@ -25,12 +25,12 @@ void complete(const JsonReader& json, check::Answer& answer) {
     if (json.has("outcome") && json.member("outcome").text() != name_of(answer.outcome()))
         json.member("outcome").expected(fmt::format("{}, by its counts", name_of(answer.outcome())));
     const JsonReader width = json.member("width_fraction");
-    if (width.is_null() == (answer.verdict == check::Verdict::rules))
+    if (width.is_null() == answer.rules_alone())
         width.expected("a number where the verdict is rules, else null");
     for (std::size_t i = 0; answer.worst && i < answer.worst->outcomes.size(); ++i)
         if (answer.worst->outcomes[i].size() != answer.worst->permitted.size())
             json.member("worst").member("outcomes").elements()[i].expected("a range for each of \"allowed\"");
-    if (answer.verdict == check::Verdict::budget) answer.fraction = answer.budget_fraction;
+    if (!answer.rules_alone()) answer.fraction = answer.budget_fraction;
     const std::string unbounded_at = json.member("unbounded_at").text();
     if (!unbounded_at.empty()) answer.first_unbounded = check::Sample{.values = unbounded_at};
 }
@@ -131,7 +131,7 @@ constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>1
 
 // Where the rules alone are the verdict, an infinite error may be right: for an overflow, say.
 Cell error_cell(const check::Answer& row, double error, const std::string& text) {
-    const bool permitted = row.verdict == check::Verdict::rules && row.passed() && std::isinf(error);
+    const bool permitted = row.rules_alone() && row.passed() && std::isinf(error);
     return {permitted ? "permitted" : text, error};
 }
 
@@ -215,7 +215,7 @@ std::string remark_on(const check::Answer& row) {
     std::string remark;
     if (row.open() > 0)
         remark = fmt::format("any result would pass for {} of {}", row.open(),
-                             row.verdict == check::Verdict::rules ? row.bounded : row.inputs());
+                             row.rules_alone() ? row.bounded : row.inputs());
     std::string separator = remark.empty() ? "not promised: " : "; not promised: ";
     for (const check::InputClass input_class : row.not_promised()) {
         remark += separator + std::string(name_of(input_class));

@@ -89,8 +89,7 @@ std::string failure_text(const DeviceSummary& device, const check::Answer& row,
         "Device: {}\n  driver {}, {}, type {}\n"
         "  float32: keeps signed zero, infinity and NaN: {}; keeps subnormals: {}; flushes them: {}; "
         "rounds to even: {}\n\n",
-        row.verdict == check::Verdict::rules ? "what Vulkan's precision rules permit"
-                                             : "the documented accuracy",
+        row.rules_alone() ? "what Vulkan's precision rules permit" : "the documented accuracy",
         to_text(row.budget), device.name, device.driver, api_of(device), device.type,
         yes_no(device.float32.preserves_signed_zero_inf_nan), yes_no(device.float32.preserves_denormals),
         yes_no(device.float32.flushes_denormals), yes_no(device.float32.rounds_to_even));
@@ -103,7 +102,7 @@ std::string failure_text(const DeviceSummary& device, const check::Answer& row,
     if (again.amber)
         text +=
             "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber (https://github.com/google/amber)\n";
-    if (row.verdict == check::Verdict::rules && !again.rules.empty())
+    if (row.rules_alone() && !again.rules.empty())
         text += fmt::format(
             "Vulkan specification, \"Precision and Operation of SPIR-V Instructions\", float32:\n  {}\n\n",
             fmt::join(again.rules, "\n  "));

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "numeric/interval.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check::internal {
-namespace {
 
+using numeric::infinity;
 using shader::Scalar;
+
+namespace {
 
 InputClass class_of(double value, const numeric::FloatFormat& format) {
     using enum InputClass;
@@ -47,9 +48,6 @@ bool holds_special(const Sample& sample, const std::vector<Scalar>& scalars) {
 
 namespace {
 
-using shader::Scalar;
-
-using numeric::infinity;
 constexpr std::size_t corner_words = 6;  // up to this many float inputs, all corners are tried
 
 double fraction_of(double error, double allowed) {
@@ -141,9 +139,9 @@ bool BudgetJudge::has_codomain() const {
            std::ranges::any_of(scalars_.outputs, [](Scalar scalar) { return scalar != Scalar::bool_; });
 }
 
-Error BudgetJudge::measure(const Sample& sample, bool promised) {
+ErrorSize BudgetJudge::measure(const Sample& sample, bool promised) {
     if (!inside_codomain(sample.got)) return {.ulp = infinity, .absolute = infinity, .fraction = infinity};
-    return promised ? best_error(sample) : Error{};
+    return promised ? best_error(sample) : ErrorSize{};
 }
 
 bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
@@ -155,8 +153,8 @@ bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
     return true;
 }
 
-Error BudgetJudge::error_against(std::span<const Word> got, const std::vector<double>& want) const {
-    Error error;
+ErrorSize BudgetJudge::error_against(std::span<const Word> got, const std::vector<double>& want) const {
+    ErrorSize error;
     std::size_t first = 0;
     for (const std::size_t words : scalars_.output_values) {
         add_value(error, got.subspan(first, words), std::span(want).subspan(first, words),
@@ -166,15 +164,15 @@ Error BudgetJudge::error_against(std::span<const Word> got, const std::vector<do
     return error;
 }
 
-void BudgetJudge::add_value(Error& error, std::span<const Word> got, std::span<const double> want,
+void BudgetJudge::add_value(ErrorSize& error, std::span<const Word> got, std::span<const double> want,
                             std::span<const Scalar> scalars) const {
     const numeric::FloatFormat& format = format_of(scalars.front());
     const double unit = unit_of(want, format);
     for (std::size_t i = 0; i < got.size(); ++i) {
         if (shader::is_float(scalars[i])) {
-            const Error here = float_error(number_at(scalars[i], got[i]), want[i], unit, format);
-            error = {std::max(error.ulp, here.absolute > question_.budget.absolute ? here.ulp : 0.0),
-                     std::max(error.absolute, here.absolute), std::max(error.fraction, here.fraction)};
+            ErrorSize here = float_error(number_at(scalars[i], got[i]), want[i], unit, format);
+            if (!(here.absolute > question_.budget.absolute)) here.ulp = 0.0;
+            error.raise(here);
         } else if (number_at(scalars[i], got[i]) != want[i]) {
             error = {.ulp = infinity, .absolute = infinity, .fraction = infinity};
         }
@@ -189,8 +187,8 @@ double BudgetJudge::unit_of(std::span<const double> want, const numeric::FloatFo
     return unit;
 }
 
-Error BudgetJudge::float_error(double got, double want, double unit,
-                               const numeric::FloatFormat& format) const {
+ErrorSize BudgetJudge::float_error(double got, double want, double unit,
+                                   const numeric::FloatFormat& format) const {
     // An end of permitted bounds may be between two values.
     const double value = format == numeric::float32 ? static_cast<double>(static_cast<float>(got)) : got;
     const double absolute = numeric::absolute_error(value, want, format);
@@ -203,11 +201,11 @@ Error BudgetJudge::float_error(double got, double want, double unit,
 
 // The error against the reference at the input itself. If that fails, the least error over the inputs that
 // the budget also covers: subnormals flushed to zero, and inputs within the backward budget.
-Error BudgetJudge::best_error(const Sample& sample) {
-    Error best = error_against(sample.got, sample.want);
+ErrorSize BudgetJudge::best_error(const Sample& sample) {
+    ErrorSize best = error_against(sample.got, sample.want);
     const auto try_at = [&](const std::vector<Word>& inputs) {
         question_.reference(images_, inputs, candidate_);
-        const Error error = error_against(sample.got, candidate_);
+        const ErrorSize error = error_against(sample.got, candidate_);
         if (error.fraction < best.fraction) best = error;
         return best.fraction <= 1.0;
     };
@@ -217,8 +215,6 @@ Error BudgetJudge::best_error(const Sample& sample) {
 }
 
 namespace {
-
-using shader::Scalar;
 
 constexpr double largest_result = 1e30;  // larger results are not compared
 constexpr double largest_usual = 1e4;

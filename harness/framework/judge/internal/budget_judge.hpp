@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "judge/answer.hpp"
-#include "judge/run.hpp"
+#include "judge/question.hpp"
 
 namespace gloam::check::internal {
 
@@ -20,13 +19,6 @@ namespace gloam::check::internal {
 // Makes +0 of every -0, for a device that need not keep its sign: so the kernel and the reference get the
 // same input, and it can be judged. `words`: one input after another.
 void set_positive_zeros(std::span<Word> words, const std::vector<shader::Scalar>& scalars);
-
-// The largest error of the outputs of one input against one candidate for the exact result.
-struct Error {
-    double ulp = 0.0;
-    double absolute = 0.0;
-    double fraction = 0.0;  // of the budget
-};
 
 // The scalar types of a signature's inputs and outputs, which every judge needs.
 struct Scalars {
@@ -62,24 +54,25 @@ class BudgetJudge {
 
     // The error of the outputs of an input; infinite if one is outside the codomain, and otherwise 0 if the
     // budget is not promised for the input.
-    [[nodiscard]] Error measure(const Sample& sample, bool promised);
+    [[nodiscard]] ErrorSize measure(const Sample& sample, bool promised);
 
     // Whether some result other than NaN is outside the codomain.
     [[nodiscard]] bool has_codomain() const;
 
     // The error of a value against another.
-    [[nodiscard]] Error float_error(double got, double want, double unit,
-                                    const numeric::FloatFormat& format) const;
+    [[nodiscard]] ErrorSize float_error(double got, double want, double unit,
+                                        const numeric::FloatFormat& format) const;
 
     // ULP of the largest component of each value if the budget measures by it, otherwise 0.
     [[nodiscard]] double unit_of(std::span<const double> want, const numeric::FloatFormat& format) const;
 
   private:
     [[nodiscard]] bool inside_codomain(std::span<const Word> got) const;
-    [[nodiscard]] Error error_against(std::span<const Word> got, const std::vector<double>& want) const;
-    void add_value(Error& error, std::span<const Word> got, std::span<const double> want,
+    // Against one candidate for the exact result.
+    [[nodiscard]] ErrorSize error_against(std::span<const Word> got, const std::vector<double>& want) const;
+    void add_value(ErrorSize& error, std::span<const Word> got, std::span<const double> want,
                    std::span<const shader::Scalar> scalars) const;
-    [[nodiscard]] Error best_error(const Sample& sample);
+    [[nodiscard]] ErrorSize best_error(const Sample& sample);
 
     const Question& question_;
     const ImageSet& images_;
