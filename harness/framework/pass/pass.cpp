@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <ostream>
 
@@ -20,23 +19,17 @@ using internal::Bound;
 using internal::PassSlot;
 using internal::PassWork;
 
-struct Pass::Impl {
-    const Lab* lab;
-    internal::PassInterface interface;
-    std::string text;  // for OpenGL
-
-    void run(std::span<PassWork> works) const {
-        if (lab->info().type == interpreter_name)
-            internal::run_interpreted(interface, works);
-        else if (const auto* opengl = dynamic_cast<const gl::Device*>(lab->backend().get()))
-            internal::run_on_opengl(*opengl, interface, text, works);
-        else
-            internal::run_on_device(lab->device(), interface, works);
-        lab->require_silent_validation();
-    }
-};
-
 namespace {
+
+void run_on(const Lab& lab, const internal::PassInterface& pass, std::span<PassWork> works) {
+    if (lab.info().type == interpreter_name)
+        internal::run_interpreted(pass, works);
+    else if (const auto* opengl = dynamic_cast<const gl::Device*>(lab.backend().get()))
+        internal::run_on_opengl(*opengl, pass, works);
+    else
+        internal::run_on_device(lab.device(), pass, works);
+    lab.require_silent_validation();
+}
 
 shader::Spirv compiled(const Lab& lab, const std::string& file) {
     std::filesystem::path path;
@@ -47,7 +40,8 @@ shader::Spirv compiled(const Lab& lab, const std::string& file) {
     }
     shader::CompileOptions options = lab.compile_options();
     options.lines = lab.info().type == interpreter_name;  // its errors have a place
-    shader::Spirv module = lab.cache().compile({.name = path.string(), .text = shader::read_text(path)}, options);
+    shader::Spirv module =
+        lab.cache().compile({.name = path.string(), .text = shader::read_text(path)}, options);
     if (const std::string other = shader::spirv::other_number(module); !other.empty())
         throw std::invalid_argument(file + ": " + shader::spirv::not_judged(other));
     return module;
@@ -144,19 +138,20 @@ const typename Map::mapped_type& found_in(const Map& all, const std::string& nam
 Pass::Pass(const Lab& lab, const std::string& file) : Pass(lab, file, compiled(lab, file)) {}
 
 Pass::Pass(const Lab& lab, const std::string& name, shader::Spirv module, std::string text)
-    : impl_(std::make_shared<const Impl>(&lab, internal::interface_of(name, std::move(module)),
-                                         std::move(text))) {}
+    : lab_(&lab),
+      interface_(std::make_shared<const internal::PassInterface>(
+          internal::interface_of(name, std::move(module), std::move(text)))) {}
 
 PassResult Pass::run(const PassInputs& inputs, const PassOptions& options) const {
-    std::vector<PassWork> works{internal::bound(impl_->interface, inputs, options)};
+    std::vector<PassWork> works{internal::bound(*interface_, inputs, options)};
     if (fill(works.front(), 0)) (void)fill(works.emplace_back(works.front()), 1);
-    impl_->run(works);
-    return result_of(impl_->interface, works.front(), works.back());
+    run_on(*lab_, *interface_, works);
+    return result_of(*interface_, works.front(), works.back());
 }
 
 void Pass::run(PassBindings& bindings) const {
-    PassWork work = internal::bound(impl_->interface, bindings);
-    impl_->run(std::span(&work, 1));
+    PassWork work = internal::bound(*interface_, bindings);
+    run_on(*lab_, *interface_, std::span(&work, 1));
     for (auto& [number, image] : bindings.images) {
         if (number >= work.bindings.size() || !work.bindings[number].written) continue;
         const Bound& bound = work.bindings[number];
@@ -199,26 +194,6 @@ std::string PassResult::unwritten() const {
 
 namespace {
 
-bool is_float(const Image& image) {
-    return image.element.scalar == shader::Scalar::float_;
-}
-
-double difference_of(const Image& image, Word got, Word want) {
-    if (is_float(image))
-        return numeric::absolute_error(std::bit_cast<float>(got), std::bit_cast<float>(want));
-    if (image.element.scalar == shader::Scalar::int_)
-        return std::abs(1.0 * std::bit_cast<std::int32_t>(got) - std::bit_cast<std::int32_t>(want));
-    return std::abs(1.0 * got - want);
-}
-
-std::string text_of(const Image& image, Word word) {
-    if (is_float(image)) return numeric::to_text(std::bit_cast<float>(word));
-    const bool is_signed = image.element.scalar == shader::Scalar::int_;
-    return fmt::format("{} (0x{:08x})",
-                       is_signed ? std::int64_t{std::bit_cast<std::int32_t>(word)} : std::int64_t{word},
-                       word);
-}
-
 void require_alike(const PassImage& image, const Image& reference) {
     if (!(reference.element == image.element))
         throw std::invalid_argument(fmt::format("{}: is compared with {}, expected {}", image.name,
@@ -241,7 +216,8 @@ ImageComparison PassImage::compare(const Image& reference, double tolerance) con
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         bool outside = !unwritten.empty() && unwritten[pixel];
         for (std::size_t w = pixel * components; w < (pixel + 1) * components; ++w) {
-            const double difference = difference_of(*this, words[w], reference.words[w]);
+            const double difference = numeric::absolute_error(number_at(element.scalar, words[w]),
+                                                              number_at(element.scalar, reference.words[w]));
             outside = outside || difference > tolerance;
             if (difference > compared.largest) compared.largest = difference, worst = w;
         }
@@ -257,10 +233,10 @@ ImageComparison PassImage::compare(const Image& reference, double tolerance) con
         fmt::format("{}: {} of {} pixels differ by more than {:g}{}\n", name, compared.outside, pixels,
                     tolerance, missing == 0 ? "" : fmt::format(", {} of them not written", missing));
     if (worst < words.size())
-        compared.story +=
-            fmt::format("  pixel ({}, {}) component {}: got {}, expected {}, difference {:.6g}\n",
-                        compared.worst.x, compared.worst.y, worst % components, text_of(*this, words[worst]),
-                        text_of(*this, reference.words[worst]), compared.largest);
+        compared.story += fmt::format(
+            "  pixel ({}, {}) component {}: got {}, expected {}, difference {:.6g}\n", compared.worst.x,
+            compared.worst.y, worst % components, text_of(element.scalar, words[worst]),
+            text_of(element.scalar, reference.words[worst]), compared.largest);
     return compared;
 }
 

@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +19,10 @@
 #include "subject/signature.hpp"
 
 namespace gloam::check {
+
+namespace internal {
+struct PassInterface;
+}
 
 // What a pass is given under a name: an image, a scalar, vector, matrix, array or plain struct of those, or a
 // std::vector of one of them for an array.
@@ -149,10 +152,9 @@ class Pass {
     [[nodiscard]] PassResult run(const PassInputs& inputs, const PassOptions& options = {}) const;
     void run(PassBindings& bindings) const;
 
-    struct Impl;
-
   private:
-    std::shared_ptr<const Impl> impl_;
+    const Lab* lab_;
+    std::shared_ptr<const internal::PassInterface> interface_;
 };
 
 }  // namespace gloam::check

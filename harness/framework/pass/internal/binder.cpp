@@ -40,7 +40,8 @@ class Binder {
         for (std::size_t i = 0; i < given_.size(); ++i) bind(pass_.slots[i], given_[i]);
         set_groups();
         for (const Bound& bound : work_.bindings)
-            if (is_buffer(bound) && bound.words.empty())
+            if ((bound.kind == Bound::Kind::storage || bound.kind == Bound::Kind::uniform) &&
+                bound.words.empty())
                 throw std::invalid_argument(pass_.name +
                                             ": a buffer without elements, expected one at least");
         return std::move(work_);
@@ -152,10 +153,6 @@ class Binder {
         return size;
     }
 
-    static bool is_buffer(const Bound& bound) {
-        return bound.kind == Bound::Kind::storage || bound.kind == Bound::Kind::uniform;
-    }
-
     void make_bindings() {
         for (const shader::Binding& binding : pass_.declared.bindings) {
             if (work_.bindings.size() <= binding.number) work_.bindings.resize(binding.number + 1);
@@ -164,7 +161,10 @@ class Binder {
             for (std::size_t i = 0; i < given_.size(); ++i)
                 if (const PassSlot& slot = pass_.slots[i];
                     slot.kind == Kind::buffer_member && &pass_.declared.bindings[slot.index] == &binding)
-                    bytes = std::max(bytes, end_of(slot, given_[i]));
+                    bytes = std::max(
+                        bytes, slot.member.offset + (slot.is_unbounded()
+                                                         ? elements_of(slot, given_[i]) * slot.member.stride
+                                                         : slot.member.size));
             Bound& buffer = work_.bindings[binding.number];
             buffer.kind =
                 binding.type == BindingType::uniform_buffer ? Bound::Kind::uniform : Bound::Kind::storage;
@@ -179,23 +179,14 @@ class Binder {
         return given ? value->type().sizes.front() : 0;
     }
 
-    [[nodiscard]] static std::size_t end_of(const PassSlot& slot, const PassValue* value) {
-        return slot.member.offset +
-               (slot.is_unbounded() ? elements_of(slot, value) * slot.member.stride : slot.member.size);
-    }
-
     void bind(const PassSlot& slot, const PassValue* value) {
-        switch (slot.kind) {
-            case Kind::image:
-                return bind_image(slot, value);
-            case Kind::buffer_member:
-                return bind_member(slot, value);
-            case Kind::push_constant:
-                if (value == nullptr) refuse_missing(slot);
-                return store(slot, *value, work_.push_constants);
-            case Kind::constant:
-                if (value == nullptr) return;  // it has a default
-                work_.constants.push_back({pass_.declared.constants[slot.index].id, value->words().front()});
+        if (slot.kind == Kind::image) return bind_image(slot, value);
+        if (slot.kind == Kind::buffer_member) return bind_member(slot, value);
+        if (slot.kind == Kind::push_constant) {
+            if (value == nullptr) refuse_missing(slot);
+            store(slot, *value, work_.push_constants);
+        } else if (value != nullptr) {  // a constant has a default
+            work_.constants.push_back({pass_.declared.constants[slot.index].id, value->words().front()});
         }
     }
 
@@ -271,13 +262,6 @@ class Binder {
         }
     }
 
-    // The size of the first image that the pass writes.
-    [[nodiscard]] glm::ivec2 written_size() const {
-        for (const Bound& bound : work_.bindings)
-            if (bound.written) return options_.size.x > 0 ? options_.size : bound.size;
-        return options_.size;
-    }
-
     void set_groups() {
         work_.group_size = pass_.declared.local_size;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -292,7 +276,9 @@ class Binder {
             throw std::invalid_argument(pass_.name + ": a side of its work groups is 0, expected 1 at least");
         work_.groups = options_.groups;
         if (work_.groups != std::array<std::uint32_t, 3>{}) return;
-        const glm::ivec2 size = written_size();
+        glm::ivec2 size = options_.size;
+        const auto written = std::ranges::find(work_.bindings, true, &Bound::written);
+        if (written != work_.bindings.end() && size.x <= 0) size = written->size;
         if (size.x < 1 || size.y < 1)
             throw std::invalid_argument(
                 pass_.name + ": writes no image, expected PassOptions::groups or PassOptions::size");

@@ -20,6 +20,7 @@ constexpr std::uint32_t most_bindings = 64;
 
 shader::Scalar scalar_of(const std::string& type) {
     if (type == "float") return shader::Scalar::float_;
+    if (type == "bool") return shader::Scalar::bool_;
     return type == "int" ? shader::Scalar::int_ : shader::Scalar::uint_;
 }
 
@@ -33,7 +34,9 @@ std::string sampler_name(const Binding& binding) {
     return prefix + "sampler" + binding.shape;
 }
 
-void require_supported(const std::string& pass, const Binding& binding) {
+void require_supported(const PassInterface& all, std::size_t index) {
+    const std::string& pass = all.name;
+    const Binding& binding = all.declared.bindings[index];
     if (binding.set != 0 || binding.number >= most_bindings)
         refuse(pass, binding.name,
                fmt::format("has set {} and binding {}, expected set 0 and a binding below {}", binding.set,
@@ -45,22 +48,26 @@ void require_supported(const std::string& pass, const Binding& binding) {
                     pass, binding.name,
                     fmt::format("is an image{} of format \"{}\", expected image2D of a format like rgba32f",
                                 binding.shape, binding.format));
-            return;
+            break;
         case BindingType::sampled_image:
             if (!shader::is_sampler_type(sampler_name(binding)))
                 refuse(pass, binding.name,
                        fmt::format("is a {}, expected a sampler like sampler2D, sampler2DArray, sampler3D, "
                                    "samplerCube or sampler2DShadow, not an array",
                                    sampler_name(binding)));
-            return;
+            break;
         case BindingType::texture:
         case BindingType::sampler:
             refuse(pass, binding.name,
                    fmt::format("is a separate {}, expected a combined one like sampler2D",
                                to_string(binding.type)));
         default:
-            return;
+            break;
     }
+    if (index > 0 && all.declared.bindings[index - 1].number == binding.number)
+        refuse(pass, binding.name,
+               fmt::format("has binding {}, which \"{}\" has", binding.number,
+                           all.declared.bindings[index - 1].name));
 }
 
 // The type of a member of a block. bool is uint there.
@@ -77,15 +84,6 @@ shader::Type type_of_member(const LaidOut& member) {
     return type;
 }
 
-void require_binding(const PassInterface& all, std::size_t index) {
-    const Binding& binding = all.declared.bindings[index];
-    require_supported(all.name, binding);
-    if (index > 0 && all.declared.bindings[index - 1].number == binding.number)
-        refuse(all.name, binding.name,
-               fmt::format("has binding {}, which \"{}\" has", binding.number,
-                           all.declared.bindings[index - 1].name));
-}
-
 void add_members(const shader::BlockLayout& block, PassSlot::Kind kind, std::size_t index,
                  std::vector<PassSlot>& slots) {
     for (const LaidOut& member : block.members) {
@@ -99,25 +97,20 @@ PassSlot image_slot(const Binding& binding, std::size_t index) {
     const bool sampled = binding.type == BindingType::sampled_image;
     const shader::Type pixel = vector_type(
         binding.texel, sampled ? 4U : static_cast<unsigned>(channels_of(*format_named(binding.format))));
-    return {PassSlot::Kind::image,
-            binding.name,
-            {},
-            sampled ? sampler_name(binding) : "image of " + shader::name_of(pixel),
-            pixel,
-            index,
-            {}};
+    return {.name = binding.name,
+            .says = sampled ? sampler_name(binding) : "image of " + shader::name_of(pixel),
+            .type = pixel,
+            .index = index};
 }
 
 PassSlot constant_slot(const shader::SpecializationConstant& constant, std::size_t index) {
     const std::string number = std::to_string(constant.id);
-    const shader::Scalar scalar = constant.type == "bool" ? shader::Scalar::bool_ : scalar_of(constant.type);
-    return {PassSlot::Kind::constant,
-            constant.name.empty() ? number : constant.name,
-            number,
-            constant.type,
-            {.scalar = scalar},
-            index,
-            {}};
+    return {.kind = PassSlot::Kind::constant,
+            .name = constant.name.empty() ? number : constant.name,
+            .other_name = number,
+            .says = constant.type,
+            .type = {.scalar = scalar_of(constant.type)},
+            .index = index};
 }
 
 // Members that have their name alone in the pass go by it, others by that of their block as well.
@@ -166,8 +159,12 @@ std::vector<std::size_t> places_of(const LaidOut& member, std::size_t elements) 
     return places;
 }
 
-PassInterface interface_of(std::string name, shader::Spirv module) {
-    PassInterface all{.name = std::move(name), .module = std::move(module), .declared = {}, .slots = {}};
+PassInterface interface_of(std::string name, shader::Spirv module, std::string text) {
+    PassInterface all{.name = std::move(name),
+                      .module = std::move(module),
+                      .declared = {},
+                      .slots = {},
+                      .text = std::move(text)};
     try {
         all.declared = shader::reflect(all.module);
     } catch (const std::runtime_error& error) {
@@ -175,7 +172,7 @@ PassInterface interface_of(std::string name, shader::Spirv module) {
     }
     for (std::size_t i = 0; i < all.declared.bindings.size(); ++i) {
         const Binding& binding = all.declared.bindings[i];
-        require_binding(all, i);
+        require_supported(all, i);
         if (binding.block)
             add_members(*binding.block, PassSlot::Kind::buffer_member, i, all.slots);
         else

@@ -199,13 +199,12 @@ void run_once(const gl::Device& device, const gl::Program& program, const PassIn
 
 }  // namespace
 
-void run_on_opengl(const gl::Device& device, const PassInterface& pass, const std::string& text,
-                   std::span<PassWork> works) {
+void run_on_opengl(const gl::Device& device, const PassInterface& pass, std::span<PassWork> works) {
     if (!gl::has_compute(device.info().id.version))
         throw backend::Unsupported(to_string(device.info().id.version) + " has no compute shaders");
     const gl::Program program(
         device, gl::Program::Stage::compute,
-        {.name = pass.name, .text = text.empty() ? translated(device, pass, works.front()) : text});
+        {.name = pass.name, .text = pass.text.empty() ? translated(device, pass, works.front()) : pass.text});
     for (PassWork& work : works) run_once(device, program, pass, work);
 }
 

@@ -38,10 +38,11 @@ struct PassInterface {
     shader::Spirv module;
     shader::ModuleInterface declared;
     std::vector<PassSlot> slots;
+    std::string text = {};  // the same shader for OpenGL; empty: what SPIRV-Cross makes of the module
 };
 
 // Throws std::invalid_argument, with the pass and the name, for what a pass cannot have.
-[[nodiscard]] PassInterface interface_of(std::string name, shader::Spirv module);
+[[nodiscard]] PassInterface interface_of(std::string name, shader::Spirv module, std::string text);
 
 // The place in bytes of each scalar of a member, in the order of a C++ value's words. `elements`: of an
 // unbounded array.
@@ -91,10 +92,8 @@ struct PassWork {
 // Run a pass on a Vulkan device, once for each work. Throws like gpu::Commands and the pipelines.
 void run_on_device(const gpu::Device& device, const PassInterface& pass, std::span<PassWork> works);
 
-// The same on OpenGL, from its text; where there is none, from what SPIRV-Cross makes of its module. Throws
-// backend::Unsupported for what the version lacks.
-void run_on_opengl(const gl::Device& device, const PassInterface& pass, const std::string& text,
-                   std::span<PassWork> works);
+// The same on OpenGL. Throws backend::Unsupported for what the version lacks.
+void run_on_opengl(const gl::Device& device, const PassInterface& pass, std::span<PassWork> works);
 
 // The same on the interpreter, one invocation after another. Throws backend::Unsupported for instructions
 // that it does not know; backend::Fault, with the place, for an access outside an image or array.
