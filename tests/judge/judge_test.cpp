@@ -93,12 +93,9 @@ TEST_F(JudgeTest, SmallWholeNumbersAreNotMoved) {
 }
 
 TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromisedAlsoForIntegers) {
-    Question question{.file = "wrong.glsl",
-                      .function = "identity_one_up",
-                      .signature = SignatureOf<float(float)>::describe(),
-                      .domain = {uniform(0, 2)},
-                      .reference = make_reference<float(float)>([](double x) { return x; }),
-                      .promised = make_predicate<float(float)>([](float) { return false; })};
+    Question question = question_with<float(float)>("wrong.glsl", "identity_one_up", {uniform(0, 2)},
+                                                    [](double x) { return x; });
+    question.promised = make_predicate<float(float)>([](float) { return false; });
     EXPECT_EQ(run(lab, question).outcome(), Outcome::not_judged);
     question.codomain = {-1, 3};
     EXPECT_TRUE(run(lab, question).passed());
@@ -106,12 +103,9 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromisedAlsoForIntegers) {
     const Answer outside = run(lab, question);
     EXPECT_TRUE(outside.failed());
     EXPECT_THAT(outside.story, HasSubstr("the worst result is outside the codomain [0, 1]\n"));
-    Question whole{.file = "wrong.glsl",
-                   .function = "off_by_one",
-                   .signature = SignatureOf<int(float)>::describe(),
-                   .domain = {uniform(0, 1.5)},
-                   .reference = make_reference<int(float)>([](double x) { return std::floor(x) + 1.0; }),
-                   .codomain = {1, 2}};
+    Question whole = question_with<int(float)>("wrong.glsl", "off_by_one", {uniform(0, 1.5)},
+                                               [](double x) { return std::floor(x) + 1.0; });
+    whole.codomain = {1, 2};
     EXPECT_TRUE(run(lab, whole).passed());
     whole.promised = question.promised;
     whole.codomain = {0, 1};
@@ -123,15 +117,10 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromisedAlsoForIntegers) {
 TEST_F(JudgeTest, TheEdgesHoldWhereNothingElseIsPromised) {
     if (!lab.info().float32.preserves_signed_zero_inf_nan) GTEST_SKIP() << "the device does not keep NaN";
     for (const auto& [function, right] : {std::pair{"inverse", true}, {"inverse_wrong_at_zero", false}}) {
-        Question question{
-            .file = "wrong.glsl",
-            .function = function,
-            .signature = SignatureOf<float(float)>::describe(),
-            .domain = {log_uniform(0.01, 100).and_special()},
-            .reference = make_reference<float(float)>(
-                [](double x) { return x > 0.0 && std::isfinite(x) ? 1.0 / x : 0.0; }),
-            .budget = {.ulp = 2.5},
-            .promised = make_predicate<float(float)>([](float x) { return x >= 0.01F && x <= 100.0F; })};
+        Question question = question_with<float(float)>(
+            "wrong.glsl", function, {log_uniform(0.01, 100).and_special()},
+            [](double x) { return x > 0.0 && std::isfinite(x) ? 1.0 / x : 0.0; }, {.ulp = 2.5});
+        question.promised = make_predicate<float(float)>([](float x) { return x >= 0.01F && x <= 100.0F; });
         const Answer result = run(lab, question, {.inputs = 4096});
         EXPECT_EQ(result.passed(), right) << result;
         EXPECT_EQ(count(result, InputClass::ordinary).outside, 0U) << function;
@@ -154,12 +143,9 @@ TEST_F(JudgeTest, TheWorstInputIsExplainedWithItsImages) {
                                           size, [&](glm::ivec2) { return static_cast<float>(random.unit()); },
                                           Border::clamp)}};
     };
-    const Question question{.file = "own.glsl",
-                            .function = "own_mean",
-                            .signature = SignatureOf<float(glm::ivec2)>::describe(),
-                            .domain = {image_pixel()},
-                            .reference = make_reference<float(glm::ivec2)>([](glm::ivec2) { return 7.0; }),
-                            .scenarios = {{.name = "4 x 3", .size = {4, 3}, .make = make}}};
+    Question question = question_with<float(glm::ivec2)>("own.glsl", "own_mean", {image_pixel()},
+                                                         [](glm::ivec2) { return 7.0; });
+    question.scenarios = {{.name = "4 x 3", .size = {4, 3}, .make = make}};
     EXPECT_THAT(run(lab, question, {.inputs = 64}).story,
                 testing::ContainsRegex("own.glsl:[0-9]+ own_mean +OpFAdd"));
 }
@@ -332,12 +318,9 @@ TEST(OutcomeByRules, WhatVulkanLeavesUndefinedIsNotJudged) {
 }
 
 TEST(OutcomeByRules, TheyJudgeWhereNothingElseIsPromised) {
-    const Question question{.file = "rules.glsl",
-                            .function = "reciprocal",
-                            .signature = SignatureOf<float(float)>::describe(),
-                            .domain = {uniform(1, 2)},
-                            .reference = make_reference<float(float)>([](double x) { return 1.0 / x; }),
-                            .promised = nothing};
+    Question question = question_with<float(float)>("rules.glsl", "reciprocal", {uniform(1, 2)},
+                                                    [](double x) { return 1.0 / x; });
+    question.promised = nothing;
     const Answer few = run(test::make_lab(FIXTURES), question, {.inputs = 512});
     EXPECT_EQ(few.judged(), 512U);
     const Answer many = run(test::make_lab(FIXTURES), question, {.inputs = 65'536});

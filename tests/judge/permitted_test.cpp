@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the comments of glsl/gloam promise of every device that keeps Vulkan's rules, looked for in everything
 // that the rules permit: no device of any kind is needed, and none could show it.
-#include "judge/explain.hpp"
 #include "judge/interpretation.hpp"
-#include "judge/run.hpp"
 #include "numeric/numbers.hpp"
-#include "subject/interpreted_kernel.hpp"
 #include "subject/signature.hpp"
 #include "support/lab.hpp"
 
@@ -144,19 +141,6 @@ TEST(ErrorBound, InverseFunctionsAndRoots) {
     expect_guaranteed<float(float, float)>(file, "gloam_atan2",
                                            [](double y, double x) { return std::atan2(y, x); },
                                            {uniform(0.001, 1), constant(-1.0F)}, {.absolute = 1e-6});
-}
-
-// One input, operation by operation.
-TEST(Explain, KeepsTheThreeValuesApart) {
-    const Lab lab = test::make_lab(FIXTURES);
-    const ExplainedStep step =
-        Function<float(float, float)>(lab, "rules.glsl", "quotient").explain(1.0F, 3.0F).steps.back();
-    EXPECT_EQ(step.value, 1.0F / 3.0F);
-    EXPECT_EQ(step.exact, 1.0 / 3.0);
-    EXPECT_EQ(step.local, static_cast<double>(1.0F / 3.0F) - 1.0 / 3.0);
-    EXPECT_LT(step.permitted.low, step.exact);
-    EXPECT_GT(step.permitted.high, step.exact);
-    EXPECT_LT(step.permitted.high - step.permitted.low, 1e-6);
 }
 
 }  // namespace gloam::check::permitted_test

@@ -10,7 +10,6 @@
 #include "module/include.hpp"
 #include "module/module.hpp"
 #include "module/spirv.hpp"
-#include "module/texts.hpp"
 #include "subject/own_function.hpp"
 #include "support/changed_device.hpp"
 #include "support/lab.hpp"

@@ -8,12 +8,9 @@ using numeric::Bounds;
 
 // 1e-4 too large.
 Question wrong_weight() {
-    return {.file = "wrong.glsl",
-            .function = "weight_wrong_constant",
-            .signature = SignatureOf<float(float, float)>::describe(),
-            .domain = {uniform(-10, 10), uniform(0.5, 8)},
-            .reference = make_reference<float(float, float)>(exact_weight),
-            .budget = {.ulp = 2, .absolute = 4e-7}};
+    return question_with<float(float, float)>("wrong.glsl", "weight_wrong_constant",
+                                              {uniform(-10, 10), uniform(0.5, 8)}, exact_weight,
+                                              {.ulp = 2, .absolute = 4e-7});
 }
 
 TEST(Reproduction, AFailureComesWithItsSimplestInputAndAShaderOfItsOwn) {
@@ -65,21 +62,17 @@ TEST(Reproduction, WhatPassesIsRefused) {
 
 // A sum over the pixel and its right neighbour: at the right border it reads outside.
 Question two_pixels() {
-    return {.file = "two_pixels.glsl",
-            .function = "two_pixels",
-            .signature = SignatureOf<float(glm::ivec2)>::describe(),
-            .domain = {image_pixel()},
-            .reference = make_reference<float(glm::ivec2)>([](const ImageSet& images, glm::ivec2 pixel) {
-                const Image& image = images.at("fetch");
-                return static_cast<double>(image.at<float>(pixel)) +
-                       image.at<float>(pixel + glm::ivec2(1, 0));
-            }),
-            .budget = {.ulp = 1},
-            .scenarios = {{.name = "3 x 2", .size = {3, 2}, .make = [](glm::ivec2 size, numeric::Random&) {
-                               return ImageSet{{"fetch", make_image<float>(size, [](glm::ivec2 p) {
-                                                    return static_cast<float>(p.x + 10 * p.y);
-                                                })}};
-                           }}}};
+    const auto sum = [](const ImageSet& images, glm::ivec2 pixel) {
+        const Image& image = images.at("fetch");
+        return image.at<double>(pixel) + image.at<double>(pixel + glm::ivec2(1, 0));
+    };
+    const auto make = [](glm::ivec2 size, numeric::Random&) {
+        return ImageSet{{"fetch", make_image<float>(size, [](glm::ivec2 p) { return p.x + 10 * p.y; })}};
+    };
+    Question question =
+        question_with<float(glm::ivec2)>("two_pixels.glsl", "two_pixels", {image_pixel()}, sum, {.ulp = 1});
+    question.scenarios = {{.name = "3 x 2", .size = {3, 2}, .make = make}};
+    return question;
 }
 
 TEST(Reproduction, AnAccessOutsideAnImageIsAFaultInEveryVariant) {

@@ -5,8 +5,8 @@
 #include "judge/run.hpp"
 #include "numeric/numbers.hpp"
 #include "subject/domain.hpp"
+#include "subject/fixture_functions.hpp"
 #include "subject/interpreted_kernel.hpp"
-#include "support/lab.hpp"
 
 namespace gloam::check::rules_test {
 
@@ -241,13 +241,8 @@ TEST_F(RulesTest, AnUndecidedBranchPermitsBothSidesAndIntegersInReach) {
 }
 
 TEST_F(RulesTest, EveryVariantIsAskedTheRulesAndSomeTheRulesAlone) {
-    const Question question{
-        .file = "rules.glsl",
-        .function = "quotient",
-        .signature = SignatureOf<float(float, float)>::describe(),
-        .domain = pairs,
-        .reference = make_reference<float(float, float)>([](double x, double y) { return x / y; }),
-        .budget = {.ulp = 2.5}};
+    const Question question = question_with<float(float, float)>(
+        "rules.glsl", "quotient", pairs, [](double x, double y) { return x / y; }, {.ulp = 2.5});
     for (const shader::Variant& variant : shader::variants()) {
         const Lab other = test::make_lab(FIXTURES, variant);
         const Answer result = run(other, question, {.inputs = 512});

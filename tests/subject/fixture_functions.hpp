@@ -2,7 +2,6 @@
 #pragma once
 
 #include "backend/gl/device.hpp"
-#include "judge/run.hpp"
 #include "subject/own_function.hpp"
 #include "support/lab.hpp"
 
@@ -31,6 +30,18 @@ inline check::Answer answer_of(const check::Lab& lab, const std::string& file, c
 inline check::Answer answer_of(const std::string& file, const std::string& name,
                                const check::Ranges& ranges = {}) {
     return answer_of(check::Lab(options_of(file), SharedDevice::get()), file, name, ranges);
+}
+
+// The question of a function of the fixtures with a reference.
+template <class Type, class Reference>
+check::Question question_with(const char* file, const char* function, const check::Domain& domain,
+                              Reference reference, const check::Budget& budget = {}) {
+    return {.file = file,
+            .function = function,
+            .signature = check::SignatureOf<Type>::describe(),
+            .domain = domain,
+            .reference = check::make_reference<Type>(reference),
+            .budget = budget};
 }
 
 // What `weight` of wrong.glsl is.

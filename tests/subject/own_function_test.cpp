@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Anybody's shader file: no reference, no C++ signature.
 #include "judge/function.hpp"
-#include "module/include.hpp"
 #include "subject/fixture_functions.hpp"
 #include "support/lab.hpp"
 

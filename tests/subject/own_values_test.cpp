@@ -4,7 +4,6 @@
 #include "interpreter/program.hpp"
 #include "judge/explain.hpp"
 #include "judge/function.hpp"
-#include "judge/reproduction.hpp"
 #include "subject/fixture_functions.hpp"
 
 namespace gloam::check::own_values_test {
@@ -176,6 +175,7 @@ TEST(OwnTypes, AnExplanationHasTheirValues) {
     ASSERT_EQ(half.steps.size(), 1U);
     EXPECT_EQ(half.steps[0].value, 2048.0);
     EXPECT_EQ(half.steps[0].exact, 2049.0);
+    EXPECT_EQ(half.steps[0].local, -1.0);
     EXPECT_EQ(half.steps[0].ulps, 0.5) << "of float16";
     EXPECT_EQ(half.steps[0].permitted, (numeric::Bounds{2048.0, 2050.0, false}));
     numeric::Random random(1);
