@@ -18,35 +18,30 @@ namespace {
 // The value of the memory behind the outputs before and after the dispatch.
 constexpr Word guard_pattern = 0xdeadbeefU;
 
-// Some of a run's inputs.
-struct Part {
-    std::size_t first;  // position of its first input in the whole run
-    std::size_t count;
-};
-
-// Adds the outputs of a part. Throws backend::Fault for a canary or a guard that is not in order.
-void add_outputs(const Part& part, Word canary, std::size_t width, std::span<const Word> words,
-                 const std::string& name, std::vector<Word>& outputs) {
-    for (std::size_t i = 0; i < part.count; ++i) {
+// Adds the outputs of a run's inputs from `first` to `end`. Throws backend::Fault for a canary or a guard
+// that is not in order.
+void add_outputs(std::size_t first, std::size_t end, Word canary, std::size_t width,
+                 std::span<const Word> words, const std::string& name, std::vector<Word>& outputs) {
+    for (std::size_t i = 0; i < end - first; ++i) {
         const auto row = words.subspan(i * (width + 1), width + 1);
         const Word expected = canary ^ static_cast<Word>(i);
         if (row.back() != expected) {
             throw backend::Fault(
                 fmt::format("{}: the kernel did not finish for input {} of {}: expected the canary 0x{:08x}, "
                             "found 0x{:08x}",
-                            name, part.first + i, part.first + part.count, expected, row.back()));
+                            name, first + i, end, expected, row.back()));
         }
         outputs.insert(outputs.end(), row.begin(), row.end() - 1);
     }
-    const auto guard = words.subspan(part.count * (width + 1));
+    const auto guard = words.subspan((end - first) * (width + 1));
     if (std::ranges::any_of(guard, [](Word word) { return word != guard_pattern; })) {
-        throw backend::Fault(fmt::format("{}: the kernel wrote outside its outputs, behind input {}", name,
-                                         part.first + part.count - 1));
+        throw backend::Fault(
+            fmt::format("{}: the kernel wrote outside its outputs, behind input {}", name, end - 1));
     }
 }
 
-// Adds accesses of a part outside an image.
-void add_faults(const Part& part, const KernelFaults& faults, const KernelModule& module,
+// Adds accesses outside an image, of the inputs from `first` on.
+void add_faults(std::size_t first, const KernelFaults& faults, const KernelModule& module,
                 const ImageSet& images, std::optional<ImageFault>& all) {
     if (faults.count == 0) return;
     if (all) {
@@ -58,7 +53,7 @@ void add_faults(const Part& part, const KernelFaults& faults, const KernelModule
                      .pixel = {static_cast<int>(faults.x), static_cast<int>(faults.y)},
                      .size = images.at(image.name).size,
                      .count = faults.count,
-                     .input = part.first + faults.input};
+                     .input = first + faults.input};
 }
 
 }  // namespace
@@ -85,16 +80,16 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
     if (module_->judged_by_rules) result.modules = {module_};
     result.outputs.reserve(count * out);
     const std::vector<std::vector<Word>> words = image_words(*module_, images);
-    for (Part part{.first = 0, .count = 0}; part.first < count; part.first += part.count) {
-        part.count = std::min(kernel_->most_inputs(), count - part.first);
-        backend::KernelMemory memory{.inputs = inputs.subspan(part.first * in, part.count * in),
-                                     .outputs = std::vector<Word>(part.count * (out + 1)),
+    for (std::size_t first = 0, part = 0; first < count; first += part) {
+        part = std::min(kernel_->most_inputs(), count - first);
+        backend::KernelMemory memory{.inputs = inputs.subspan(first * in, part * in),
+                                     .outputs = std::vector<Word>(part * (out + 1)),
                                      .images = words};
         memory.outputs.resize(memory.outputs.size() + backend::guard_words, guard_pattern);
         const Word canary = entropy();
-        kernel_->run(part.count, canary, memory);
-        add_outputs(part, canary, out, memory.outputs, module_->name, result.outputs);
-        add_faults(part, memory.faults, *module_, images, result.fault);
+        kernel_->run(part, canary, memory);
+        add_outputs(first, first + part, canary, out, memory.outputs, module_->name, result.outputs);
+        add_faults(first, memory.faults, *module_, images, result.fault);
     }
     return result;
 }

@@ -26,23 +26,21 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
     for (const shader::Function& function : functions) {
         if (function.defined) continue;
         const auto image = image_prototype(function);
-        if (!image) {
+        if (!image)
             throw std::invalid_argument(
                 fmt::format("{}: cannot serve the prototype \"{}\": expected T name(ivec2)", file,
                             shader::to_glsl(function)));
-        }
         images.push_back(*image);
     }
     return images;
 }
 
 void require_opengl_options(const LabOptions& options, shader::Language language) {
-    if (!options.variant.runs_on_opengl(shader::usual_stage(language) == shader::Stage::compute)) {
+    if (!options.variant.runs_on_opengl(shader::usual_stage(language) == shader::Stage::compute))
         throw std::invalid_argument(
             fmt::format("{}: OpenGL devices have the variant shipped only, and those with compute shaders "
                         "its steps, not {}",
                         options.device, options.variant.name));
-    }
     if (options.validation)
         throw std::invalid_argument(options.device + ": the validation layers are of Vulkan");
 }
@@ -90,18 +88,12 @@ constexpr const char* quad_vertices =
     "#version 450\nvoid main() {\n    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
     "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n";
 
-// A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
-void show_to_the_loader(const std::string& device) {
-    if (!base::lower(device).starts_with("swiftshader") || gpu::drivers_are_chosen()) return;
-    if (const auto manifest = gpu::find_swiftshader()) gpu::add_drivers(std::array{*manifest});
-}
-
 std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
-    show_to_the_loader(options.device);
+    // A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
+    if (base::lower(options.device).starts_with("swiftshader") && !gpu::drivers_are_chosen())
+        if (const auto manifest = gpu::find_swiftshader()) gpu::add_drivers(std::array{*manifest});
     if (options.device == interpreter_name) return interpreter();
-    if (gl::is_device_name(options.device)) {
-        return std::make_shared<gl::Device>(options.device);
-    }
+    if (gl::is_device_name(options.device)) return std::make_shared<gl::Device>(options.device);
     return std::make_shared<gpu::Device>(
         gpu::DeviceOptions{.device = options.device,
                            .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
@@ -232,14 +224,12 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
         }
         named.push_back(to_glsl({candidate.result, candidate.parameters}, candidate.name));
     }
-    if (!named.empty()) {
+    if (!named.empty())
         throw std::invalid_argument(
             fmt::format("{}: the signature of {} differs: C++ has \"{}\", GLSL has \"{}\"", file, function,
                         to_glsl(signature, function), fmt::join(named, "\", \"")));
-    }
-    for (const shader::Function& candidate : all) {
+    for (const shader::Function& candidate : all)
         if (candidate.defined) named.push_back(candidate.name);
-    }
     throw std::invalid_argument(
         fmt::format("{}: no function {}; it defines: {}", file, function,
                     named.empty() ? "none" : fmt::format("{}", fmt::join(named, ", "))));
