@@ -13,17 +13,14 @@
 namespace gloam::check {
 namespace {
 
-// A few inputs of all kinds: the beginning of a larger draw.
-Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t seed,
+// A few inputs of all kinds, the beginning of a larger draw. Each is compiled code, so the scenarios of a
+// question share their number.
+Domain::Inputs few_inputs(const Domain& domain, std::size_t scenarios, std::uint64_t seed,
                           glm::ivec2 image_size) {
     constexpr std::size_t spread = 16;
-    return domain.draw(spread * count, seed, image_size).where([](std::size_t i) { return i % spread == 0; });
-}
-
-// Each input is compiled code, so the scenarios of a question share the number of inputs.
-std::size_t constants_of_each(std::size_t scenarios) {
     constexpr std::size_t least = 8;
-    return std::max(least, most_constants / std::max<std::size_t>(scenarios, 1));
+    const std::size_t count = std::max(least, most_constants / std::max<std::size_t>(scenarios, 1));
+    return domain.draw(spread * count, seed, image_size).where([](std::size_t i) { return i % spread == 0; });
 }
 
 // Inputs of many words are fewer: those of a run take 256 MiB at most.
@@ -75,7 +72,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
             const Domain::Inputs drawn =
                 variant.constants == shader::Variant::Constants::none
                     ? domain.draw(share, seed, scenario.size)
-                    : few_inputs(domain, constants_of_each(question.scenarios.size()), seed, scenario.size);
+                    : few_inputs(domain, question.scenarios.size(), seed, scenario.size);
             Domain::Inputs inputs = session.without_long_runs(drawn, answer);
             if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
         }
