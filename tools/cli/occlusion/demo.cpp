@@ -53,14 +53,6 @@ void say(const DemoOptions& demo, const std::string& line) {
     std::fflush(stdout);
 }
 
-RenderOptions options_for(const DemoOptions& demo, const std::string& source) {
-    RenderOptions options{.source = source, .frames = 8, .size = "640x360", .device = demo.device};
-    options.trace_truth = true;
-    options.truth_rays = 128;
-    options.quiet = demo.quiet;
-    return options;
-}
-
 std::vector<Shown> demo_scenes() {
     std::error_code none;
     return {{"room", "a furnished room, seen by a camera that moves", {}},
@@ -68,9 +60,13 @@ std::vector<Shown> demo_scenes() {
             {"moving", "a rolling ball and a turning box, followed with their history", {}}};
 }
 
-void render_scene(Shown& scene, const DemoOptions& demo, const RenderBench& bench) {
-    const RenderOptions options = options_for(demo, scene.name == "bunny" ? bunny : scene.name);
-    scene.run = std::move(render(options, open_input(options), bench, nullptr).front());
+void render_scene(Shown& scene, const DemoOptions& demo, const gpu::Device& device) {
+    const RenderOptions options{.shown = {.source = scene.name == "bunny" ? bunny : scene.name,
+                                          .frames = 8,
+                                          .trace_truth = true,
+                                          .truth_rays = 128},
+                                .quiet = demo.quiet};
+    scene.run = std::move(render(options, open_input(options), device, nullptr).front());
 }
 
 // Time against error: each preset as `gloam bench presets` has measured it.
@@ -162,11 +158,11 @@ std::string check_line(const CheckOutcome& outcome) {
 int run_demo(const DemoOptions& demo) {
     record::OutputFolder out(demo.out);
     const fs::path folder = fs::absolute(demo.out);
-    RenderBench bench({.device = demo.device});
-    say(demo, "device    " + bench.device.info().name);
+    gpu::Device device = open_device(demo.device, false);
+    say(demo, "device    " + device.info().name);
     std::vector<Shown> scenes = demo_scenes();
     for (Shown& scene : scenes) {
-        render_scene(scene, demo, bench);
+        render_scene(scene, demo, device);
         if (&scene != &scenes.front()) continue;
         out.write("sheet.png", sheet_of({scene.run}));
         out.keep();
@@ -188,7 +184,7 @@ int run_demo(const DemoOptions& demo) {
     say(demo, "look at   " + (folder / "index.html").string() +
                   " (pictures, the live effect, and the check's table)");
     say(demo, "next      gloam check --help, gloam render --help");
-    return std::max(validation_status(bench.device), outcome.counts.exit_status());
+    return std::max(validation_status(device), outcome.counts.exit_status());
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ effect::Settings settings_of(const EffectPackOptions& options) {
                           std::ranges::count(effect::presets(), options.preset, &effect::Preset::name) > 0;
     if (!is_known) throw std::invalid_argument(expected + ", or a file NAME.json");
     const effect::Settings settings =
-        settings_for({.radius = 1.0F, .set = options.set}, {.preset = options.preset}, {});
+        settings_for({.preset = options.preset, .radius = 1.0F, .set = options.set}, {});
     if (settings.passes == effect::Passes::frame) return settings;
     throw std::invalid_argument(expected + "; of others pack the function: gloam pack " +
                                 file_of(effect::method_named(settings.method)));

@@ -27,21 +27,22 @@ void print_comparison(const std::vector<Rendered>& runs) {
 }
 
 std::vector<Option> options_of(RenderOptions& options) {
-    MeshOptions& mesh = options.mesh;
+    RenderCase& shown = options.shown;
+    MeshOptions& mesh = shown.mesh;
+    RenderCandidate& candidate = options.candidate;
     return {
-        {"source", &options.source, "scene (gloam list scenes) or mesh file, stood on a ground plane"},
-        {"--gbuffer", &options.gbuffer, "folder of G-buffers of an engine, instead of a scene"},
-        {"--depth", &options.depth,
+        {"source", &shown.source, "scene (gloam list scenes) or mesh file, stood on a ground plane"},
+        {"--gbuffer", &shown.gbuffer, "folder of G-buffers of an engine, instead of a scene"},
+        {"--depth", &shown.depth,
          "how the G-buffers store it: linear, or buffer: depth-buffer values of the frame's projection"},
-        {"--normals", &options.normals,
+        {"--normals", &shown.normals,
          "how the G-buffers store them: view or world space, and behind it -octahedral, -unorm or both"},
-        {"--size", &options.size, excludes("--gbuffer"), "WIDTHxHEIGHT of a scene or mesh, pixels"},
-        {"--frames", &options.frames, between(1, 9999),
+        {"--size", &shown.size, excludes("--gbuffer"), "WIDTHxHEIGHT of a scene or mesh, pixels"},
+        {"--frames", &shown.frames, between(1, 9999),
          "number of frames. A scene that moves: from --frame on. A G-buffer sequence: the first N (default: "
          "all). Else: accumulated on one view (default: 1)"},
-        {"--frame", &options.frame, between(0, 1e6),
-         "of a scene that moves: the first frame shown, 0 and up"},
-        {"--still", &options.still, "stop the scene at --frame and accumulate frames of that view"},
+        {"--frame", &shown.frame, between(0, 1e6), "of a scene that moves: the first frame shown, 0 and up"},
+        {"--still", &shown.still, "stop the scene at --frame and accumulate frames of that view"},
         {"--write-gbuffer", &options.write_gbuffer, "folder for the G-buffers that were shaded"},
         {"--out", &options.out, "folder for pictures and render.json"},
         {"--antialias", &options.antialias, between(1, 8),
@@ -69,37 +70,37 @@ std::vector<Option> options_of(RenderOptions& options) {
          fmt::format(
              "gloam list presets; several, separated by commas, are compared on one sheet (default: {})",
              effect::default_preset)},
-        {"--samples", &options.samples, between(1, effect::most_samples),
+        {"--samples", &candidate.samples, between(1, effect::most_samples),
          "samples for each pixel in each frame (default: the preset's)"},
-        {"--radius", &options.radius, "world units (default: the view's)"},
-        {"--bias", &options.bias, "world units (default: the preset's part of the radius)"},
-        {"--guard", &options.guard,
+        {"--radius", &candidate.radius, "world units (default: the view's)"},
+        {"--bias", &candidate.bias, "world units (default: the preset's part of the radius)"},
+        {"--guard", &candidate.guard,
          "guard band: part of the image that is rendered outside each of its sides, so that pixels at the "
          "edge have neighbours; 0 to 0.5, usually 0.05 to 0.1 (default: none)"},
-        {"--no-filter", &options.no_filter, "show the estimate as it is"},
+        {"--no-filter", &candidate.no_filter, "show the estimate as it is"},
         {"--multi-bounce", &options.multi_bounce,
          "lit pictures with the light that bounces among blockers of the surface's colour"},
-        {"--bent-normals", &options.bent_normals,
+        {"--bent-normals", &candidate.bent_normals,
          "write the directions in which points are open, and the cones around them, too: those of the frame, "
          "or of a pass of their own"},
-        {"--bent-interleave", &options.bent_interleave, needs("--bent-normals", between(1, 8)),
+        {"--bent-interleave", &candidate.bent_interleave, needs("--bent-normals", between(1, 8)),
          "interleave samples: the N x N pixels of a block take different samples of one pattern (1: no "
          "interleaving); by a pass of their own"},
         {"--light", &options.light, one_of({"white", "sky"}),
          "white or sky: also write the scene in its light, with directional occlusion and one bounce"},
-        {"--set", &options.set, repeated, "NAME=VALUE: any setting (gloam list settings); may be repeated"},
+        {"--set", &candidate.set, repeated, "NAME=VALUE: any setting (gloam list settings); may be repeated"},
         {"--truth",
-         [&options](const std::string& file) {
-             options.truth = file;
-             options.trace_truth = file.empty();
+         [&shown](const std::string& file) {
+             shown.truth = file;
+             shown.trace_truth = file.empty();
          },
          {.may_lack = "[FILE]"},
          "compare with true occlusion: traced now, or given as a PFM file"},
-        {"--truth-every", &options.truth_every, needs("--truth"),
+        {"--truth-every", &shown.truth_every, needs("--truth"),
          "trace the truth of every frame of a sequence, not of the last alone: it takes as long for each"},
-        {"--truth-rays", &options.truth_rays, needs("--truth"), "rays for each pixel, 32 to 16777216"},
-        {"--truth-falloff", &options.truth_falloff, needs("--truth"), "linear, quadratic or step"},
-        {"--truth-thickness", &options.truth_thickness, needs("--truth"),
+        {"--truth-rays", &shown.truth_rays, needs("--truth"), "rays for each pixel, 32 to 16777216"},
+        {"--truth-falloff", &shown.truth_falloff, needs("--truth"), "linear, quadratic or step"},
+        {"--truth-thickness", &shown.truth_thickness, needs("--truth"),
          "thickness of the surfaces that the depth buffer shows, world units (default: solid behind them)"},
         {"--repeat", &options.repeat, between(1, 1e4), "runs of each frame, of which times are the median"},
         device_option(options.device),
@@ -107,19 +108,18 @@ std::vector<Option> options_of(RenderOptions& options) {
         driver_option()};
 }
 
-// `render --truth columns`: if there is nothing else to render, the value of --truth is the scene.
-void take_scene_from_truth(RenderOptions& options) {
-    if (!options.source.empty() || !options.gbuffer.empty() || options.truth.empty()) return;
-    options.source = std::exchange(options.truth, "");
-    options.trace_truth = true;
-}
-
 // Returns the exit status: 0, or 1 if the validation layers reported messages.
-int run_render(const RenderOptions& options) {
+int run_render(RenderOptions& options) {
+    RenderCase& shown = options.shown;
+    // `render --truth columns`: if there is nothing else to render, the value of --truth is the scene.
+    if (shown.source.empty() && shown.gbuffer.empty() && !shown.truth.empty()) {
+        shown.source = std::exchange(shown.truth, "");
+        shown.trace_truth = true;
+    }
     const RenderInput input = open_input(options);
     record::OutputFolder out(options.out);
-    RenderBench bench(options);
-    const std::vector<Rendered> runs = render(options, input, bench, &out);
+    gpu::Device device = open_device(options.device, options.validation);
+    const std::vector<Rendered> runs = render(options, input, device, &out);
     out.write("sheet.png", sheet_of(runs));
     out.keep();
     if (!options.quiet) {
@@ -129,7 +129,7 @@ int run_render(const RenderOptions& options) {
             print_comparison(runs);
         fmt::print("pictures: {}\n", (out.path() / "sheet.png").string());
     }
-    return validation_status(bench.device);
+    return validation_status(device);
 }
 
 }  // namespace
@@ -139,11 +139,7 @@ Command render_command() {
     return {.name = "render",
             .about = "ambient occlusion of a scene, a mesh or an engine's G-buffer",
             .options = options_of(options),
-            .run =
-                [] {
-                    take_scene_from_truth(options);
-                    return run_render(options);
-                },
+            .run = [] { return run_render(options); },
             .examples =
                 "  gloam render mesh.obj --frames 8\n"
                 "  gloam render mesh.obj --up z --orbit 40,25\n"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -40,55 +41,59 @@ struct MeshOptions {
     std::string up = "y";
     bool no_ground = false;
 
-    [[nodiscard]] bool given() const {
-        return !eye.empty() || !look_at.empty() || !orbit.empty() || fovy || up != "y" || no_ground;
-    }
+    friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 
-// The options of `gloam render`.
-struct RenderOptions {
+// A case: what is shown in how many frames, and the truth with which they are compared.
+struct RenderCase {
     std::string source;             // a scene's name or a mesh file; empty with gbuffer
+    MeshOptions mesh;               // of a mesh file
     std::filesystem::path gbuffer;  // folder of an engine's frames
     std::string depth = "linear";   // how they store depth and normals: scene::encoding_named()
     std::string normals = "view";
-    std::vector<std::string> methods;  // "all"; none: the presets'
-    std::vector<std::string> presets;  // none: the default; several of one of the two are compared
-    std::optional<std::uint32_t> samples;
-    std::optional<int> frames;
-    int frame = 0;       // of a scene that moves: the first
-    bool still = false;  // it is held there
     std::string size = "640x360";
-    int antialias = 2;            // samples on each side of a pixel, of lit pictures
-    std::optional<float> radius;  // world units; otherwise the view's own
-    std::optional<float> bias;    // world units; otherwise a part of the radius
-    std::optional<float> guard;   // part of the image on each side
-    bool no_filter = false;
-    std::vector<std::string> set;      // NAME=VALUE
-    bool multi_bounce = false;         // in lit pictures
-    bool bent_normals = false;         // and cones
-    int bent_interleave = 1;           // side of the blocks that share a pattern
-    std::optional<std::string> light;  // white or sky: directional occlusion in it
-    int repeat = 1;
-    std::string device;
-    bool validation = false;
+    std::optional<int> frames;
+    int frame = 0;             // of a scene that moves: the first
+    bool still = false;        // it is held there
     bool trace_truth = false;  // --truth without a file
     bool truth_every = false;  // trace it for each frame; otherwise for the last alone
     std::string truth;         // PFM; empty: none
     std::string truth_falloff = "linear";
     int truth_rays = 1024;                                             // for each pixel
     double truth_thickness = std::numeric_limits<double>::infinity();  // world units
-    std::filesystem::path write_gbuffer;                               // folder
-    std::filesystem::path out = "gloam-out";
-    MeshOptions mesh;
-    bool quiet = false;
 };
 
-// What is rendered of an input: a method with the settings of a preset.
+// A candidate: a method with the settings of a preset, and what the command line changes of them.
 struct RenderCandidate {
-    std::string preset;
-    std::string method;    // empty: the preset's
-    std::string name{};    // among several: its preset where presets are compared, else its method
-    std::string prefix{};  // of its files; empty: it is the only one
+    std::string preset = effect::default_preset;
+    std::string method;  // empty: the preset's
+    std::optional<std::uint32_t> samples;
+    std::optional<float> radius;  // world units; otherwise the view's own
+    std::optional<float> bias;    // world units; otherwise a part of the radius
+    std::optional<float> guard;   // part of the image on each side
+    bool no_filter = false;
+    bool bent_normals = false;     // and cones
+    int bent_interleave = 1;       // side of the blocks that share a pattern
+    std::vector<std::string> set;  // NAME=VALUE
+    std::string name;              // among several: its preset where presets are compared, else its method
+    std::string prefix;            // of its files; empty: it is the only one
+};
+
+// The options of `gloam render`: a case, candidates, and what is made of these.
+struct RenderOptions {
+    RenderCase shown;
+    std::vector<std::string> methods;  // "all"; none: the presets'
+    std::vector<std::string> presets;  // none: the default; several of one of the two are compared
+    RenderCandidate candidate;         // what all have in common
+    int repeat = 1;
+    std::string device;
+    bool validation = false;
+    int antialias = 2;                    // samples on each side of a pixel, of lit pictures
+    bool multi_bounce = false;            // in lit pictures
+    std::optional<std::string> light;     // white or sky: directional occlusion in it
+    std::filesystem::path write_gbuffer;  // folder
+    std::filesystem::path out = "gloam-out";
+    bool quiet = false;
 };
 
 // The truth for a view.
@@ -122,42 +127,32 @@ struct RenderInput {
 // std::invalid_argument or std::runtime_error with the error in one line.
 [[nodiscard]] RenderInput open_input(const RenderOptions& options);
 
-// Writes the traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm
-// (the standard errors).
-void write_truth(record::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
-                 const ViewTruth& traced);
+// A view as a candidate shades it.
+struct ShadedView {
+    int number;  // of RenderInput::views
+    effect::Settings settings{};
+    scene::GBuffer wide{};  // the view with its guard band
+    scene::GBuffer view{};  // without
+    std::string cut{};      // why it has no history; empty: it has one
+    ViewTruth truth{};      // empty if it is unknown, or not requested for this view
+};
 
-// Writes a frame of docs/gbuffer-format.md. read_gbuffer() and link() restore the view from it, within the
-// rounding of the files.
-void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffer& view);
+// How a frame relates to the one before it, which a temporal method follows.
+struct FrameChange {
+    std::optional<double> flicker;  // mean change at the same surface points; nullopt: no relation
+    std::optional<effect::PixelClasses> classes;  // of the frame's pixels
+};
 
-// STEM_ao.pfm and .png, of the filtered image.
-void write_images(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame);
-
-// STEM_tiles.png: the occlusion, tinted in each tile of 8 x 8 pixels by the frame's work in it: blue
-// background, green a radius below a pixel, white half size, orange in full. view: with its guard band.
-void write_tiles(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
-                 const scene::GBuffer& view);
-
-// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
-void write_bent_normals(record::OutputFolder& folder, const std::string& stem,
-                        const effect::BentNormals& bent);
-
-// STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), STEM_bounce.pfm (the
-// bounced part).
-void write_light(record::OutputFolder& folder, const std::string& stem,
-                 const effect::DirectionalLight& light);
-
-// Pictures of a frame for display, in 8-bit colour.
+// Pictures of a frame for display, in 8-bit colour. Those of the truth are empty where there is none.
 struct Pictures {
     std::string name;  // of its files, without the part from _ on
     gpu::Extent extent;
-    base::RgbBytes plain;       // lit, without occlusion
-    base::RgbBytes shaded;      // lit, with occlusion
-    base::RgbBytes visibility;  // white where open
-    base::RgbBytes truth;       // white where open; empty: there is no truth
-    base::RgbBytes truth_lit;   // lit, with the true occlusion; empty: there is no truth
-    base::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
+    base::RgbBytes plain;        // lit, without occlusion
+    base::RgbBytes shaded;       // lit, with occlusion
+    base::RgbBytes visibility;   // white where open
+    base::RgbBytes truth{};      // white where open
+    base::RgbBytes truth_lit{};  // lit, with the true occlusion
+    base::RgbBytes error{};      // of the occlusion against the truth
 };
 
 // One candidate, rendered; all but the report is of its last frame.
@@ -173,18 +168,11 @@ struct Rendered {
     [[nodiscard]] double ms() const;
 };
 
-// The report of a frame, for render.json. view: without its guard band. cut: why there was no history; empty:
-// there was one.
-[[nodiscard]] nlohmann::ordered_json frame_json(int number, const effect::Settings& settings,
-                                                const effect::Frame& frame, const scene::GBuffer& view,
-                                                const std::string& cut);
+// The report of a view's i-th frame, for render.json.
+[[nodiscard]] nlohmann::ordered_json frame_json(const RenderInput& input, const ShadedView& shown, int i,
+                                                const effect::Frame& frame, const FrameChange& change);
 
-// Adds "truth", where it was traced, and "errors" to the report of a frame. classes: of its pixels; nullptr:
-// there was no frame before it. last: of its view, for which there are metrics as well.
-void add_errors(nlohmann::ordered_json& report, const effect::Frame& frame, const scene::GBuffer& view,
-                const ViewTruth& truth, const effect::PixelClasses* classes, bool last);
-
-// Their report. run: all of it but this.
+// The report of a candidate. run: all of it but this.
 [[nodiscard]] nlohmann::ordered_json report_of(const RenderOptions& options, const RenderInput& input,
                                                const RenderCandidate& candidate,
                                                const gpu::DeviceInfo& device, const Rendered& run,
@@ -193,14 +181,37 @@ void add_errors(nlohmann::ordered_json& report, const effect::Frame& frame, cons
 // A few lines for people: device, settings, and the last frame.
 [[nodiscard]] std::string to_text(const Rendered& run);
 
+// The bytes of files, by their names.
+using Files = std::map<std::string, std::string>;
+
+// A frame of docs/gbuffer-format.md. read_gbuffer() and link() restore the view from it, within the rounding
+// of the files.
+[[nodiscard]] Files gbuffer_files(int number, const scene::GBuffer& view);
+
+// The traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm (the
+// standard errors).
+[[nodiscard]] Files truth_files(const std::string& prefix, gpu::Extent size, const ViewTruth& traced);
+
+// STEM_ao.pfm and .png, of the filtered image. With Resolution::tiles STEM_tiles.png as well: the occlusion,
+// tinted in each tile of 8 x 8 pixels by the frame's work in it: blue background, green a radius below a
+// pixel, white half size, orange in full.
+[[nodiscard]] Files frame_files(const std::string& stem, const ShadedView& shown, const effect::Frame& frame);
+
+// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
+[[nodiscard]] Files bent_files(const std::string& stem, const effect::BentNormals& bent);
+
+// STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), STEM_bounce.pfm (the
+// bounced part).
+[[nodiscard]] Files light_files(const std::string& stem, const effect::DirectionalLight& light);
+
+// NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.
+[[nodiscard]] Files picture_files(const Pictures& pictures);
+
 // Pictures, lit by the pass that engines use. occlusion: a value for each pixel; truth: the same, or empty.
 // multi_bounce: light bounces among blockers (gloam_multi_bounce).
 [[nodiscard]] Pictures pictures_of(const effect::Composite& composite, std::string name,
                                    const pictures::PictureLight& light, const std::vector<float>& occlusion,
                                    const effect::Truth& truth, bool multi_bounce);
-
-// Writes NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.
-void write_pictures(record::OutputFolder& folder, const Pictures& pictures);
 
 // A PNG sheet. For one run: lit without and with occlusion, the occlusion alone, and its error if the truth
 // is known. For several runs: the truth if it is known, then the occlusion of each with its name, time and
@@ -212,18 +223,9 @@ void write_pictures(record::OutputFolder& folder, const Pictures& pictures);
 void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
                   const Rendered& run);
 
-// Where inputs are rendered: the device that options name, and the passes.
-struct RenderBench {
-    explicit RenderBench(const RenderOptions& options);
-
-    gpu::Device device;
-    scene::PassLibrary passes;
-    effect::Composite composite;
-};
-
 // Renders the views of an input with each candidate. folder: of the files, PREFIXrender.json among them;
 // nullptr: none are written.
 [[nodiscard]] std::vector<Rendered> render(const RenderOptions& options, const RenderInput& input,
-                                           const RenderBench& bench, record::OutputFolder* folder);
+                                           const gpu::Device& device, record::OutputFolder* folder);
 
 }  // namespace gloam::cli

@@ -69,11 +69,11 @@ scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
     return view;
 }
 
-scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
-    const std::string& source = options.source;
-    const scene::MeshView view = mesh_view(options.mesh, extent);
+scene::Scene load_scene(const RenderCase& shown, gpu::Extent extent) {
+    const std::string& source = shown.source;
+    const scene::MeshView view = mesh_view(shown.mesh, extent);
     if (std::ranges::count(scene::all_views(), source, &scene::ViewInfo::name) > 0) {
-        if (options.mesh.given())
+        if (shown.mesh != MeshOptions{})
             throw std::invalid_argument(
                 fmt::format("\"{}\" has a camera of its own: {}", source, mesh_options));
         return scene::make_scene(source);
@@ -96,92 +96,91 @@ void require_allowed(const std::string& what, gpu::Extent wide, const gpu::Devic
                                             wide.width, wide.height, device.name, device.max_image_size));
 }
 
-RenderInput from_scene(const RenderOptions& options) {
-    const gpu::Extent extent = parse_size(options.size);
-    const auto scene = std::make_shared<const scene::Scene>(load_scene(options, extent));
-    const int frames = options.frames.value_or(1);
+RenderInput from_scene(const RenderCase& shown) {
+    const gpu::Extent extent = parse_size(shown.size);
+    const auto scene = std::make_shared<const scene::Scene>(load_scene(shown, extent));
+    const int frames = shown.frames.value_or(1);
     const bool moves = scene->camera_path || !scene->objects.empty();
-    const bool follows = moves && !options.still && frames > 1;
+    const bool follows = moves && !shown.still && frames > 1;
     RenderInput input{.name = scene->name,
                       .views = std::vector<int>(static_cast<std::size_t>(follows ? frames : 1)),
-                      .first_frame = options.frame,
+                      .first_frame = shown.frame,
                       .frames_per_view = follows ? 1 : frames,
                       .scene = scene};
     std::iota(input.views.begin(), input.views.end(), 0);
     // If only the camera moves, its matrices determine all motion.
     const bool motion = follows && !scene->objects.empty();
-    input.load = [scene, extent, motion, first = options.frame,
-                  encoding = scene::encoding_named(options.depth, options.normals)](
+    input.load = [scene, extent, motion, first = shown.frame,
+                  encoding = scene::encoding_named(shown.depth, shown.normals)](
                      const gpu::Device& device, int view, const effect::Settings& settings) {
         const double guard = double{settings.guard};
         require_allowed(fmt::format("--size {}x{}, guard band included", extent.width, extent.height),
                         scene::with_border(extent, scene::guard_border(extent, guard)), device.info());
-        scene::GBuffer shown = scene::draw(*scene, extent,
+        scene::GBuffer drawn = scene::draw(*scene, extent,
                                            {.frame = first + view,
                                             .motion = motion,
                                             .color = true,
                                             .layers = settings.own.layers,
                                             .guard = guard});
-        if (encoding != scene::Encoding{}) shown.stored = scene::stored_inputs(shown, encoding);
-        return shown;
+        if (encoding != scene::Encoding{}) drawn.stored = scene::stored_inputs(drawn, encoding);
+        return drawn;
     };
     return input;
 }
 
-RenderInput from_gbuffer(const RenderOptions& options) {
-    if (options.still) throw std::invalid_argument("--still goes with a scene, not with --gbuffer");
-    if (options.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
-    if (options.mesh.given()) throw std::invalid_argument(mesh_options);
-    if (!options.source.empty()) {
-        throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two",
-                                                options.source, options.gbuffer.string()));
+RenderInput from_gbuffer(const RenderCase& shown) {
+    if (shown.still) throw std::invalid_argument("--still goes with a scene, not with --gbuffer");
+    if (shown.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
+    if (shown.mesh != MeshOptions{}) throw std::invalid_argument(mesh_options);
+    if (!shown.source.empty()) {
+        throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two", shown.source,
+                                                shown.gbuffer.string()));
     }
-    RenderInput input{.name = options.gbuffer.string(), .views = scene::frames_of(options.gbuffer)};
+    RenderInput input{.name = shown.gbuffer.string(), .views = scene::frames_of(shown.gbuffer)};
     if (input.views.size() == 1) {
-        input.frames_per_view = options.frames.value_or(1);
-    } else if (options.frames) {
-        const auto count = static_cast<std::size_t>(*options.frames);
+        input.frames_per_view = shown.frames.value_or(1);
+    } else if (shown.frames) {
+        const auto count = static_cast<std::size_t>(*shown.frames);
         if (count > input.views.size()) {
             throw std::invalid_argument(
-                fmt::format("--frames {}: {} holds {}", count, options.gbuffer.string(), input.views.size()));
+                fmt::format("--frames {}: {} holds {}", count, shown.gbuffer.string(), input.views.size()));
         }
         input.views.resize(count);
     }
     const bool alone = input.views.size() == 1;  // a frame of a sequence may show nothing but sky
-    input.load = [folder = options.gbuffer, encoding = scene::encoding_named(options.depth, options.normals),
-                  alone, off_centre = glm::ivec2(0)](const gpu::Device& device, int view,
-                                                     const effect::Settings&) mutable {
-        scene::GBuffer shown = scene::read_gbuffer(folder, view, encoding, off_centre);
-        off_centre = shown.off_centre;
-        const gpu::Extent wide = with_border(shown.extent, centring_border(shown));
+    input.load = [folder = shown.gbuffer, encoding = scene::encoding_named(shown.depth, shown.normals), alone,
+                  off_centre = glm::ivec2(0)](const gpu::Device& device, int view,
+                                              const effect::Settings&) mutable {
+        scene::GBuffer read = scene::read_gbuffer(folder, view, encoding, off_centre);
+        off_centre = read.off_centre;
+        const gpu::Extent wide = with_border(read.extent, centring_border(read));
         require_allowed(folder.string() + ", with background up to a centred projection", wide,
                         device.info());
-        shown = centred(std::move(shown));
-        if (alone && std::ranges::none_of(shown.depth, scene::is_surface)) {
+        read = centred(std::move(read));
+        if (alone && std::ranges::none_of(read.depth, scene::is_surface)) {
             throw std::invalid_argument(fmt::format(
                 "{}: no geometry, every pixel of the depth is background; expected {}", folder.string(),
                 encoding.depth_buffer ? "depth-buffer values in front of the far plane of the projection"
                                       : "eye-linear depths > 0, the distance along -z"));
         }
-        return shown;
+        return read;
     };
     return input;
 }
 
 // The truth of --truth: by rays.
-void add_traced(RenderInput& input, const RenderOptions& options, scene::Falloff falloff) {
-    scene::validate(scene::RaySettings{.radius = 1.0, .falloff = falloff, .rays = options.truth_rays});
-    if (!(options.truth_thickness > 0.0))
-        throw std::invalid_argument(
-            fmt::format("--truth-thickness {}: expected > 0", options.truth_thickness));
+void add_traced(RenderInput& input, const RenderCase& shown, scene::Falloff falloff) {
+    scene::validate(scene::RaySettings{.radius = 1.0, .falloff = falloff, .rays = shown.truth_rays});
+    if (!(shown.truth_thickness > 0.0))
+        throw std::invalid_argument(fmt::format("--truth-thickness {}: expected > 0", shown.truth_thickness));
     input.truth_name = input.scene ? "traced geometry" : "traced depth buffer";
-    input.every_truth = options.truth_every;
-    input.truth = [&options, falloff, scene = input.scene, name = input.name](const scene::GBuffer& view,
-                                                                              int frame, double radius) {
+    input.every_truth = shown.truth_every;
+    input.truth = [&shown, falloff, scene = input.scene, name = input.name](const scene::GBuffer& view,
+                                                                            int frame, double radius) {
         const auto settings = [&](const char* what) {
             return scene::TruthSettings{
-                .rays = {.radius = radius, .falloff = falloff, .rays = options.truth_rays},
-                .thickness = options.truth_thickness,
+                .rays = {.radius = radius, .falloff = falloff, .rays = shown.truth_rays},
+                .thickness = shown.truth_thickness,
                 .progress = progress_bar(fmt::format("{}: truth of the {}", name, what)),
                 .cache = truth_cache_directory()};
         };
@@ -193,33 +192,31 @@ void add_traced(RenderInput& input, const RenderOptions& options, scene::Falloff
     };
 }
 
-// By a PFM file.
-void add_reference(RenderInput& input, const std::string& file) {
-    input.truth_name = file;
-    input.every_truth = false;
-    input.truth = [file, image = base::read_pfm(file)](const scene::GBuffer& view, int, double) {
-        if (gpu::Extent{image.width, image.height} == view.extent && image.channels == 1)
-            return ViewTruth{.known = effect::truth_from(view, image.texels)};
-        throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1", file,
-                                                image.width, image.height, image.channels, view.extent.width,
-                                                view.extent.height));
-    };
-}
-
-void add_truth(RenderInput& input, const RenderOptions& options) {
-    const auto falloff = scene::falloff_named(options.truth_falloff);
+void add_truth(RenderInput& input, const RenderCase& shown) {
+    const auto falloff = scene::falloff_named(shown.truth_falloff);
     if (!falloff)
         throw std::invalid_argument(
-            fmt::format("--truth-falloff \"{}\": expected linear, quadratic or step", options.truth_falloff));
-    if (options.truth_every && !options.trace_truth)
+            fmt::format("--truth-falloff \"{}\": expected linear, quadratic or step", shown.truth_falloff));
+    if (shown.truth_every && !shown.trace_truth)
         throw std::invalid_argument("--truth-every goes with --truth that is traced, without a file");
-    if (options.trace_truth) return add_traced(input, options, *falloff);
-    if (!options.truth.empty()) return add_reference(input, options.truth);
-    if (options.source != "corner") return;
-    input.truth_name = "closed form";
-    input.truth = [](const scene::GBuffer& view, int, double radius) {
-        return ViewTruth{.known = effect::truth_of(view, radius, scene::corner_occlusion_at)};
-    };
+    if (shown.trace_truth) return add_traced(input, shown, *falloff);
+    if (!shown.truth.empty()) {
+        input.truth_name = shown.truth;
+        input.every_truth = false;
+        input.truth = [file = shown.truth, image = base::read_pfm(shown.truth)](const scene::GBuffer& view,
+                                                                                int, double) {
+            if (gpu::Extent{image.width, image.height} == view.extent && image.channels == 1)
+                return ViewTruth{.known = effect::truth_from(view, image.texels)};
+            throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
+                                                    file, image.width, image.height, image.channels,
+                                                    view.extent.width, view.extent.height));
+        };
+    } else if (shown.source == "corner") {
+        input.truth_name = "closed form";
+        input.truth = [](const scene::GBuffer& view, int, double radius) {
+            return ViewTruth{.known = effect::truth_of(view, radius, scene::corner_occlusion_at)};
+        };
+    }
 }
 
 // One for each selected method or preset; all names and settings are checked.
@@ -240,8 +237,10 @@ std::vector<RenderCandidate> candidates_of(const RenderOptions& options) {
     std::vector<RenderCandidate> candidates;
     for (const std::string& preset : presets) {
         for (const std::string& method : methods) {
-            RenderCandidate made{.preset = preset, .method = method};
-            made.name = settings_for(options, made, 1.0).method;
+            RenderCandidate made = options.candidate;
+            made.preset = preset;
+            made.method = method;
+            made.name = settings_for(made, 1.0).method;
             if (presets.size() > 1) made.name = fs::path(preset).stem().string();
             if (several) made.prefix = made.name + "_";
             if (std::ranges::count(candidates, made.name, &RenderCandidate::name) > 0)
@@ -257,11 +256,12 @@ std::vector<RenderCandidate> candidates_of(const RenderOptions& options) {
 
 RenderInput open_input(const RenderOptions& options) {
     std::vector<RenderCandidate> candidates = candidates_of(options);
-    if (options.gbuffer.empty() && options.source.empty())
+    const RenderCase& shown = options.shown;
+    if (shown.gbuffer.empty() && shown.source.empty())
         throw std::invalid_argument(
             fmt::format("nothing to render: give a scene ({}), a mesh file or --gbuffer DIR", scene_list()));
-    RenderInput input = options.gbuffer.empty() ? from_scene(options) : from_gbuffer(options);
-    add_truth(input, options);
+    RenderInput input = shown.gbuffer.empty() ? from_scene(shown) : from_gbuffer(shown);
+    add_truth(input, shown);
     input.candidates = std::move(candidates);
     return input;
 }

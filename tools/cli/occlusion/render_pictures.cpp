@@ -30,89 +30,94 @@ std::vector<float> components_of(const std::vector<glm::vec3>& vectors) {
     return texels;
 }
 
+std::string pfm_of(const std::vector<float>& texels, gpu::Extent extent, int channels = 1) {
+    return base::to_pfm(texels, extent.width, extent.height, channels);
+}
+
+std::string png_of(const base::RgbBytes& rgb, gpu::Extent extent) {
+    return base::to_png(rgb, extent.width, extent.height);
+}
+
 }  // namespace
 
-void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffer& view) {
+Files gbuffer_files(int number, const scene::GBuffer& view) {
     const std::string prefix = scene::frame_prefix(number);
-    const auto write = [&](const char* name, const std::vector<float>& texels, int channels) {
-        if (texels.empty()) return;
-        folder.write(prefix + name, base::to_pfm(texels, view.extent.width, view.extent.height, channels));
+    Files files{{prefix + ".json", scene::frame_json(view, number)}};
+    const auto add = [&](const std::string& name, const std::vector<float>& texels, int channels) {
+        if (!texels.empty()) files[prefix + name] = pfm_of(texels, view.extent, channels);
     };
-    write("_depth.pfm", view.stored ? view.stored->depth : view.depth, 1);
-    write("_normal.pfm", components_of(view.stored ? view.stored->normal : view.normal), 3);
-    write("_color.pfm", components_of(view.color), 3);
-    write("_motion.pfm", components_of(view.motion), 3);
-    if (!view.motion.empty()) write("_previous_depth.pfm", previous_depths(view), 1);
+    add("_depth.pfm", view.stored ? view.stored->depth : view.depth, 1);
+    add("_normal.pfm", components_of(view.stored ? view.stored->normal : view.normal), 3);
+    add("_color.pfm", components_of(view.color), 3);
+    add("_motion.pfm", components_of(view.motion), 3);
+    if (!view.motion.empty()) add("_previous_depth.pfm", previous_depths(view), 1);
     for (std::size_t i = 0; i < view.layers.size(); ++i)
-        write(fmt::format("_layer{}.pfm", i + 1).c_str(), view.layers[i], 1);
-    folder.write(prefix + ".json", scene::frame_json(view, number));
+        add(fmt::format("_layer{}.pfm", i + 1), view.layers[i], 1);
+    return files;
 }
 
-void write_images(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
+Files truth_files(const std::string& prefix, gpu::Extent size, const ViewTruth& traced) {
+    Files files{{prefix + "truth_error.pfm", pfm_of(traced.best().standard_error, size)}};
+    for (const auto& [name, truth] :
+         {std::pair("truth", &traced.best()), std::pair("truth_depth", &*traced.depth)}) {
+        files[prefix + name + ".pfm"] = pfm_of(truth->occlusion, size);
+        files[prefix + name + ".png"] =
+            pictures::to_visibility_png(truth->occlusion, size.width, size.height);
+    }
+    return files;
+}
+
+Files frame_files(const std::string& stem, const ShadedView& shown, const effect::Frame& frame) {
     const auto [width, height] = frame.extent;
-    folder.write(stem + "_ao.pfm", base::to_pfm(frame.filtered, width, height, 1));
-    folder.write(stem + "_ao.png", pictures::to_visibility_png(frame.filtered, width, height));
-}
-
-void write_tiles(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
-                 const scene::GBuffer& view) {
+    Files files{{stem + "_ao.pfm", pfm_of(frame.filtered, frame.extent)},
+                {stem + "_ao.png", pictures::to_visibility_png(frame.filtered, width, height)}};
+    if (shown.settings.resolution != effect::Resolution::tiles) return files;
     const std::map<effect::TileWork, glm::vec3> tints{{effect::TileWork::background, {0.5F, 0.65F, 1.0F}},
                                                       {effect::TileWork::below_pixel, {0.6F, 1.0F, 0.5F}},
                                                       {effect::TileWork::half, glm::vec3(1.0F)},
                                                       {effect::TileWork::full, {1.0F, 0.65F, 0.3F}}};
-    const auto [width, height] = frame.extent;
-    const std::uint32_t columns = effect::tiles_of(view.extent).width;
+    const std::uint32_t columns = effect::tiles_of(shown.wide.extent).width;
     base::RgbBytes rgb = pictures::visibility_rgb(frame.filtered);
     for (std::uint32_t i = 0; i < rgb.size(); ++i) {
-        const std::uint32_t column = (i / 3 % width + view.border.left) / effect::tile_side;
-        const std::uint32_t row = (i / 3 / width + view.border.top) / effect::tile_side;
+        const std::uint32_t column = (i / 3 % width + shown.wide.border.left) / effect::tile_side;
+        const std::uint32_t row = (i / 3 / width + shown.wide.border.top) / effect::tile_side;
         const glm::vec3& tint = tints.at(frame.tiles[row * columns + column]);
         rgb[i] = static_cast<std::uint8_t>(static_cast<float>(rgb[i]) * tint[static_cast<int>(i % 3)]);
     }
-    folder.write(stem + "_tiles.png", base::to_png(rgb, width, height));
+    files[stem + "_tiles.png"] = base::to_png(rgb, width, height);
+    return files;
 }
 
-void write_truth(record::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
-                 const ViewTruth& traced) {
-    const auto write = [&](const std::string& name, const std::vector<float>& image) {
-        folder.write(prefix + name + ".pfm", base::to_pfm(image, size.width, size.height, 1));
-        folder.write(prefix + name + ".png", pictures::to_visibility_png(image, size.width, size.height));
-    };
-    write("truth", traced.best().occlusion);
-    write("truth_depth", traced.depth->occlusion);
-    folder.write(prefix + "truth_error.pfm",
-                 base::to_pfm(traced.best().standard_error, size.width, size.height, 1));
-}
-
-void write_bent_normals(record::OutputFolder& folder, const std::string& stem,
-                        const effect::BentNormals& bent) {
-    const auto [width, height] = bent.extent;
+Files bent_files(const std::string& stem, const effect::BentNormals& bent) {
     const std::vector<float> texels = components_of(bent.direction);
     std::vector<std::uint8_t> picture;
     for (const float value : texels)
         picture.push_back(
             static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(0.5F + 0.5F * value, 0.0F, 1.0F))));
-    folder.write(stem + "_bent.pfm", base::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_bent.png", base::to_png(picture, width, height));
-    folder.write(stem + "_cone.pfm", base::to_pfm(bent.half_angle, width, height, 1));
+    return {{stem + "_bent.pfm", pfm_of(texels, bent.extent, 3)},
+            {stem + "_bent.png", png_of(picture, bent.extent)},
+            {stem + "_cone.pfm", pfm_of(bent.half_angle, bent.extent)}};
 }
 
-void write_light(record::OutputFolder& folder, const std::string& stem,
-                 const effect::DirectionalLight& light) {
-    const auto [width, height] = light.extent;
+Files light_files(const std::string& stem, const effect::DirectionalLight& light) {
     std::vector<float> texels = components_of(light.direct);
     const std::vector<float> bounced = components_of(light.bounced);
     std::ranges::transform(texels, bounced, texels.begin(), std::plus{});
-    folder.write(stem + "_light.pfm", base::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_light.png", base::to_png(base::srgb_of(texels), width, height));
-    folder.write(stem + "_bounce.pfm", base::to_pfm(bounced, width, height, 3));
+    return {{stem + "_light.pfm", pfm_of(texels, light.extent, 3)},
+            {stem + "_light.png", png_of(base::srgb_of(texels), light.extent)},
+            {stem + "_bounce.pfm", pfm_of(bounced, light.extent, 3)}};
+}
+
+Files picture_files(const Pictures& pictures) {
+    Files files{{pictures.name + "_plain.png", png_of(pictures.plain, pictures.extent)},
+                {pictures.name + "_shaded.png", png_of(pictures.shaded, pictures.extent)}};
+    if (pictures.error.empty()) return files;
+    files[pictures.name + "_true.png"] = png_of(pictures.truth_lit, pictures.extent);
+    files[pictures.name + "_error.png"] = png_of(pictures.error, pictures.extent);
+    return files;
 }
 
 namespace {
-
-std::string png_of(const Pictures& pictures, const base::RgbBytes& rgb) {
-    return base::to_png(rgb, pictures.extent.width, pictures.extent.height);
-}
 
 // "sweep, 3.2 ms, error 0.031".
 std::string caption_of(const Rendered& run) {
@@ -140,10 +145,7 @@ Pictures pictures_of(const effect::Composite& composite, std::string name,
                       .extent = light.extent,
                       .plain = lit({}),
                       .shaded = lit(occlusion),
-                      .visibility = pictures::visibility_rgb(occlusion),
-                      .truth = {},
-                      .truth_lit = {},
-                      .error = {}};
+                      .visibility = pictures::visibility_rgb(occlusion)};
     if (truth.empty()) return pictures;
     pictures.truth = pictures::visibility_rgb(truth);
     pictures.truth_lit = lit({truth.begin(), truth.end()});
@@ -151,14 +153,6 @@ Pictures pictures_of(const effect::Composite& composite, std::string name,
     for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(occlusion[i] - truth[i]));
     pictures.error = base::heat_rgb(errors, brightest_error);
     return pictures;
-}
-
-void write_pictures(record::OutputFolder& folder, const Pictures& pictures) {
-    folder.write(pictures.name + "_plain.png", png_of(pictures, pictures.plain));
-    folder.write(pictures.name + "_shaded.png", png_of(pictures, pictures.shaded));
-    if (pictures.error.empty()) return;
-    folder.write(pictures.name + "_true.png", png_of(pictures, pictures.truth_lit));
-    folder.write(pictures.name + "_error.png", png_of(pictures, pictures.error));
 }
 
 double Rendered::ms() const {
@@ -190,7 +184,7 @@ void add_pictures(record::Page& page, record::OutputFolder& folder, const std::s
     const Pictures& last = run.pictures;
     std::vector<record::PagePicture> all;
     const auto add = [&](const char* name, const base::RgbBytes& rgb, const std::string& caption) {
-        folder.write(prefix + name, png_of(last, rgb));
+        folder.write(prefix + name, png_of(rgb, last.extent));
         all.push_back({prefix + name, caption});
     };
     add("shaded.png", last.shaded, "with ambient occlusion");

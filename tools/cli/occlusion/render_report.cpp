@@ -76,6 +76,30 @@ ordered_json truth_json(const scene::TracedTruth& traced) {
              std::sqrt(squares / static_cast<double>(std::max<std::uint64_t>(1, traced.pixels)))}};
 }
 
+// last: of its view, for which there are metrics as well. What the truths differ by goes into the report.
+ordered_json frame_errors(ordered_json& report, const ShadedView& shown, const effect::Frame& frame,
+                          const FrameChange& change, bool last) {
+    const ViewTruth& truth = shown.truth;
+    const effect::Errors raw = effect::errors_of(frame.occlusion, truth.known);
+    ordered_json errors{{"compared", raw.compared},
+                        {"raw", errors_json(raw)},
+                        {"filtered", errors_json(effect::errors_of(frame.filtered, truth.known))}};
+    if (truth.geometry) {
+        const effect::Truth depth = effect::truth_from(shown.view, truth.depth->occlusion);
+        report["truth"]["depth_against_geometry"] = errors_json(effect::errors_of(depth, truth.known));
+        errors["filtered_against_depth"] = errors_json(effect::errors_of(frame.filtered, depth));
+    }
+    if (last)
+        errors["filtered_metrics"] =
+            metrics_json(effect::metrics_of(frame.filtered, truth.known, shown.view.extent));
+    if (!change.flicker) return errors;
+    const effect::ClassErrors by_class =
+        effect::class_errors_of(frame.filtered, truth.known, *change.classes);
+    for (std::size_t i = 0; i < by_class.size(); ++i)
+        errors["filtered_by_class"][effect::pixel_class_names[i]] = class_json(by_class[i]);
+    return errors;
+}
+
 std::string errors_line(const char* what, const ordered_json& errors) {
     const auto number = [&](const char* name) { return errors.at(name).get<double>(); };
     return fmt::format("  {:<25} rmse {:.5f}, mean {:.5f}, 99 % below {:.5f}, max {:.5f}, bias {:+.5f}\n",
@@ -109,49 +133,32 @@ std::string metrics_line(const ordered_json& metrics) {
 
 }  // namespace
 
-ordered_json frame_json(int number, const effect::Settings& settings, const effect::Frame& frame,
-                        const scene::GBuffer& view, const std::string& cut) {
+ordered_json frame_json(const RenderInput& input, const ShadedView& shown, int i, const effect::Frame& frame,
+                        const FrameChange& change) {
     ordered_json times = ordered_json::object();
     for (const effect::PassTime& time : frame.times)
         times[time.pass] = std::isfinite(time.ms) ? ordered_json(time.ms) : ordered_json(nullptr);
     const effect::TileShares tiles = shares_of(frame.tiles);
-    return {{"frame", number},
-            {"width", frame.extent.width},
-            {"height", frame.extent.height},
-            {"history", history_json(frame, view, cut)},
-            {"radius", settings.radius},
-            {"bias", settings.bias},
-            {"times_ms", times},
-            {"tiles",
-             {{"background", tiles.background},
-              {"below_pixel", tiles.below_pixel},
-              {"half", tiles.half},
-              {"full", tiles.full}}},
-            {"samples", frame.samples},
-            {"convergence", mean_convergence(frame, view)}};
-}
-
-void add_errors(ordered_json& report, const effect::Frame& frame, const scene::GBuffer& view,
-                const ViewTruth& truth, const effect::PixelClasses* classes, bool last) {
-    const effect::Errors raw = effect::errors_of(frame.occlusion, truth.known);
-    ordered_json errors{{"compared", raw.compared},
-                        {"raw", errors_json(raw)},
-                        {"filtered", errors_json(effect::errors_of(frame.filtered, truth.known))}};
-    if (truth.depth) report["truth"] = truth_json(truth.best());
-    if (truth.geometry) {
-        const effect::Truth depth = effect::truth_from(view, truth.depth->occlusion);
-        report["truth"]["depth_against_geometry"] = errors_json(effect::errors_of(depth, truth.known));
-        errors["filtered_against_depth"] = errors_json(effect::errors_of(frame.filtered, depth));
-    }
-    if (last)
-        errors["filtered_metrics"] =
-            metrics_json(effect::metrics_of(frame.filtered, truth.known, view.extent));
-    if (classes != nullptr) {
-        const effect::ClassErrors by_class = effect::class_errors_of(frame.filtered, truth.known, *classes);
-        for (std::size_t i = 0; i < by_class.size(); ++i)
-            errors["filtered_by_class"][effect::pixel_class_names[i]] = class_json(by_class[i]);
-    }
-    report["errors"] = std::move(errors);
+    ordered_json report{{"frame", shown.number + i},
+                        {"width", frame.extent.width},
+                        {"height", frame.extent.height},
+                        {"history", history_json(frame, shown.view, i == 0 ? shown.cut : "")},
+                        {"radius", shown.settings.radius},
+                        {"bias", shown.settings.bias},
+                        {"times_ms", times},
+                        {"tiles",
+                         {{"background", tiles.background},
+                          {"below_pixel", tiles.below_pixel},
+                          {"half", tiles.half},
+                          {"full", tiles.full}}},
+                        {"samples", frame.samples},
+                        {"convergence", mean_convergence(frame, shown.view)}};
+    if (input.scene) report["scene_frame"] = input.first_frame + shown.number;
+    if (change.flicker) report["flicker"] = *change.flicker;
+    if (shown.truth.known.empty()) return report;
+    if (shown.truth.depth) report["truth"] = truth_json(shown.truth.best());
+    report["errors"] = frame_errors(report, shown, frame, change, i + 1 == input.frames_per_view);
+    return report;
 }
 
 ordered_json report_of(const RenderOptions& options, const RenderInput& input,

@@ -88,22 +88,22 @@ void apply(effect::Settings& settings, const std::string& assignment) {
     effect::set(settings, name, assignment.substr(sign + 1));
 }
 
-effect::Settings settings_for(const RenderOptions& options, const RenderCandidate& candidate,
-                              const std::optional<double>& view_radius) {
+effect::Settings settings_for(const RenderCandidate& candidate, const std::optional<double>& view_radius) {
     effect::Settings settings = preset_settings(candidate.preset);
     if (!candidate.method.empty() && candidate.method != settings.method)
         settings = with_method(settings, candidate.method);
-    if (!options.radius && !view_radius) {
+    if (!candidate.radius && !view_radius) {
         throw std::invalid_argument("no radius: the G-buffer has no ao_radius, so give --radius");
     }
-    settings = with_radius(settings, options.radius.value_or(static_cast<float>(view_radius.value_or(1.0))));
-    if (options.samples) settings.samples = *options.samples;
-    if (options.no_filter) settings.filter = effect::Filter::none;
-    if (options.bias) settings.bias = *options.bias;
-    if (options.guard) settings.guard = *options.guard;
+    settings =
+        with_radius(settings, candidate.radius.value_or(static_cast<float>(view_radius.value_or(1.0))));
+    if (candidate.samples) settings.samples = *candidate.samples;
+    if (candidate.no_filter) settings.filter = effect::Filter::none;
+    if (candidate.bias) settings.bias = *candidate.bias;
+    if (candidate.guard) settings.guard = *candidate.guard;
     if (settings.passes == effect::Passes::frame)
-        settings.bent_normals = options.bent_normals && options.bent_interleave == 1;
-    for (const std::string& assignment : options.set) apply(settings, assignment);
+        settings.bent_normals = candidate.bent_normals && candidate.bent_interleave == 1;
+    for (const std::string& assignment : candidate.set) apply(settings, assignment);
     validate(settings);
     return settings;
 }

@@ -11,7 +11,6 @@
 
 namespace gloam::cli {
 
-struct RenderOptions;
 struct RenderCandidate;
 
 // true or false, a number with the digits of single precision, or a name; infinity is "inf".
@@ -32,10 +31,10 @@ void apply(effect::Settings& settings, const std::string& assignment);
 // form, std::invalid_argument for what it sets.
 [[nodiscard]] effect::Settings preset_settings(const std::string& name_or_file);
 
-// Settings for a view: those of the candidate, scaled to the radius of the options or of the view, then the
-// other options, then every --set in order. Throws std::invalid_argument for invalid names and values, and if
-// there is no radius.
-[[nodiscard]] effect::Settings settings_for(const RenderOptions& options, const RenderCandidate& candidate,
+// The settings of a candidate for a view: those of its preset and method, scaled to its radius or the view's,
+// then what else it changes, then every --set in order. Throws std::invalid_argument for invalid names and
+// values, and if there is no radius.
+[[nodiscard]] effect::Settings settings_for(const RenderCandidate& candidate,
                                             const std::optional<double>& view_radius);
 
 // The value of --size: "640x360". Throws std::invalid_argument that names --size.
