@@ -11,12 +11,10 @@
 #include "judge/function.hpp"
 #include "scene/draw.hpp"
 #include "stress/run.hpp"
-#include "stress/views.hpp"
 
 namespace gloam::stress {
 namespace {
 
-constexpr const char* far_name = "far";
 constexpr gpu::Extent image{64, 36};
 constexpr int frames = 4;
 constexpr const char* rejected = "points that TSSAO-8 (0.01) rejects, %";
@@ -49,8 +47,7 @@ scene::Scene scene_at(double distance) {
 }
 
 glm::dmat4 view_matrix(const scene::Camera& camera, const glm::dvec3& origin) {
-    const glm::dmat3 rotation = scene::view_rotation(camera);
-    return glm::translate(glm::dmat4(rotation), origin - camera.eye);
+    return glm::translate(glm::dmat4(scene::view_rotation(camera)), origin - camera.eye);
 }
 
 // The worst of all points.
@@ -140,44 +137,38 @@ double wall_of_halves(effect::AmbientOcclusion& effect, float bias_depth) {
 
 }  // namespace
 
-Rows far_away(const Context& context) {
+void far_away(const Context& context) {
     const Previous previous(context.lab, "far.glsl", "stress_previous");
     effect::AmbientOcclusion effect(context.lab.device(), context.passes, image);
     const scene::Scene near = scene_at(0.0);
     const std::vector<scene::GBuffer> at_origin = views_of(near);
     const auto radius = static_cast<float>(near.ao_radius);
     const std::vector<float> expected = shown_after(effect, at_origin, radius, false);
-    Rows rows;
-    const auto row = [&](const std::string& varied, const char* quantity, double measured,
-                         std::optional<double> promised) {
-        rows.push_back({far_name, varied, quantity, measured, promised});
-    };
-    // Of positions: 1 ulp, and half a one of what is rounded before; of pixels: 1.2e-6 of the width
-    // (gloam_reproject_clip).
-    const auto promised = [](bool in_world, double bound) {
-        return in_world ? std::nullopt : std::optional(bound);
-    };
     for (const double distance : {1e2, 1e3, 1e4, 1e5, 1e6, 1e7}) {
         const scene::Scene scene = scene_at(distance);
         const std::vector<scene::GBuffer> views = views_of(scene);
         const glm::dvec3 eye = scene::camera_at(scene, 1).eye;
         for (const bool world : {false, true}) {
-            const std::string at =
-                fmt::format("{:.0e}, relative to the {}", distance, world ? "world" : "eye");
+            // Nothing is promised of what is relative to the world.
+            const auto row = [&](const char* quantity, double measured, double bound) {
+                context.add(fmt::format("{:.0e}, relative to the {}", distance, world ? "world" : "eye"),
+                            quantity, measured, world ? std::nullopt : std::optional(bound));
+            };
             const Errors errors = reproject(previous, scene, views[1], world ? glm::dvec3(0.0) : eye);
             const std::vector<float> shown = shown_after(effect, views, radius, world);
-            row(at, "position off, part of the distance", errors.position, promised(world, 1.8e-7));
-            row(at, "reprojection off, pixels of 1920 x 1080", errors.pixels, promised(world, 0.0023));
-            row(at, rejected, errors.rejected, promised(world, 0.0));
-            row(at, "occlusion off after 4 frames", largest_difference(shown, expected),
-                promised(world, 0.0));
+            // 1 ulp, and half a one of what is rounded before.
+            row("position off, part of the distance", errors.position, 1.8e-7);
+            // 1.2e-6 of the width (gloam_reproject_clip).
+            row("reprojection off, pixels of 1920 x 1080", errors.pixels, 0.0023);
+            row(rejected, errors.rejected, 0.0);
+            row("occlusion off after 4 frames", largest_difference(shown, expected), 0.0);
         }
     }
     const glm::dvec3 eye = scene::camera_at(near, 1).eye;
-    row("depth in halves", rejected, reproject(previous, near, at_origin[1], eye, true).rejected, 0.0);
-    row("depth in halves, bias 0.001 radii", bare, wall_of_halves(effect, 0.0F), std::nullopt);
-    row("depth in halves, bias_depth 0.002", bare, wall_of_halves(effect, 0.002F), 0.0);
-    return rows;
+    const double of_halves = reproject(previous, near, at_origin[1], eye, true).rejected;
+    context.add("depth in halves", rejected, of_halves, 0.0);
+    context.add("depth in halves, bias 0.001 radii", bare, wall_of_halves(effect, 0.0F), std::nullopt);
+    context.add("depth in halves, bias_depth 0.002", bare, wall_of_halves(effect, 0.002F), 0.0);
 }
 
 }  // namespace gloam::stress

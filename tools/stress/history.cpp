@@ -8,7 +8,6 @@
 
 #include "judge/function.hpp"
 #include "stress/run.hpp"
-#include "stress/views.hpp"
 
 namespace gloam::stress {
 namespace {
@@ -79,7 +78,6 @@ void advance(const Accumulate& kernel, std::vector<Lane>& lanes, unsigned frames
     }
 }
 
-constexpr const char* long_run_name = "long-run";
 constexpr double blend_error = 1e-7;  // of gloam_blend, as its comment states
 constexpr unsigned seeds = 3;         // lanes of each pattern
 
@@ -108,20 +106,20 @@ struct Accumulation {
         outside = std::max({outside, -double{lane.range.x}, double{lane.range.y} - 1.0});
     }
 
-    void append_to(Rows& rows) const {
+    void report(const Context& context) const {
         const std::string text = fmt::format("k {}, w_max {}", k, weight_max);
         const double bound = blend_error * (double{weight_max} + k) / k;
-        append(rows, {{long_run_name, text, "farthest from the exact mean", farthest, bound},
-                      {long_run_name, text, "bias under noise", std::abs(signed_sum) / readings, bound},
-                      {long_run_name, text, "farthest outside [0, 1]", outside, 0.0},
-                      {long_run_name, text, "weight off, samples", weight, 0.0},
-                      {long_run_name, text, "index off, samples", index, 0.0}});
+        context.add(text, "farthest from the exact mean", farthest, bound);
+        context.add(text, "bias under noise", std::abs(signed_sum) / readings, bound);
+        context.add(text, "farthest outside [0, 1]", outside, 0.0);
+        context.add(text, "weight off, samples", weight, 0.0);
+        context.add(text, "index off, samples", index, 0.0);
     }
 };
 
 }  // namespace
 
-Rows long_run(const Context& context) {
+void long_run(const Context& context) {
     const Accumulate kernel(context.lab, accumulate_file, "stress_accumulate");
     std::vector<Accumulation> all{
         {32, 500, 65'536},           {8, 1500, 1'500}, {1, 1500, 1U << 24U},
@@ -139,11 +137,9 @@ Rows long_run(const Context& context) {
     for (std::uint64_t done = 0; done < context.frames; done += step) {
         advance(kernel, lanes, static_cast<unsigned>(std::min(step, context.frames - done)));
         for (std::size_t i = 0; i < lanes.size(); ++i) all[i / (pattern_count * seeds)].look(lanes[i]);
-        context.progress(fmt::format("{}: frame {} of {}", long_run_name, done, context.frames));
+        context.progress(fmt::format("frame {} of {}", done, context.frames));
     }
-    Rows rows;
-    for (const Accumulation& a : all) a.append_to(rows);
-    return rows;
+    for (const Accumulation& a : all) a.report(context);
 }
 
 namespace {
@@ -172,7 +168,7 @@ bool safe(const glm::vec4& texel) {
 using OneFrame = check::Function<glm::vec4(glm::vec4, float, Sequence)>;
 
 // Each channel of a good history made bad; one frame.
-Rows texels(const OneFrame& frame) {
+void poison_texels(const Context& context, const OneFrame& frame) {
     const glm::vec4 fresh = frame(empty, 0.25F, sequence);
     double unsafe = 0;
     double not_fresh = 0;
@@ -185,13 +181,13 @@ Rows texels(const OneFrame& frame) {
             not_fresh += usable(texel) || subnormal(bad) || after == fresh ? 0 : 1;
         }
     }
-    const std::string varied = "history texel, one channel";
-    return {{poison_name, varied, "unsafe after one frame", unsafe, 0.0},
-            {poison_name, varied, "not healed (a fresh start) after one frame", not_fresh, 0.0}};
+    const char* const varied = "history texel, one channel";
+    context.add(varied, "unsafe after one frame", unsafe, 0.0);
+    context.add(varied, "not healed (a fresh start) after one frame", not_fresh, 0.0);
 }
 
 // Bad contributions: NaN and infinities leave the history as it is, others count as the nearer end of [0, 1].
-Rows contributions(const OneFrame& frame) {
+void poison_contributions(const Context& context, const OneFrame& frame) {
     double unsafe = 0;
     double wrong = 0;
     for (const float bad : bad_values) {
@@ -201,13 +197,13 @@ Rows contributions(const OneFrame& frame) {
         unsafe += safe(after) ? 0 : 1;
         wrong += subnormal(bad) || after.x == expected ? 0 : 1;
     }
-    const std::string varied = "contribution of one frame";
-    return {{poison_name, varied, "unsafe after one frame", unsafe, 0.0},
-            {poison_name, varied, "damage other than stated", wrong, 0.0}};
+    const char* const varied = "contribution of one frame";
+    context.add(varied, "unsafe after one frame", unsafe, 0.0);
+    context.add(varied, "damage other than stated", wrong, 0.0);
 }
 
 // Frames until a history that is plausible but wrong (occlusion 1, full weight) is right within 1/255.
-Row healing(const Accumulate& accumulate, unsigned k, float weight_max) {
+void heal(const Context& context, const Accumulate& accumulate, unsigned k, float weight_max) {
     const double stated = std::ceil(std::log(255.0) / -std::log1p(-1.0 * k / (double{weight_max} + k)));
     unsigned low = 0;
     unsigned high = 60'000;
@@ -218,20 +214,20 @@ Row healing(const Accumulate& accumulate, unsigned k, float weight_max) {
             std::get<0>(accumulate(glm::vec4(1.0F, weight_max, 0.0F, 3.0F), all, no_range));
         (std::abs(double{texel.x} - contribution(all, 0)) < 1.0 / 255.0 ? high : low) = middle;
     }
-    return {poison_name, fmt::format("wrong but plausible history, k {}, w_max {}", k, weight_max),
-            "frames until right within 1/255", static_cast<double>(high), stated};
+    context.add(fmt::format("wrong but plausible history, k {}, w_max {}", k, weight_max),
+                "frames until right within 1/255", static_cast<double>(high), stated);
 }
 
 }  // namespace
 
-Rows poisoned_history(const Context& context) {
-    context.progress(fmt::format("{}: history", poison_name));
+void poisoned_history(const Context& context) {
+    context.progress("history");
     const OneFrame frame(context.lab, accumulate_file, "stress_frame");
     const Accumulate accumulate(context.lab, accumulate_file, "stress_accumulate");
-    Rows rows = texels(frame);
-    append(rows, contributions(frame));
-    append(rows, {healing(accumulate, 32, 500.0F), healing(accumulate, 8, 1500.0F)});
-    return rows;
+    poison_texels(context, frame);
+    poison_contributions(context, frame);
+    heal(context, accumulate, 32, 500.0F);
+    heal(context, accumulate, 8, 1500.0F);
 }
 
 }  // namespace gloam::stress

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 
@@ -12,7 +13,6 @@
 #include "effect/methods.hpp"
 #include "judge/function.hpp"
 #include "stress/run.hpp"
-#include "stress/views.hpp"
 
 namespace gloam::stress {
 namespace {
@@ -59,7 +59,7 @@ glm::dvec2 seen_slopes(double slope, double depth, double radius) {
     const double distance = std::hypot(slope * depth, depth);
     const double half = radius < distance ? std::asin(radius / distance) : INFINITY;
     const double angle = std::atan(slope);
-    constexpr double right_angle = 1.57079632679489661923;
+    constexpr double right_angle = 0.5 * std::numbers::pi;
     return {angle - half > -right_angle ? std::tan(angle - half) : -INFINITY,
             angle + half < right_angle ? std::tan(angle + half) : INFINITY};
 }
@@ -93,26 +93,15 @@ Mask widened(const Mask& mask, int pixels) {
     return wide;
 }
 
-Mask changed(const std::vector<float>& now, const std::vector<float>& before) {
-    Mask mask(now.size());
-    for (std::size_t i = 0; i < mask.size(); ++i)
-        mask[i] = check::to_word(now[i]) != check::to_word(before[i]);
-    return mask;
-}
-
-std::size_t count_beyond(const Mask& mask, const Mask& allowed) {
+// Pixels that differ by any bit. Those of the mask may; empty: none may.
+std::size_t changed(const std::vector<float>& now, const std::vector<float>& before,
+                    const Mask& allowed = {}) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < mask.size(); ++i) count += mask[i] && !allowed[i] ? 1 : 0;
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (allowed.empty() || !allowed[i])
+            count += check::to_word(now[i]) == check::to_word(before[i]) ? 0 : 1;
     return count;
 }
-
-// What one place suffered, over all bad values.
-struct Damage {
-    std::size_t outside_unit = 0;
-    std::size_t beyond_footprint = 0;
-    std::size_t changed = 0;
-    std::size_t differs_without_robustness = 0;
-};
 
 // The passes on two devices. What all methods share is compiled once.
 class Experiment {
@@ -122,20 +111,36 @@ class Experiment {
           robust_(context.lab.device(), context.passes, extent),
           fragile_(fragile, context.passes, extent) {}
 
-    [[nodiscard]] Damage run(const effect::MethodInfo& method, const Place& place, std::size_t number) {
+    // What one place suffers, over all bad values.
+    void run(const Context& context, const effect::MethodInfo& method, const Place& place,
+             std::size_t number) {
         settings_ = with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name),
                                 poison_radius);
         settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
+        damage_ = {};
         scene::GBuffer view = steps();
         if (!place.normals) view.normal.clear();
         const effect::Frame clean = frame_of(robust_, view);
-        Damage damage;
         for (const float bad : bad_values) {
-            for (const glm::ivec2 source : sources(++number))
-                one_texel(view, place, bad, source, method.reads_normals, clean, damage);
-            if (full_ || number % 3 == 0) everywhere(view, place, bad, damage);
+            for (const glm::ivec2 source : sources(++number)) {
+                const Mask allowed = footprint(view, place.normal_axis < 0 || method.reads_normals, source);
+                scene::GBuffer poisoned = view;
+                place.put(poisoned, index_of(source), bad);
+                compare(both(poisoned), clean, allowed);
+            }
+            if (!full_ && number % 3 != 0) continue;
+            scene::GBuffer poisoned = view;
+            for (std::size_t i = 0; i < view.depth.size(); ++i) place.put(poisoned, i, bad);
+            (void)both(poisoned);
         }
-        return damage;
+        const std::string varied = fmt::format("{}: {}", method.name, place.text);
+        const auto row = [&](const char* quantity, std::size_t count, std::optional<double> bound = 0.0) {
+            context.add(varied, quantity, static_cast<double>(count), bound);
+        };
+        row("values outside [0, 1] or NaN", damage_.outside_unit);
+        row("pixels changed", damage_.changed, std::nullopt);
+        row("pixels changed beyond the footprint", damage_.beyond_footprint);
+        row("values that differ without robustBufferAccess", damage_.differs_without_robustness);
     }
 
   private:
@@ -166,72 +171,60 @@ class Experiment {
         return widened(mask, beside.spread);
     }
 
-    [[nodiscard]] effect::Frame both(const scene::GBuffer& view, Damage& damage) {
+    [[nodiscard]] effect::Frame both(const scene::GBuffer& view) {
         effect::Frame frame;
         effect::Frame other;
         base::for_each_index(2, 2, [&](std::size_t i) {
             (i == 0 ? frame : other) = frame_of(i == 0 ? robust_ : fragile_, view);
         });
-        const Mask none(frame.filtered.size());
-        damage.differs_without_robustness += count_beyond(changed(other.occlusion, frame.occlusion), none) +
-                                             count_beyond(changed(other.filtered, frame.filtered), none);
+        damage_.differs_without_robustness +=
+            changed(other.occlusion, frame.occlusion) + changed(other.filtered, frame.filtered);
         for (const auto* image : {&frame.occlusion, &frame.filtered, &frame.convergence})
-            for (const float value : *image) damage.outside_unit += value >= 0.0F && value <= 1.0F ? 0 : 1;
+            for (const float value : *image) damage_.outside_unit += value >= 0.0F && value <= 1.0F ? 0 : 1;
         return frame;
     }
 
-    void one_texel(scene::GBuffer view, const Place& place, float value, glm::ivec2 source,
-                   bool reads_normals, const effect::Frame& clean, Damage& damage) {
-        const Mask allowed = footprint(view, place.normal_axis < 0 || reads_normals, source);
-        place.put(view, index_of(source), value);
-        const effect::Frame frame = both(view, damage);
-        const Mask filtered = changed(frame.filtered, clean.filtered);
-        damage.changed += count_beyond(filtered, Mask(filtered.size()));
-        damage.beyond_footprint += count_beyond(changed(frame.occlusion, clean.occlusion), allowed) +
-                                   count_beyond(changed(frame.convergence, clean.convergence), allowed) +
-                                   count_beyond(filtered, widened(allowed, settings_.filter_half_width));
+    void compare(const effect::Frame& frame, const effect::Frame& clean, const Mask& allowed) {
+        damage_.changed += changed(frame.filtered, clean.filtered);
+        damage_.beyond_footprint +=
+            changed(frame.occlusion, clean.occlusion, allowed) +
+            changed(frame.convergence, clean.convergence, allowed) +
+            changed(frame.filtered, clean.filtered, widened(allowed, settings_.filter_half_width));
     }
 
-    void everywhere(scene::GBuffer view, const Place& place, float value, Damage& damage) {
-        for (std::size_t i = 0; i < view.depth.size(); ++i) place.put(view, i, value);
-        (void)both(view, damage);
-    }
+    struct Damage {
+        std::size_t outside_unit = 0;
+        std::size_t beyond_footprint = 0;
+        std::size_t changed = 0;
+        std::size_t differs_without_robustness = 0;
+    };
 
     bool full_;
     effect::AmbientOcclusion robust_;
     effect::AmbientOcclusion fragile_;
     effect::Settings settings_;
+    Damage damage_;
 };
 
 }  // namespace
 
-Rows poisoned_passes(const Context& context) {
+void poisoned_passes(const Context& context) {
     const check::LabOptions& options = context.lab.options();
     gpu::Device fragile({.device = options.device,
                          .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
                          .cache_directory = options.cache_directory,
                          .robust_buffer_access = false});
     Experiment experiment(context, fragile);
-    Rows rows;
     for (const effect::MethodInfo& method : context.methods) {
         std::size_t number = 0;
         for (const Place& place : std::span(places).first(context.brief ? 3 : 5)) {
-            const std::string varied = fmt::format("{}: {}", method.name, place.text);
-            context.progress(fmt::format("{}: {}", poison_name, varied));
-            const Damage damage = experiment.run(method, place, number++);
-            const auto row = [&](const char* quantity, std::size_t n, std::optional<double> bound = 0.0) {
-                rows.push_back({poison_name, varied, quantity, static_cast<double>(n), bound});
-            };
-            row("values outside [0, 1] or NaN", damage.outside_unit);
-            row("pixels changed", damage.changed, std::nullopt);
-            row("pixels changed beyond the footprint", damage.beyond_footprint);
-            row("values that differ without robustBufferAccess", damage.differs_without_robustness);
+            context.progress(fmt::format("{}: {}", method.name, place.text));
+            experiment.run(context, method, place, number++);
         }
         for (const std::string& message : fragile.take_validation_messages())
             throw std::runtime_error("Vulkan validation: " + message);
         context.lab.require_silent_validation();
     }
-    return rows;
 }
 
 namespace {
@@ -311,8 +304,8 @@ std::vector<Gather::Inputs> gather_inputs(float bad) {
     return inputs;
 }
 
-Rows gathers(const check::Lab& lab, const effect::MethodInfo& method) {
-    const Gather gather(lab, method.name + ".glsl", effect::method_function);
+void poison_gather(const Context& context, const effect::MethodInfo& method) {
+    const Gather gather(context.lab, method.name + ".glsl", effect::method_function);
     const auto most = static_cast<float>(effect::samples_taken(method, asked, steps_asked));
     const auto preparation = gather_preparation(method);
     std::size_t fetches_outside = 0;
@@ -335,25 +328,16 @@ Rows gathers(const check::Lab& lab, const effect::MethodInfo& method) {
         if (preparation) call(bad, std::nullopt, bad);
     }
     const std::string varied = fmt::format("method {}, every argument", method.name);
-    return {{poison_name, varied, "fetches outside the image", static_cast<double>(fetches_outside), 0.0},
-            {poison_name, varied, "results outside their range", static_cast<double>(results_outside), 0.0}};
+    context.add(varied, "fetches outside the image", static_cast<double>(fetches_outside), 0.0);
+    context.add(varied, "results outside their range", static_cast<double>(results_outside), 0.0);
 }
 
 }  // namespace
 
-Rows poisoned_gathers(const Context& context) {
-    context.progress(fmt::format("{}: fetches of methods", poison_name));
-    Rows rows;
-    for (const effect::MethodInfo& method : context.methods) append(rows, gathers(context.lab, method));
+void poisoned_gathers(const Context& context) {
+    context.progress("fetches of methods");
+    for (const effect::MethodInfo& method : context.methods) poison_gather(context, method);
     context.lab.require_silent_validation();
-    return rows;
-}
-
-Rows poison(const Context& context) {
-    Rows rows = poisoned_passes(context);
-    append(rows, poisoned_gathers(context));
-    append(rows, poisoned_history(context));
-    return rows;
 }
 
 }  // namespace gloam::stress

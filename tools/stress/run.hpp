@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "backend/vulkan/device.hpp"
 #include "effect/methods.hpp"
+#include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 #include "subject/lab.hpp"
 
@@ -31,17 +33,6 @@ struct Row {
     [[nodiscard]] bool passed() const { return !bound || measured <= *bound; }
 };
 
-using Rows = std::vector<Row>;
-
-inline void append(Rows& rows, const Rows& more) {
-    rows.insert(rows.end(), more.begin(), more.end());
-}
-
-// The larger of two errors; NaN where one is.
-inline double worse(double a, double b) {
-    return a >= b || std::isnan(a) ? a : b;
-}
-
 // What a run works with. The lab's include roots hold the shader library, tools/stress/shaders and the folder
 // of effect::MethodFunctions.
 struct Context {
@@ -52,70 +43,67 @@ struct Context {
     std::uint64_t frames = 1'000'000;  // of the long runs
     // Whose worst inputs are searched: IDs or functions, shell globs; none: all.
     std::vector<std::string> equations{};
-    // Told what is done now, and of rows before the run ends, in their order.
-    std::function<void(const std::string&)> progress = [](const std::string&) {};
-    std::function<void(const Row&)> found = [](const Row&) {};
     std::vector<effect::MethodInfo> methods = effect::methods();  // whose passes and gathers are tried
+    std::string run{};                                            // its name
+    std::function<void(const Row&)> found{};                      // is given each row
+    std::function<void(const std::string&)> progress = [](const std::string&) {};  // what is done now
+
+    void add(const std::string& varied, const std::string& quantity, double measured,
+             std::optional<double> bound) const {
+        found({run, varied, quantity, measured, bound});
+    }
 };
+
+// Each of these finds rows. They throw what the backend, check and effect rooms throw.
 
 // For every equation of the catalogue, the worst input that a guided search finds (audit/worst.hpp), as a
 // fraction of what its documentation states, beside the worst of its random inputs alone. The search is made
-// of the default variant: inputs that break a budget are rows that fail.
-[[nodiscard]] Rows worst_inputs(const Context& context);
-
-// The same for one of them.
-[[nodiscard]] Rows worst_inputs(const Context& context, const catalogue::Entry& entry);
+// of the default variant: inputs that break a budget are rows that fail. Or for one of them.
+void worst_inputs(const Context& context);
+void worst_inputs(const Context& context, const catalogue::Entry& entry);
 
 // The history carried over Context::frames frames on the device, as a pass does it, for constant,
 // alternating, jumping, noisy and rare contributions, beside the mean in double: the farthest from it, and
 // the average over time (bias), at most E (w_max + k) / k with the error E of gloam_blend; weight and index,
 // exact.
-[[nodiscard]] Rows long_run(const Context& context);
+void long_run(const Context& context);
 
 // A scene and its moving camera at 1e2 to 1e7 units from the origin: previous positions, reprojection,
 // TSSAO-8 and frames of the effect, with what is centred on the eye and with what is not; and depths in
 // halves.
-[[nodiscard]] Rows far_away(const Context& context);
+void far_away(const Context& context);
 
-constexpr const char* poison_name = "poison";
+// NaN, infinities, negative, subnormal and huge values, one texel at a time and everywhere: in the depth and
+// normals of the passes of methods, in the images that methods fetch from, in history texels and in
+// contributions. Occlusion stays in [0, 1]; pixels beyond the footprint stay as they were; a poisoned history
+// counts as none. Nothing is fetched outside an image. All the same without robustBufferAccess.
+void poisoned_passes(const Context& context);
+void poisoned_gathers(const Context& context);
+void poisoned_history(const Context& context);
 
-// Depth and normals that go into the passes of methods.
-[[nodiscard]] Rows poisoned_passes(const Context& context);
+// What several runs are made with.
 
-// Fetches of methods: none may be outside, whatever the images hold.
-[[nodiscard]] Rows poisoned_gathers(const Context& context);
+// The larger of two errors; NaN where one is.
+inline double worse(double a, double b) {
+    return a >= b || std::isnan(a) ? a : b;
+}
 
-// History texels and contributions.
-[[nodiscard]] Rows poisoned_history(const Context& context);
+// NaN, infinities, negative, zero, subnormal (the least and the largest), tiny and huge.
+inline constexpr float bad_values[]{NAN,    -NAN,  INFINITY,     -INFINITY,       0.0F,
+                                    -0.0F,  -1.0F, FLT_TRUE_MIN, 1.17549421e-38F, FLT_MIN,
+                                    1e-20F, 1e20F, -1e20F,       FLT_MAX,         -FLT_MAX};
 
-// NaN, infinities, negative, subnormal and huge values in depth, normals, history and contributions, one
-// texel at a time and everywhere. Occlusion stays in [0, 1]; pixels beyond the footprint stay as they were;
-// a poisoned history counts as none. Nothing is fetched outside an image. All the same without
-// robustBufferAccess.
-[[nodiscard]] Rows poison(const Context& context);
-
-// One way to stress the library. `go` throws what the backend, check and effect rooms throw.
-struct Run {
-    std::string name;  // one word, "long-run"
-    Rows (*go)(const Context&) = nullptr;
-};
-
-// All runs in the order they are made. Another way to stress the library is another line here.
-inline const std::vector<Run> all_runs{
-    {"worst-inputs", worst_inputs}, {"long-run", long_run}, {"far", far_away}, {poison_name, poison}};
-
-// The run of that name, or all of them for an empty one. Throws std::invalid_argument that lists the names.
-[[nodiscard]] std::vector<Run> select_runs(const std::string& name);
-
-// Column titles, and one line for each row: run, what was varied, what was measured, the number, its bound
-// and the verdict. Rows without a bound have no verdict.
-[[nodiscard]] std::string table_header();
-[[nodiscard]] std::string table_line(const Row& row);
-
-// {"gloam", "device": {"name", "driver"}, "versions", "rows": [{"run", "varied", "quantity", "measured",
-// "bound", "passed"}]}. bound is null where nothing is promised. Infinite numbers are the strings "inf" and
-// "-inf", NaN is "nan".
-[[nodiscard]] std::string to_json(const gpu::DeviceInfo& device, const Rows& rows,
-                                  const std::string& versions);
+// A wall across the whole view, at depth 3 along the axis. slope: by how much it recedes to the right.
+[[nodiscard]] inline scene::GBuffer wall(gpu::Extent extent, double slope = 0.0) {
+    scene::GBuffer view{.extent = extent};
+    view.camera =
+        scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
+    const std::size_t pixels = std::size_t{extent.width} * extent.height;
+    view.normal.assign(pixels, glm::vec3(glm::normalize(glm::dvec3(slope, 0.0, 1.0))));
+    for (std::size_t i = 0; i < pixels; ++i)
+        view.depth.push_back(
+            static_cast<float>(3.0 / (1.0 - slope * scene::PixelPositions(view).at(i, 1.0).x)));
+    return view;
+}
 
 }  // namespace gloam::stress

@@ -8,16 +8,16 @@ namespace gloam::stress::test::robust_test {
 class PoisonOf : public EachMethod {};
 
 TEST_P(PoisonOf, StaysWithinTheFootprint) {
-    const Rows rows = poisoned_passes(context());
+    const Rows rows = rows_of(poisoned_passes, context());
     expect_all_passed(rows);
     if (GetParam() != "hemisphere" && GetParam() != "disc") return;
     // Something did change: the footprint is not empty by mistake.
-    for (const Row& row : rows_of(rows, "pixels changed", "depth"))
+    for (const Row& row : rows_with(rows, "pixels changed", "depth"))
         EXPECT_GT(row.measured, 0.0) << row.varied;
 }
 
 TEST_P(PoisonOf, FetchesNothingOutside) {
-    expect_all_passed(poisoned_gathers(context()));
+    expect_all_passed(rows_of(poisoned_gathers, context()));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PoisonOf, testing::ValuesIn(gloam::test::method_names()),
@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(All, PoisonOf, testing::ValuesIn(gloam::test::method_na
 
 TEST(Poison, HistoriesHealAsStated) {
     const Bench bench;
-    expect_all_passed(poisoned_history(bench.context()));
+    expect_all_passed(rows_of(poisoned_history, bench.context()));
 }
 
 struct Fault {
@@ -33,13 +33,13 @@ struct Fault {
     const char* from;
     const char* to;
     const char* quantity;
-    Rows (*part)(const Context&);
+    void (*part)(const Context&);
 };
 
-Rows short_run(const Context& context) {
+void short_run(const Context& context) {
     Context few = context;
     few.frames = 4'000;
-    return long_run(few);
+    long_run(few);
 }
 
 // Of the long run: a blend that rounds down a little in each frame; a weight that forgets its cap; an index
@@ -73,7 +73,7 @@ TEST(Stress, NoticesWhatIsBroken) {
         broken.replace(fault.file, fault.from, fault.to);
         const Bench bench(broken.glsl());
         bool noticed = false;
-        for (const Row& row : rows_of(fault.part(bench.context_of("hemisphere")), fault.quantity))
+        for (const Row& row : rows_with(rows_of(fault.part, bench.context_of("hemisphere")), fault.quantity))
             noticed |= !row.passed();
         EXPECT_TRUE(noticed) << fault.to;
     }

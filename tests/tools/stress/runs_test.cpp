@@ -7,7 +7,7 @@ namespace gloam::stress::test::runs_test {
 
 TEST(LongRun, StaysWithinItsBounds) {
     const Bench bench;
-    const Rows rows = long_run(bench.context());
+    const Rows rows = rows_of(long_run, bench.context());
     expect_all_passed(rows);
     EXPECT_GT(row_of(rows, "farthest from the exact mean", "k 8, w_max 1500").measured, 0.0);
 }
@@ -15,12 +15,12 @@ TEST(LongRun, StaysWithinItsBounds) {
 // Relative to the eye nothing depends on the place; relative to the world's origin all grows with it.
 TEST(Far, OnlyWorldCoordinatesLosePrecision) {
     const Bench bench;
-    const Rows rows = far_away(bench.context());
+    const Rows rows = rows_of(far_away, bench.context());
     expect_all_passed(rows);
     for (std::size_t i = 0; i < 8; ++i)  // those of 1e2 and 1e7
         EXPECT_TRUE(i < 4 ? rows[i + 40].measured == rows[i].measured
                           : rows[i + 40].measured > 2.0 * rows[i].measured)
-            << table_line(rows[i + 40]);
+            << rows[i + 40].varied;
     EXPECT_GT(row_of(rows, "occlusion of a bare wall (gtao)", "0.001 radii").measured, 0.01);
 }
 
@@ -34,7 +34,9 @@ class WorstInputs : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(WorstInputs, StayWithinWhatIsDocumentedAndAreAtLeastAsBadAsRandomOnes) {
-    const Rows rows = worst_inputs(bench_->context(), gloam::test::entries()[GetParam()]);
+    const catalogue::Entry& entry = gloam::test::entries()[GetParam()];
+    const Rows rows =
+        rows_of([&](const Context& context) { worst_inputs(context, entry); }, bench_->context());
     ASSERT_EQ(rows.size(), 2U);
     expect_all_passed(rows);
     EXPECT_GE(rows[0].measured, rows[1].measured);
@@ -46,7 +48,7 @@ TEST(Climb, FindsWorseInputsThanDrawingForManyEquations) {
     const Bench bench;
     Context context = bench.context();
     context.equations = {"TSSAO-*"};
-    const Rows rows = worst_inputs(context);
+    const Rows rows = rows_of([](const Context& all) { worst_inputs(all); }, context);
     std::size_t worse = 0;
     for (std::size_t i = 0; i + 1 < rows.size(); i += 2) worse += rows[i].measured > rows[i + 1].measured;
     EXPECT_GT(worse, rows.size() / 8);

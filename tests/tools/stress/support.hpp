@@ -54,13 +54,24 @@ class EachMethod : public testing::TestWithParam<std::string> {
     inline static std::optional<Bench> bench_;
 };
 
+// What a run finds.
+using Rows = std::vector<Row>;
+template <class Run>
+Rows rows_of(const Run& run, Context context) {
+    Rows rows;
+    context.found = [&](const Row& row) { rows.push_back(row); };
+    run(context);
+    return rows;
+}
+
 inline void expect_all_passed(const Rows& rows) {
     EXPECT_FALSE(rows.empty());
-    for (const Row& row : rows) EXPECT_TRUE(row.passed()) << table_line(row);
+    for (const Row& row : rows)
+        EXPECT_TRUE(row.passed()) << row.varied << ": " << row.quantity << " " << row.measured;
 }
 
 // The rows of that quantity whose `varied` holds a text.
-inline Rows rows_of(const Rows& rows, const std::string& quantity, const std::string& varied = "") {
+inline Rows rows_with(const Rows& rows, const std::string& quantity, const std::string& varied = "") {
     Rows found;
     std::ranges::copy_if(rows, std::back_inserter(found), [&](const Row& row) {
         return row.quantity == quantity && row.varied.find(varied) != std::string::npos;
@@ -70,7 +81,7 @@ inline Rows rows_of(const Rows& rows, const std::string& quantity, const std::st
 
 // That one row.
 inline Row row_of(const Rows& rows, const std::string& quantity, const std::string& varied = "") {
-    const Rows found = rows_of(rows, quantity, varied);
+    const Rows found = rows_with(rows, quantity, varied);
     EXPECT_EQ(found.size(), 1U) << quantity << ", " << varied;
     return found.empty() ? Row{} : found.front();
 }

@@ -2,17 +2,31 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
+#include <ranges>
+#include <stdexcept>
 
+#include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
 #include "effect/method_functions.hpp"
+#include "record/members.hpp"
 #include "record/output.hpp"
 #include "stress/run.hpp"
+
+namespace gloam::stress {
+
+template <class Io>
+void members(Io& io, Row& row) {
+    record::each(io, "run", row.run, "varied", row.varied, "quantity", row.quantity, "measured", row.measured,
+                 "bound", row.bound, "passed", row.passed());
+}
+
+}  // namespace gloam::stress
 
 namespace gloam::cli {
 namespace {
@@ -29,32 +43,52 @@ struct StressOptions {
     std::filesystem::path json;
 };
 
+// One way to stress the library: `name` is one word. Another one is another line here.
+struct Run {
+    std::string name;
+    std::vector<void (*)(const stress::Context&)> parts;
+};
+const std::vector<Run> all_runs{
+    {"worst-inputs", {stress::worst_inputs}},
+    {"long-run", {stress::long_run}},
+    {"far", {stress::far_away}},
+    {"poison", {stress::poisoned_passes, stress::poisoned_gathers, stress::poisoned_history}}};
+
+std::string run_names() {
+    return fmt::format("{}", fmt::join(all_runs | std::views::transform(&Run::name), ", "));
+}
+
+constexpr const char* layout = "{:9} {:58} {:50} {:>11} {:>11} {}\n";
+
+void print(const stress::Row& row) {
+    const std::string bound = row.bound ? fmt::format("{:.4g}", *row.bound) : "-";
+    fmt::print(layout, row.run, row.varied, row.quantity, fmt::format("{:.4g}", row.measured), bound,
+               !row.bound     ? "measured"
+               : row.passed() ? "ok"
+                              : "BROKEN");
+    std::fflush(stdout);
+}
+
 // Shows one line on a terminal, which is overwritten; prints nothing elsewhere.
 void show_progress(const std::string& text) {
     if (on_terminal()) fmt::print(stderr, "\r\033[K{}", text);
 }
 
-// Each row is printed as it is found.
-stress::Rows make_runs(const std::vector<stress::Run>& runs, stress::Context context) {
-    stress::Rows all;
-    std::size_t printed = 0;  // rows of this run
-    context.found = [&](const stress::Row& row) {
-        context.progress("");
-        fmt::print("{}\n", stress::table_line(row));
-        std::fflush(stdout);
-        ++printed;
-    };
-    for (const stress::Run& run : runs) {
-        printed = 0;
-        const stress::Rows rows = run.go(context);
-        while (printed < rows.size()) context.found(rows[printed]);
-        all.insert(all.end(), rows.begin(), rows.end());
-    }
-    return all;
+// {"gloam", "device": {"name", "driver"}, "versions", "rows": [{"run", "varied", "quantity", "measured",
+// "bound", "passed"}]}. bound is null where nothing is promised. Infinite numbers are the strings "inf" and
+// "-inf", NaN is "nan".
+std::string to_json(const gpu::DeviceInfo& device, const std::vector<stress::Row>& rows) {
+    return record::to_text({{"gloam", base::version()},
+                            {"device", {{"name", device.name}, {"driver", device.driver}}},
+                            {"versions", versions()},
+                            {"rows", record::json_of(rows)}});
 }
 
 int run_stress(const StressOptions& options) {
-    const std::vector<stress::Run> runs = stress::select_runs(options.only);
+    const bool known = options.only.empty() || std::ranges::count(all_runs, options.only, &Run::name) > 0;
+    if (!known)
+        throw std::invalid_argument(
+            fmt::format("unknown stress run \"{}\": expected {}", options.only, run_names()));
     (void)catalogue::select(catalogue::all_entries(glsl_directory()),
                             options.equations);  // invalid names are reported before anything runs
     const record::OutputFile json(options.json);
@@ -66,17 +100,29 @@ int run_stress(const StressOptions& options) {
                           .cache_directory = cache_directory()});
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const gpu::DeviceInfo& device = lab.device().info();
-    fmt::print("device: {} ({})\n{}\n", device.name, device.driver, stress::table_header());
-    const stress::Rows rows = make_runs(runs, {.lab = lab,
-                                               .passes = passes,
-                                               .brief = options.brief,
-                                               .seed = options.seed,
-                                               .frames = options.frames,
-                                               .equations = options.equations,
-                                               .progress = show_progress});
+    fmt::print("device: {} ({})\n", device.name, device.driver);
+    fmt::print(layout, "run", "varied", "measured", "value", "bound", "verdict");
+    std::vector<stress::Row> rows;
+    stress::Context context{.lab = lab,
+                            .passes = passes,
+                            .brief = options.brief,
+                            .seed = options.seed,
+                            .frames = options.frames,
+                            .equations = options.equations};
+    context.found = [&](const stress::Row& row) {
+        show_progress("");
+        print(row);
+        rows.push_back(row);
+    };
+    context.progress = [&](const std::string& what) { show_progress(context.run + ": " + what); };
+    for (const Run& run : all_runs) {
+        context.run = run.name;
+        if (options.only.empty() || options.only == run.name)
+            for (const auto& part : run.parts) part(context);
+    }
     const auto broken = std::ranges::count_if(rows, [](const stress::Row& row) { return !row.passed(); });
     fmt::print("{} numbers, {} bounds broken\n", rows.size(), broken);
-    json.write(stress::to_json(device, rows, versions()));
+    json.write(to_json(device, rows));
     return broken == 0 ? 0 : 1;
 }
 
@@ -84,12 +130,10 @@ int run_stress(const StressOptions& options) {
 
 Command stress_command() {
     static StressOptions options;
-    std::string runs;
-    for (const stress::Run& run : stress::all_runs) runs += (runs.empty() ? "" : ", ") + run.name;
     return {.name = "stress",
             .about = "test long runs, far places, invalid buffers and worst inputs against the documentation",
             .options =
-                {{"--only", &options.only, "one run: " + runs},
+                {{"--only", &options.only, "one run: " + run_names()},
                  {"--equation", &options.equations,
                   "search the worst inputs of these only: by any name of equations (gloam list equations)"},
                  {"--seed", &options.seed, "seed of noise and points"},
