@@ -2,21 +2,13 @@
 #include "effect/internal/steps.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "backend/vulkan/commands.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::effect {
 namespace {
-
-// For an even number of values the mean of the middle two; NaN for no value.
-double median(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::ranges::sort(values);
-    const std::size_t upper = values.size() / 2;
-    return values.size() % 2 == 1 ? values[upper] : 0.5 * (values[upper - 1] + values[upper]);
-}
 
 std::uint64_t bytes_of(const gpu::Image& image) {
     return std::uint64_t{image.extent().width} * image.extent().height * gpu::texel_bytes(image.format());
@@ -45,40 +37,35 @@ int frames_at_once(const std::vector<std::vector<double>>& times) {
     return static_cast<int>(std::clamp(10.0 / std::max(1e-3, frame), 1.0, 32.0));
 }
 
-// Appends the time of each pass in each of so many frames, which are submitted at once.
-void time_frames(const gpu::Device& device, std::span<const Step> passes, int frames,
-                 std::vector<std::vector<double>>& times) {
-    gpu::Commands commands(device);
-    for (int frame = 0; frame < frames; ++frame) {
-        commands.timestamp();
-        for (const Step& pass : passes) {
-            record(commands, pass);
-            commands.timestamp();
-        }
-    }
-    commands.submit();
-    const std::vector<double> readings = commands.times_ms();
-    for (std::size_t i = 0; i < readings.size(); i += passes.size() + 1)
-        for (std::size_t p = 0; p < passes.size(); ++p)
-            times[p].push_back(readings[i + p + 1] - readings[i + p]);
-}
-
 }  // namespace
 
 std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes, int repeat,
                           const PassWatcher& watcher) {
     std::vector<std::vector<double>> times(passes.size());
-    int batch = 1;
+    int batch = 1;  // frames that are submitted at once
     for (int i = 0; i < repeat; i += batch) {
-        if (i == 1 && !watcher) batch = frames_at_once(times);
         if (watcher) {
             for (const Step& pass : passes) run_watched(device, pass, watcher);
             continue;
         }
-        time_frames(device, passes, std::min(batch, repeat - i), times);
+        if (i == 1) batch = frames_at_once(times);
+        gpu::Commands commands(device);
+        for (int frame = i; frame < std::min(i + batch, repeat); ++frame) {
+            commands.timestamp();
+            for (const Step& pass : passes) {
+                record(commands, pass);
+                commands.timestamp();
+            }
+        }
+        commands.submit();
+        const std::vector<double> readings = commands.times_ms();
+        for (std::size_t r = 0; r < readings.size(); r += passes.size() + 1)
+            for (std::size_t p = 0; p < passes.size(); ++p)
+                times[p].push_back(readings[r + p + 1] - readings[r + p]);
     }
     std::vector<PassTime> medians;
-    for (std::size_t p = 0; p < passes.size(); ++p) medians.push_back({passes[p].name, median(times[p])});
+    for (std::size_t p = 0; p < passes.size(); ++p)
+        medians.push_back({passes[p].name, numeric::spread_of(times[p]).median});
     return medians;
 }
 
