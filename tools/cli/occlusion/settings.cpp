@@ -76,16 +76,18 @@ effect::Settings preset_settings(const std::string& name_or_file) {
     return preset_from(name_or_file, base::read_file(name_or_file));
 }
 
+std::pair<std::string, std::string> assignment_of(const std::string& text) {
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos)
+        throw std::invalid_argument(fmt::format("--set {}: expected NAME=VALUE (gloam list settings)", text));
+    return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
 void apply(effect::Settings& settings, const std::string& assignment) {
-    const std::size_t sign = assignment.find('=');
-    if (sign == std::string::npos) {
-        throw std::invalid_argument(
-            fmt::format("--set {}: expected NAME=VALUE (gloam list settings)", assignment));
-    }
-    const std::string name = assignment.substr(0, sign);
+    const auto [name, value] = assignment_of(assignment);
     if (name == "method" || name == "radius")
         throw std::invalid_argument(fmt::format("--set {}: expected --{} instead", assignment, name));
-    effect::set(settings, name, assignment.substr(sign + 1));
+    effect::set(settings, name, value);
 }
 
 effect::Settings settings_for(const RenderCandidate& candidate, const std::optional<double>& view_radius) {

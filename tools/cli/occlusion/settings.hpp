@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "backend/vulkan/resources.hpp"
 #include "effect/methods.hpp"
@@ -21,6 +22,9 @@ struct RenderCandidate;
 
 // The value of every setting that the passes read, by its name.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Settings& settings);
+
+// The two parts of NAME=VALUE. Throws std::invalid_argument that names --set.
+[[nodiscard]] std::pair<std::string, std::string> assignment_of(const std::string& text);
 
 // Applies NAME=VALUE. The method and the radius also change other settings, so --method and --radius apply
 // them. Throws std::invalid_argument.

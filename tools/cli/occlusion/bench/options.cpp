@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
 #include "base/files.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
+#include "cli/occlusion/settings.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -18,35 +20,24 @@ namespace {
 constexpr const char* default_experiment = "samples.json";  // of `gloam bench` alone
 using experiment::Candidate;
 using experiment::Experiment;
+using experiment::Kind;
 
 // NAME=VALUE: the method, or a setting.
 void assign(experiment::Layer& layer, const std::string& text) {
-    const std::size_t sign = text.find('=');
-    if (sign == std::string::npos)
-        throw std::invalid_argument(fmt::format("--set {}: expected NAME=VALUE (gloam list settings)", text));
-    const std::string name = text.substr(0, sign);
-    const std::string value = text.substr(sign + 1);
+    auto [name, value] = assignment_of(text);
     if (name == "method")
-        layer.method = value;
+        layer.method = std::move(value);
     else
-        layer.set.emplace_back(name, value);
+        layer.set.emplace_back(std::move(name), std::move(value));
 }
 
 // PRESET[,NAME=VALUE...].
 Candidate preset_candidate(const std::string& text, bool sequence) {
     std::istringstream parts(text);
-    Candidate made{.name = text + (sequence ? ", sequence" : ", single")};
-    made.layer.kind = experiment::Kind::effect;
+    Candidate made{.name = text + (sequence ? ", sequence" : ", single"),
+                   .layer = {.kind = Kind::effect, .sequence = sequence}};
     std::getline(parts, made.layer.preset, ',');
-    made.layer.sequence = sequence;
     for (std::string part; std::getline(parts, part, ',');) assign(made.layer, part);
-    return made;
-}
-
-Candidate method_candidate(const std::string& method) {
-    Candidate made{.name = method};
-    made.layer.kind = experiment::Kind::effect;
-    made.layer.method = method;
     return made;
 }
 
@@ -56,40 +47,41 @@ Candidate plain_candidate(const std::string& text) {
     const std::string blurs = loop.blurs == 0   ? ""
                               : loop.blurs == 1 ? " and a blur"
                                                 : fmt::format(" and {} blurs", loop.blurs);
-    Candidate made{.name = fmt::format("plain loop, {} x {}{}", loop.taps.slices, loop.taps.steps, blurs)};
-    made.layer.kind = experiment::Kind::plain;
-    made.layer.plain = loop;
-    return made;
+    return {.name = fmt::format("plain loop, {} x {}{}", loop.taps.slices, loop.taps.steps, blurs),
+            .layer = {.kind = Kind::plain, .plain = loop}};
 }
 
-experiment::Kind kind_of(const Candidate& candidate) {
-    return candidate.layer.kind.value_or(experiment::Kind::effect);
+// Sorts of candidates, each of which an option may replace.
+enum class Sort { plain, single, sequence, depth_truth, truth };
+Sort sort_of(const Candidate& one) {
+    switch (one.layer.kind.value_or(Kind::effect)) {
+        case Kind::plain:
+            return Sort::plain;
+        case Kind::depth_truth:
+            return Sort::depth_truth;
+        case Kind::truth:
+            return Sort::truth;
+        default:
+            return one.layer.sequence.value_or(true) ? Sort::sequence : Sort::single;
+    }
 }
 
-// Candidates of an option replace those of its sort in the description.
+// Candidates of an option replace those of its sort in the description, or all that there are.
 std::vector<Candidate> replaced(const std::vector<Candidate>& candidates, const ExperimentOptions& options) {
     std::vector<Candidate> chosen;
-    std::ranges::transform(options.methods, std::back_inserter(chosen), method_candidate);
+    for (const std::string& method : options.methods)
+        chosen.push_back({.name = method, .layer = {.kind = Kind::effect, .method = method}});
     if (!chosen.empty()) return chosen;
-    if (options.plain.empty() && options.single.empty() && options.sequence.empty()) return candidates;
-    const auto add = [&](const std::vector<std::string>& texts, const auto& made, const auto& of_its_sort) {
-        for (const std::string& text : texts) chosen.push_back(made(text));
-        if (texts.empty()) std::ranges::copy_if(candidates, std::back_inserter(chosen), of_its_sort);
-    };
-    const auto effects = [&](const std::vector<std::string>& texts, bool sequence) {
-        add(
-            texts, [&](const std::string& text) { return preset_candidate(text, sequence); },
-            [&](const Candidate& one) {
-                return kind_of(one) == experiment::Kind::effect &&
-                       one.layer.sequence.value_or(true) == sequence;
-            });
-    };
-    add(options.plain, plain_candidate,
-        [](const Candidate& one) { return kind_of(one) == experiment::Kind::plain; });
-    effects(options.single, false);
-    effects(options.sequence, true);
-    add({}, plain_candidate,
-        [](const Candidate& one) { return kind_of(one) == experiment::Kind::depth_truth; });
+    std::map<Sort, std::vector<Candidate>> given;
+    for (const std::string& text : options.plain) given[Sort::plain].push_back(plain_candidate(text));
+    for (const std::string& text : options.single)
+        given[Sort::single].push_back(preset_candidate(text, false));
+    for (const std::string& text : options.sequence)
+        given[Sort::sequence].push_back(preset_candidate(text, true));
+    if (given.empty()) return candidates;
+    for (const Sort sort : {Sort::plain, Sort::single, Sort::sequence, Sort::depth_truth})
+        std::ranges::copy_if(given.contains(sort) ? given[sort] : candidates, std::back_inserter(chosen),
+                             [&](const Candidate& one) { return sort_of(one) == sort; });
     return chosen;
 }
 
@@ -196,9 +188,7 @@ Experiment described(const ExperimentOptions& options) {
 }
 
 void choose_candidates(Experiment& what, const ExperimentOptions& options) {
-    const auto is_depth_truth = [](const Candidate& one) {
-        return kind_of(one) == experiment::Kind::depth_truth;
-    };
+    const auto is_depth_truth = [](const Candidate& one) { return sort_of(one) == Sort::depth_truth; };
     if (what.candidate_query && options.query) {
         experiment::CandidateQuery& query = *what.candidate_query;
         if (!options.query->methods.empty()) query.methods = options.query->methods;

@@ -93,13 +93,7 @@ class ExperimentFiles {
     // Throws std::runtime_error for a file that cannot be written, and std::invalid_argument for a page
     // without the experiment's blocks.
     ExperimentFiles(const ExperimentOptions& options, const Experiment& what)
-        : options_(options),
-          what_(what),
-          old_page_(options.page.empty() ? "" : base::read_file(options.page)),
-          json_(options.json),
-          csv_(options.csv),
-          page_(options.page),
-          report_(options.report) {
+        : options_(options), what_(what) {
         if (!options.page.empty()) (void)page_with(old_page_, what, {}, "");
         if (!options.out.empty()) out_.emplace(options.out);
     }
@@ -149,11 +143,11 @@ class ExperimentFiles {
   private:
     const ExperimentOptions& options_;
     const Experiment& what_;
-    std::string old_page_;
-    record::OutputFile json_;
-    record::OutputFile csv_;
-    record::OutputFile page_;
-    record::OutputFile report_;
+    std::string old_page_ = options_.page.empty() ? "" : base::read_file(options_.page);
+    record::OutputFile json_{options_.json};
+    record::OutputFile csv_{options_.csv};
+    record::OutputFile page_{options_.page};
+    record::OutputFile report_{options_.report};
     std::optional<record::OutputFolder> out_;
 };
 
