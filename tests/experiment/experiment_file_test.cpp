@@ -16,14 +16,6 @@ constexpr const char* whole = R"({
     {"name": "truth", "truth": true}],
   "tables": [{"name": "all", "each": "SELECT [case] FROM cases", "select": ["SELECT 1", ", '{}'"]}]})";
 
-// The description with a part replaced.
-std::string with(const std::string& part, const std::string& other) {
-    std::string text = whole;
-    const std::size_t at = text.find(part);
-    EXPECT_NE(at, std::string::npos) << part;
-    return text.replace(at, part.size(), other);
-}
-
 TEST(ExperimentFile, ReadsAllParts) {
     const Experiment read = read_experiment("mine.json", whole);
     EXPECT_EQ(read.layer.preset, "fast");
@@ -69,7 +61,7 @@ TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
     const char* const both = R"({"name": "loop", "plain": "9x3+1"},
     {"name": "truth", "truth": true})";
     Experiment what =
-        read_experiment("mine.json", with(both, R"({"methods": ["gtao", "crytek", "unreal"]})"));
+        read_experiment("mine.json", with(whole, both, R"({"methods": ["gtao", "crytek", "unreal"]})"));
     choose_candidates(what);
     std::vector<std::string> all;
     for (const Candidate& one : what.candidates)
@@ -141,14 +133,14 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused("", "no JSON");
     expect_refused("[]", "an object");
     expect_refused(std::string(100'000, '['), "nested");
-    for (const Fault& fault : misread) expect_refused(with(fault.part, fault.other), fault.why);
+    for (const Fault& fault : misread) expect_refused(with(whole, fault.part, fault.other), fault.why);
     for (const Fault& fault : inconsistent) {
-        const Experiment read = read_experiment("mine.json", with(fault.part, fault.other));
+        const Experiment read = read_experiment("mine.json", with(whole, fault.part, fault.other));
         expect_error<std::invalid_argument>([&] { require_consistent(read); }, {fault.why});
     }
     // What is not read may be called so.
-    EXPECT_NO_THROW(require_consistent(
-        read_experiment("mine.json", with("SELECT 1", "SELECT (SELECT 1 AS 'rmse_fit' FROM result)"))));
+    EXPECT_NO_THROW(require_consistent(read_experiment(
+        "mine.json", with(whole, "SELECT 1", "SELECT (SELECT 1 AS 'rmse_fit' FROM result)"))));
 }
 
 // Bytes of a description that are changed at random give a description or one line.

@@ -19,18 +19,6 @@ Record everything() {
     return record;
 }
 
-void expect_refused(const std::string& text, const std::string& named) {
-    EXPECT_THAT([&] { (void)read_record("some file", text); },
-                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("some file"), HasSubstr(named))))
-        << text.substr(0, 200);
-}
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-}
-
 TEST(ExperimentRecord, ReadsWhatItWrote) {
     const Record record = everything();
     const Record back = read_record("", lines_of(record));
@@ -59,33 +47,34 @@ TEST(ExperimentRecord, ReadsTheDocumentOfResults) {
     EXPECT_EQ(lines_of(read_record("", text)), lines_of(record));
 }
 
-// A file of results is untrusted: each name in it becomes one line.
-TEST(ExperimentRecord, NamesAreOneLine) {
-    const std::string text = lines_of(everything());
-    const std::string bad = R"("a\nsystem('id')\n")";
-    expect_refused(with(text, R"(:"device")", ":" + bad), "line 1: device");
-    expect_refused(with(text, R"("driver 1")", bad), "driver: expected a text of one line");
-    expect_refused(with(text, R"("case":"a")", "\"case\":" + bad), "line 2: case");
-    expect_refused(with(text, R"("candidate":"m/4")", "\"candidate\":" + bad), "line 2: candidate");
-}
-
+// A file of results is untrusted: each name in it becomes one line, and what is wrong is named with its
+// place.
 TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
+    const auto expect_refused = [](const std::string& text, const std::string& named) {
+        expect_error<std::runtime_error>([&] { (void)read_record("some file", text); }, {"some file", named});
+    };
     const std::string text = lines_of(everything());
     expect_refused("", "no JSON");
     expect_refused("[]", "expected an object");
     expect_refused("{}", "line 1: frames: expected this field, found none");
     expect_refused(std::string(1'000'000, '['), "nested more than 64 deep");
     expect_refused(text + "{}\n", "line 9: ");
-    expect_refused(with(text, R"("round":0)", R"("round":-1)"), "line 2: round: expected a whole number");
-    expect_refused(with(text, R"("width":320)", R"("width":18446744073709551615)"), "line 2: width");
-    expect_refused(with(text, R"("rmse":0.05)", R"("rmse":"small")"), "line 2: quality.rmse: expected");
-    expect_refused(with(text, R"("pass":"ambient_occlusion")", R"("pass":3)"), "readings[0].passes[0].pass");
-    expect_refused(with(text, R"("own":{"rmse":0.25)", R"("own":{"rmse":[])"),
-                   "line 8: quality.converged.own.rmse: expected a number");
-    expect_refused(with(text, R"("standard_error":0.0,)", ""), "standard_error: expected this field");
-    const std::string endless = "{\"" + std::string(100'000, 'x');
+    const std::string bad = R"("a\nsystem('id')\n")";
+    const std::tuple<std::string, std::string, std::string> faults[] = {
+        {R"(:"device")", ":" + bad, "line 1: device"},
+        {R"("driver 1")", bad, "driver: expected a text of one line"},
+        {R"("case":"a")", "\"case\":" + bad, "line 2: case"},
+        {R"("candidate":"m/4")", "\"candidate\":" + bad, "line 2: candidate"},
+        {R"("round":0)", R"("round":-1)", "line 2: round: expected a whole number"},
+        {R"("width":320)", R"("width":18446744073709551615)", "line 2: width"},
+        {R"("rmse":0.05)", R"("rmse":"small")", "line 2: quality.rmse: expected"},
+        {R"("pass":"ambient_occlusion")", R"("pass":3)", "readings[0].passes[0].pass"},
+        {R"("own":{"rmse":0.25)", R"("own":{"rmse":[])",
+         "line 8: quality.converged.own.rmse: expected a number"},
+        {R"("standard_error":0.0,)", "", "standard_error: expected this field"}};
+    for (const auto& [part, other, named] : faults) expect_refused(with(text, part, other), named);
     try {
-        (void)read_record("", endless);
+        (void)read_record("", "{\"" + std::string(100'000, 'x'));
     } catch (const std::runtime_error& error) {
         EXPECT_LT(std::string(error.what()).size(), 400U);
     }
@@ -133,7 +122,7 @@ TEST(ExperimentResults, TheRemapOfTheTuningHalfIsApplied) {
         visit.shown.half = half;
         std::vector<float> image;
         for (int i = 0; i < 1000; ++i) image.push_back(static_cast<float>(i) / 1000.0F);
-        add_bins(*visit.quality, image, effect::remapped(image, truth));
+        effect::add_to_bins(visit.quality->bins.emplace(128), image, effect::remapped(image, truth));
         record.add(visit);
     };
     const auto fits = [&] {

@@ -31,6 +31,13 @@ inline Visit make_visit(const std::string& shown, const std::string& candidate, 
     return visit;
 }
 
+// The text with a part replaced.
+inline std::string with(std::string text, const std::string& part, const std::string& other) {
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return text.replace(at, part.size(), other);
+}
+
 struct Row {
     std::string shown;
     std::string candidate;

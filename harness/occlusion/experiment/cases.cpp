@@ -244,7 +244,6 @@ BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Ex
     return frames;
 }
 
-namespace internal {
 namespace {
 
 // The text of a value, where "x2" means twice the number that the setting has.
@@ -304,32 +303,6 @@ Subject subject_of(const Experiment& experiment, const Case& one, const Candidat
     }
 }
 
-std::set<Quantity> measured_by(const Experiment& experiment) {
-    std::set<Quantity> measured;
-    for (const Table& table : experiment.tables)
-        measured.insert(table.measures.begin(), table.measures.end());
-    return measured;
-}
-
-}  // namespace internal
-
-namespace {
-
-using internal::Subject;
-using internal::subject_of;
-using internal::takes_part;
-
-void require_possible(const Experiment& experiment, const Case& one, const Candidate& candidate,
-                      const Place& place) {
-    const Subject subject = subject_of(experiment, one, candidate, place);
-    const bool judged = frames_of(experiment, one, {}).rays > 0 && subject.kind == Kind::effect;
-    if (subject.enough_samples && !judged)
-        throw std::invalid_argument(
-            fmt::format("{}, {}: enough_samples: expected rays and the effect", one.name, candidate.name));
-}
-
-}  // namespace
-
 void require_possible(const Experiment& experiment, const Place& place) {
     if (experiment.candidates.empty()) throw std::invalid_argument("nothing to measure: no candidate");
     require_consistent(experiment);
@@ -346,8 +319,13 @@ void require_possible(const Experiment& experiment, const Place& place) {
         if (frames.scored > frames.frames)
             throw std::invalid_argument(fmt::format("{}: {} scored frames, expected at most {}, the frames",
                                                     one.name, frames.scored, frames.frames));
-        for (const Candidate& candidate : experiment.candidates)
-            if (takes_part(one, candidate)) require_possible(experiment, one, candidate, place);
+        for (const Candidate& candidate : experiment.candidates) {
+            if (!takes_part(one, candidate)) continue;
+            const Subject subject = subject_of(experiment, one, candidate, place);
+            if (subject.enough_samples && (frames.rays == 0 || subject.kind != Kind::effect))
+                throw std::invalid_argument(fmt::format(
+                    "{}, {}: enough_samples: expected rays and the effect", one.name, candidate.name));
+        }
     }
 }
 

@@ -25,14 +25,16 @@ BenchmarkViews::BenchmarkViews(scene::Scene scene, const BenchmarkFrames& frames
     for (std::size_t i = 0; i < frames.shown.size(); ++i)
         numbers_.insert(numbers_.end(), static_cast<std::size_t>(frames.shown[i]), static_cast<int>(i));
     for (int i = 0; frames.shown.empty() && i < frames.frames; ++i) numbers_.push_back(i);
+    for (int i = frames.frames - frames.scored; i < frames.frames; i += frames.every)
+        scored_frames_.push_back(i);
     if (frames.rays > 0) score(progress);
     if (frames.rays > 0 && frames.measures.contains(Quantity::by_class)) classify();
 }
 
 void BenchmarkViews::score(const std::function<void(double)>& progress) {
-    for (int i = first_scored(); i < frames_.frames; i += frames_.every) {
-        const int number = numbers_.at(static_cast<std::size_t>(i));
-        if (progress) progress(static_cast<double>(i + 1 - first_scored()) / frames_.scored);
+    for (const int i : scored_frames_) {
+        const int number = this->number(i);
+        if (progress) progress(static_cast<double>(i + 1 - scored_frames_.front()) / frames_.scored);
         const auto [at, is_new] = scored_.try_emplace(number);
         if (!is_new) continue;
         ScoredView& truth = at->second;
@@ -84,7 +86,7 @@ const effect::Truth* BenchmarkViews::own_measure(const effect::MethodInfo& metho
     if (!falloff || (!cosine && method.measure != effect::Measure::uniform)) return nullptr;
     const Measured measured{cosine ? scene::Weighting::cosine : scene::Weighting::uniform, *falloff};
     const auto [at, is_new] = own_.try_emplace(measured);
-    const int number = frames_.still ? 0 : numbers_.at(static_cast<std::size_t>(last_scored()));
+    const int number = frames_.still ? 0 : this->number(last_scored());
     const scene::GBuffer& view = this->view(last_scored(), {});
     if (is_new)
         at->second =
@@ -94,20 +96,19 @@ const effect::Truth* BenchmarkViews::own_measure(const effect::MethodInfo& metho
 
 const scene::GBuffer& BenchmarkViews::view(int frame, const effect::Settings& settings) {
     return views_with(double{settings.guard}, settings.own.layers)
-        .at(static_cast<std::size_t>(numbers_.at(static_cast<std::size_t>(frame))));
+        .at(static_cast<std::size_t>(number(frame)));
 }
 
 bool BenchmarkViews::is_new(int frame) const {
-    const auto at = static_cast<std::size_t>(frame);
-    return frame == 0 || numbers_.at(at) != numbers_.at(at - 1);
+    return frame == 0 || number(frame) != number(frame - 1);
 }
 
 const ScoredView& BenchmarkViews::scored(int frame) const {
-    return scored_.at(numbers_.at(static_cast<std::size_t>(frame)));
+    return scored_.at(number(frame));
 }
 
 const ClassMasks& BenchmarkViews::classed(int frame) const {
-    return classed_.at(static_cast<std::size_t>(numbers_.at(static_cast<std::size_t>(frame))));
+    return classed_.at(static_cast<std::size_t>(number(frame)));
 }
 
 std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers) {
@@ -169,7 +170,7 @@ class Judge {
     // Nothing where there is no truth.
     [[nodiscard]] std::optional<FrameQuality> mean() const {
         if (views_->frames().rays == 0) return std::nullopt;
-        const double frames = views_->frames().scores();
+        const auto frames = static_cast<double>(views_->scored_frames().size());
         FrameQuality mean = sum_;
         for (double* value :
              {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.bias, &mean.samples})
@@ -191,7 +192,10 @@ class Judge {
         const effect::Errors shown = effect::errors_of(frame.filtered, truth.geometry);
         sum_.geometry += shown.rmse;
         sum_.bias += shown.bias;
-        if (views_->frames().measures.contains(Quantity::fit)) add_bins(sum_, frame.filtered, truth.geometry);
+        if (views_->frames().measures.contains(Quantity::fit)) {
+            if (!sum_.bins) sum_.bins.emplace(128);
+            effect::add_to_bins(*sum_.bins, frame.filtered, truth.geometry);
+        }
         sum_.percentile_99 = sum_.percentile_99.value_or(0.0) + shown.percentile_99;
         if (!truth.depth.empty()) {
             sum_.raw_depth += effect::errors_of(frame.occlusion, truth.depth).rmse;
@@ -246,11 +250,6 @@ Converged compared(const std::vector<float>& image, BenchmarkViews& views, const
 
 }  // namespace
 
-void add_bins(FrameQuality& quality, const std::vector<float>& image, const effect::Truth& truth) {
-    if (!quality.bins) quality.bins.emplace(quality_bins);
-    effect::add_to_bins(*quality.bins, image, truth);
-}
-
 std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuffer& view,
                              const effect::Settings& settings, std::uint32_t samples) {
     effect::Settings many = settings;
@@ -282,15 +281,14 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
     const BenchmarkFrames& frames = views.frames();
     effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
     if (round > 0) {
-        effect.begin(
-            views.view(views.first_scored() + frames.every * (round % views.frames().scores()), settings),
-            settings);
+        const std::vector<int>& scored = views.scored_frames();
+        effect.begin(views.view(scored[static_cast<std::size_t>(round) % scored.size()], settings), settings);
         const effect::Frame frame = effect.next(frames.repeat);
         return {.readings = {{frame.times}}};
     }
     Judge judge(views, true);
     ConfigurationVisit visit;
-    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
+    for (const int i : views.scored_frames()) {
         effect.begin(views.view(i, settings), settings);
         effect::Frame frame = effect.next();
         judge.add(i, frame, {});
@@ -337,7 +335,7 @@ ConfigurationVisit PlainRun::visit(BenchmarkViews& views, int round) {
     const auto radius = static_cast<float>(views.scene().ao_radius);
     ConfigurationVisit visit;
     Judge judge(views);
-    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
+    for (const int i : views.scored_frames()) {
         slices_.take(views.view(i, {}), radius);
         effect::PlainFrame frame = slices_.next(round > 0 ? frames.repeat : 1);
         if (round > 0) {
@@ -358,7 +356,7 @@ ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     const BenchmarkFrames& frames = views.frames();
     ConfigurationVisit visit;
     Judge judge(views);
-    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
+    for (const int i : views.scored_frames()) {
         const effect::Truth& depth = views.scored(i).depth;
         visit.shown = {.extent = frames.extent, .occlusion = depth, .filtered = depth};
         judge.add(i, visit.shown, {});

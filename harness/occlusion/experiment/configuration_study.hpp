@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -43,8 +44,6 @@ struct BenchmarkFrames {
     bool still = false;  // every view is the first frame's, and has not moved since the one before
     std::set<Quantity> measures{};  // what is measured besides errors and times
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each
-
-    [[nodiscard]] int scores() const { return 1 + (scored - 1) / every; }  // how many frames count
 };
 
 // The pixels of each class of a view: "all", with an empty mask; effect::pixel_class_names; where
@@ -70,12 +69,12 @@ class BenchmarkViews {
 
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
     [[nodiscard]] const BenchmarkFrames& frames() const { return frames_; }
-    [[nodiscard]] int first_scored() const { return frames_.frames - frames_.scored; }
-    [[nodiscard]] int last_scored() const {
-        return frames_.frames - 1 - (frames_.scored - 1) % frames_.every;
-    }
+
+    // The frames that count, in their order.
+    [[nodiscard]] const std::vector<int>& scored_frames() const { return scored_frames_; }
+    [[nodiscard]] int last_scored() const { return scored_frames_.back(); }
     [[nodiscard]] bool is_scored(int frame) const {
-        return frame >= first_scored() && (frame - first_scored()) % frames_.every == 0;
+        return std::ranges::binary_search(scored_frames_, frame);
     }
 
     // Whether a frame shows another view than the one before it. The first does.
@@ -95,6 +94,7 @@ class BenchmarkViews {
   private:
     using Measured = std::pair<scene::Weighting, scene::Falloff>;
 
+    [[nodiscard]] int number(int frame) const { return numbers_.at(static_cast<std::size_t>(frame)); }
     void score(const std::function<void(double)>& progress);
     void classify();
     [[nodiscard]] scene::TruthSettings traced(const Measured& measured) const;
@@ -103,6 +103,7 @@ class BenchmarkViews {
     scene::Scene scene_;
     BenchmarkFrames frames_;
     std::vector<int> numbers_;  // of the view that each frame shows
+    std::vector<int> scored_frames_;
     std::map<std::pair<double, int>, std::vector<scene::GBuffer>> views_;  // by guard band and layers
     std::map<int, ScoredView> scored_;                                     // by the view's number
     std::vector<ClassMasks> classed_;
@@ -168,15 +169,10 @@ struct FrameQuality {
     std::uint64_t memory_bytes = 0;
     std::optional<Converged> converged;
     std::optional<ClassScores> by_class;
-    std::optional<std::vector<effect::RemapBin>>
-        bins;  // of the displayed image and (G), over the scored frames
+    // Of the displayed image and (G), over the scored frames: 128 of the visibility, finer than the eye and
+    // the errors of any method.
+    std::optional<std::vector<effect::RemapBin>> bins;
 };
-
-// Bins of the visibility: finer than the eye and the errors of any method.
-constexpr std::size_t quality_bins = 128;
-
-// Adds a frame to FrameQuality::bins.
-void add_bins(FrameQuality& quality, const std::vector<float>& image, const effect::Truth& truth);
 
 struct ConfigurationVisit {
     std::optional<FrameQuality> quality;  // in round 0, of views with a truth

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "experiment/internal/sql.hpp"
@@ -96,16 +97,19 @@ Value value_in(const Statement& statement, int column) {
 // One remap of each candidate at each size, fitted to the cases of the tuning half, is applied to all of its
 // cases: the error that is left for each visit.
 std::vector<std::optional<double>> fits_of(const std::vector<Visit>& visits) {
-    const auto key_of = [](const Visit& visit) { return std::pair(size_text(visit.size), visit.candidate); };
+    using Key = std::tuple<std::uint32_t, std::uint32_t, std::string>;
+    const auto key_of = [](const Visit& visit) {
+        return Key(visit.size.width, visit.size.height, visit.candidate);
+    };
     const auto has_bins = [](const Visit& visit) { return visit.quality && visit.quality->bins; };
-    std::map<std::pair<std::string, std::string>, std::vector<effect::RemapBin>> tuning;
+    std::map<Key, std::vector<effect::RemapBin>> tuning;
     for (const Visit& visit : visits) {
         if (visit.shown.half != "tuning" || !has_bins(visit)) continue;
         const std::vector<effect::RemapBin>& bins = *visit.quality->bins;
         std::vector<effect::RemapBin>& all = tuning[key_of(visit)];
         all.insert(all.end(), bins.begin(), bins.end());
     }
-    std::map<std::pair<std::string, std::string>, effect::Remap> remaps;
+    std::map<Key, effect::Remap> remaps;
     for (const auto& [key, bins] : tuning) remaps.emplace(key, effect::best_remap(bins));
     std::vector<std::optional<double>> fits;
     for (const Visit& visit : visits) {
@@ -125,7 +129,7 @@ Database::Database(const Record& record, const Record* before, const std::set<st
     const int opened = sqlite3_open(":memory:", &handle);
     handle_.reset(handle);
     if (opened != SQLITE_OK) fail(handle);
-    internal::add_functions(handle);
+    add_functions(handle);
     load(record);
     for (const std::string& name : without)
         run(((name.starts_with("class_") ? "DROP TABLE " : "ALTER TABLE result DROP COLUMN ") + name)
@@ -151,7 +155,7 @@ void Database::load(const Record& record) {
         sqlite3_reset(insert.get());
     }
     run("COMMIT");
-    run(internal::schema());
+    run(schema());
 }
 
 void Database::copy(const Database& before) {

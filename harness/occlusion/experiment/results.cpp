@@ -84,10 +84,6 @@ void Record::add_line(std::string_view line) {
     add(record::from_line<Visit>(line));
 }
 
-std::string size_text(gpu::Extent extent) {
-    return fmt::format("{} x {}", extent.width, extent.height);
-}
-
 std::string line_of(const Conditions& conditions) {
     return record::json_of(conditions).dump();
 }

@@ -83,7 +83,4 @@ class Record {
 // visit in two parts.
 [[nodiscard]] Record joined(std::span<const Record> parts);
 
-// "640 x 360".
-[[nodiscard]] std::string size_text(gpu::Extent extent);
-
 }  // namespace gloam::experiment

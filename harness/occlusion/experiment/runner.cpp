@@ -23,11 +23,6 @@
 namespace gloam::experiment {
 namespace {
 
-using internal::measured_by;
-using internal::Subject;
-using internal::subject_of;
-using internal::takes_part;
-
 // A candidate in a case, and the views in which it is measured: with the truth for its radius, and for the
 // scene's own.
 struct Measured {
@@ -47,7 +42,10 @@ struct Visited {
 class SizeRun {
   public:
     SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record)
-        : experiment_(experiment), extent_(extent), place_(place), record_(record) {}
+        : experiment_(experiment), extent_(extent), place_(place), record_(record) {
+        for (const Table& table : experiment.tables)
+            measures_.insert(table.measures.begin(), table.measures.end());
+    }
 
     void run() {
         if (experiment_.interleaved) {
@@ -64,8 +62,6 @@ class SizeRun {
     }
 
   private:
-    [[nodiscard]] std::size_t rounds() const { return static_cast<std::size_t>(experiment_.rounds) + 1; }
-
     [[nodiscard]] std::string label_of(const Case& one) const {
         const gpu::Extent extent = frames_of(experiment_, one, extent_).extent;
         return fmt::format("{}, {} x {}", one.name, extent.width, extent.height);
@@ -160,7 +156,8 @@ class SizeRun {
         const auto progress = place_.progress(what);
         double visits = 0.0;
         double done = 0.0;
-        for (const Visited& one : all) visits += static_cast<double>(one.all.size() * rounds());
+        for (const Visited& one : all)
+            visits += static_cast<double>(one.all.size()) * (experiment_.rounds + 1);
         for (int round = 0; round <= experiment_.rounds; ++round) {
             for (Visited& one : all) {
                 if (round > 0) std::ranges::reverse(one.all);
@@ -241,16 +238,14 @@ class SizeRun {
     // The radius in the world stays that of the candidate; only the truth is another.
     [[nodiscard]] double error_at_own_radius(const FrameQuality& quality, const Measured& measured) {
         if (measured.own == measured.views || measured.subject.kind != Kind::effect) return quality.geometry;
-        const auto radius = static_cast<float>(measured.views->scene().ao_radius);
-        return visit(measured.subject, *measured.own, 0, radius).quality.value().geometry;
+        return visit(measured.subject, *measured.own, 0, measured.views->scene().ao_radius)
+            .quality.value()
+            .geometry;
     }
 
-    [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round) {
-        return visit(subject, views, round, static_cast<float>(views.scene().ao_radius));
-    }
-
+    // radius: in the world; that of the views where it is not given.
     [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round,
-                                           float radius) {
+                                           std::optional<double> radius = {}) {
         const gpu::Extent extent = views.frames().extent;
         switch (subject.kind) {
             case Kind::plain:
@@ -272,7 +267,8 @@ class SizeRun {
                             subject.hoisted, place_.device,
                             subject.hoisted ? passes : passes.with(shader::Optimization::performance))
                         .first->second;
-                return study.visit(views, with_radius(subject.settings, radius), subject.sequence, round);
+                const auto world = static_cast<float>(radius.value_or(views.scene().ao_radius));
+                return study.visit(views, with_radius(subject.settings, world), subject.sequence, round);
             }
         }
     }
@@ -286,7 +282,7 @@ class SizeRun {
     std::optional<effect::ClosedFormStudy> closed_form_;
     std::map<bool, ConfigurationStudy> studies_;  // by Subject::hoisted
     std::map<std::array<std::uint32_t, 5>, PlainRun> loops_;
-    std::set<Quantity> measures_ = measured_by(experiment_);
+    std::set<Quantity> measures_;  // of its tables
 };
 
 }  // namespace

@@ -3,23 +3,13 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiment/results.hpp"
-#include "scene/analytic_scene.hpp"
 #include "scene/pass_library.hpp"
-#include "scene/truth.hpp"
 
 namespace gloam::experiment {
-
-// The view of a case in closed form. Throws std::invalid_argument that lists the names.
-[[nodiscard]] scene::ClosedFormView closed_form_of(const Case& one);
-
-// The frames of a case at a size of the experiment, without the truth of the depth buffer.
-[[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent);
 
 // A picture that a candidate asks for.
 struct Picture {

@@ -15,7 +15,7 @@
 
 #include "numeric/numbers.hpp"
 
-namespace gloam::experiment::internal {
+namespace gloam::experiment {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -201,4 +201,4 @@ SELECT cells.*, pixels, against, sqrt(sum(squares) / sum(count)) AS rmse,
 )";
 }
 
-}  // namespace gloam::experiment::internal
+}  // namespace gloam::experiment

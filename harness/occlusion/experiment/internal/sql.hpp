@@ -3,7 +3,7 @@
 
 struct sqlite3;
 
-namespace gloam::experiment::internal {
+namespace gloam::experiment {
 
 // Makes the tables of docs/measurements.md from the lines in the table `visit`.
 [[nodiscard]] const char* schema();
@@ -13,4 +13,4 @@ namespace gloam::experiment::internal {
 // signed(x, digits) with a plus, at_most(x, most, digits) with "met" or "missed".
 void add_functions(sqlite3* handle);
 
-}  // namespace gloam::experiment::internal
+}  // namespace gloam::experiment

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "effect/settings.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/runner.hpp"
+#include "scene/analytic_scene.hpp"
 
-namespace gloam::experiment::internal {
+namespace gloam::experiment {
 
 // All that the layers say of one candidate in one case.
 struct Subject {
@@ -28,9 +28,12 @@ struct Subject {
 [[nodiscard]] Subject subject_of(const Experiment& experiment, const Case& one, const Candidate& candidate,
                                  const Place& place);
 
+// The view of a case in closed form. Throws std::invalid_argument that lists the names.
+[[nodiscard]] scene::ClosedFormView closed_form_of(const Case& one);
+
+// The frames of a case at a size of the experiment, without the truth of the depth buffer.
+[[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent);
+
 [[nodiscard]] bool takes_part(const Case& one, const Candidate& candidate);
 
-// What its tables measure.
-[[nodiscard]] std::set<Quantity> measured_by(const Experiment& experiment);
-
-}  // namespace gloam::experiment::internal
+}  // namespace gloam::experiment
