@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -94,9 +95,8 @@ Mask widened(const Mask& mask, int pixels) {
 }
 
 // Pixels that differ by any bit. Those of the mask may; empty: none may.
-std::size_t changed(const std::vector<float>& now, const std::vector<float>& before,
-                    const Mask& allowed = {}) {
-    std::size_t count = 0;
+double changed(const std::vector<float>& now, const std::vector<float>& before, const Mask& allowed = {}) {
+    double count = 0;
     for (std::size_t i = 0; i < now.size(); ++i)
         if (allowed.empty() || !allowed[i])
             count += check::to_word(now[i]) == check::to_word(before[i]) ? 0 : 1;
@@ -117,30 +117,36 @@ class Experiment {
         settings_ = with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name),
                                 poison_radius);
         settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
-        damage_ = {};
-        scene::GBuffer view = steps();
-        if (!place.normals) view.normal.clear();
-        const effect::Frame clean = frame_of(robust_, view);
-        for (const float bad : bad_values) {
-            for (const glm::ivec2 source : sources(++number)) {
-                const Mask allowed = footprint(view, place.normal_axis < 0 || method.reads_normals, source);
-                scene::GBuffer poisoned = view;
-                place.put(poisoned, index_of(source), bad);
-                compare(both(poisoned), clean, allowed);
-            }
-            if (!full_ && number % 3 != 0) continue;
-            scene::GBuffer poisoned = view;
-            for (std::size_t i = 0; i < view.depth.size(); ++i) place.put(poisoned, i, bad);
-            (void)both(poisoned);
+        const std::vector<Poisoned> views = poisoned(place, method.reads_normals, number);
+        std::array<std::vector<effect::Frame>, 2> frames;
+        base::for_each_index(2, 2, [&](std::size_t i) {
+            for (const Poisoned& one : views)
+                frames[i].push_back(frame_of(i == 0 ? robust_ : fragile_, one.view));
+        });
+        double outside_unit = 0;
+        double beyond_footprint = 0;
+        double changes = 0;
+        double differs = 0;
+        const effect::Frame& clean = frames[0][0];
+        for (std::size_t i = 1; i < views.size(); ++i) {
+            const effect::Frame& frame = frames[0][i];
+            differs += changed(frames[1][i].occlusion, frame.occlusion) +
+                       changed(frames[1][i].filtered, frame.filtered);
+            for (const auto* image : {&frame.occlusion, &frame.filtered, &frame.convergence})
+                for (const float value : *image) outside_unit += value >= 0.0F && value <= 1.0F ? 0 : 1;
+            const Mask& allowed = views[i].allowed;
+            if (allowed.empty()) continue;
+            changes += changed(frame.filtered, clean.filtered);
+            beyond_footprint +=
+                changed(frame.occlusion, clean.occlusion, allowed) +
+                changed(frame.convergence, clean.convergence, allowed) +
+                changed(frame.filtered, clean.filtered, widened(allowed, settings_.filter_half_width));
         }
         const std::string varied = fmt::format("{}: {}", method.name, place.text);
-        const auto row = [&](const char* quantity, std::size_t count, std::optional<double> bound = 0.0) {
-            context.add(varied, quantity, static_cast<double>(count), bound);
-        };
-        row("values outside [0, 1] or NaN", damage_.outside_unit);
-        row("pixels changed", damage_.changed, std::nullopt);
-        row("pixels changed beyond the footprint", damage_.beyond_footprint);
-        row("values that differ without robustBufferAccess", damage_.differs_without_robustness);
+        context.add(varied, "values outside [0, 1] or NaN", outside_unit, 0.0);
+        context.add(varied, "pixels changed", changes, std::nullopt);
+        context.add(varied, "pixels changed beyond the footprint", beyond_footprint, 0.0);
+        context.add(varied, "values that differ without robustBufferAccess", differs, 0.0);
     }
 
   private:
@@ -171,39 +177,33 @@ class Experiment {
         return widened(mask, beside.spread);
     }
 
-    [[nodiscard]] effect::Frame both(const scene::GBuffer& view) {
-        effect::Frame frame;
-        effect::Frame other;
-        base::for_each_index(2, 2, [&](std::size_t i) {
-            (i == 0 ? frame : other) = frame_of(i == 0 ? robust_ : fragile_, view);
-        });
-        damage_.differs_without_robustness +=
-            changed(other.occlusion, frame.occlusion) + changed(other.filtered, frame.filtered);
-        for (const auto* image : {&frame.occlusion, &frame.filtered, &frame.convergence})
-            for (const float value : *image) damage_.outside_unit += value >= 0.0F && value <= 1.0F ? 0 : 1;
-        return frame;
-    }
-
-    void compare(const effect::Frame& frame, const effect::Frame& clean, const Mask& allowed) {
-        damage_.changed += changed(frame.filtered, clean.filtered);
-        damage_.beyond_footprint +=
-            changed(frame.occlusion, clean.occlusion, allowed) +
-            changed(frame.convergence, clean.convergence, allowed) +
-            changed(frame.filtered, clean.filtered, widened(allowed, settings_.filter_half_width));
-    }
-
-    struct Damage {
-        std::size_t outside_unit = 0;
-        std::size_t beyond_footprint = 0;
-        std::size_t changed = 0;
-        std::size_t differs_without_robustness = 0;
+    struct Poisoned {
+        scene::GBuffer view;
+        Mask allowed;  // the pixels that may change; empty: all
     };
+
+    // A view without bad values, then the same with each, in one texel and everywhere.
+    [[nodiscard]] std::vector<Poisoned> poisoned(const Place& place, bool reads_normals,
+                                                 std::size_t number) const {
+        std::vector<Poisoned> all{{steps(), {}}};
+        if (!place.normals) all[0].view.normal.clear();
+        for (const float bad : bad_values) {
+            for (const glm::ivec2 source : sources(++number)) {
+                const Mask allowed = footprint(all[0].view, place.normal_axis < 0 || reads_normals, source);
+                all.push_back({all[0].view, allowed});
+                place.put(all.back().view, index_of(source), bad);
+            }
+            if (!full_ && number % 3 != 0) continue;
+            all.push_back(all[0]);
+            for (std::size_t i = 0; i < all[0].view.depth.size(); ++i) place.put(all.back().view, i, bad);
+        }
+        return all;
+    }
 
     bool full_;
     effect::AmbientOcclusion robust_;
     effect::AmbientOcclusion fragile_;
     effect::Settings settings_;
-    Damage damage_;
 };
 
 }  // namespace
@@ -308,15 +308,15 @@ void poison_gather(const Context& context, const effect::MethodInfo& method) {
     const Gather gather(context.lab, method.name + ".glsl", effect::method_function);
     const auto most = static_cast<float>(effect::samples_taken(method, asked, steps_asked));
     const auto preparation = gather_preparation(method);
-    std::size_t fetches_outside = 0;
-    std::size_t results_outside = 0;
+    double fetches_outside = 0;
+    double results_outside = 0;
     const auto call = [&](float bad, std::optional<float> everywhere, float prepared) {
         const std::vector<Gather::Inputs> inputs = gather_inputs(bad);
         std::vector<check::Word> words;
         for (const Gather::Inputs& input : inputs) check::append_words(input, words);
         const check::KernelCore::Result result =
             gather.core().run(words, inputs.size(), gather_images(everywhere, preparation, prepared));
-        if (result.fault) fetches_outside += result.fault->count;
+        if (result.fault) fetches_outside += static_cast<double>(result.fault->count);
         for (std::span<const check::Word> rest = result.outputs; !rest.empty();) {
             const auto sum = check::take_words<glm::vec2>(rest);  // (samples times occlusion, samples)
             results_outside += sum.x >= 0.0F && sum.x <= sum.y && sum.y <= most ? 0 : 1;
@@ -328,8 +328,8 @@ void poison_gather(const Context& context, const effect::MethodInfo& method) {
         if (preparation) call(bad, std::nullopt, bad);
     }
     const std::string varied = fmt::format("method {}, every argument", method.name);
-    context.add(varied, "fetches outside the image", static_cast<double>(fetches_outside), 0.0);
-    context.add(varied, "results outside their range", static_cast<double>(results_outside), 0.0);
+    context.add(varied, "fetches outside the image", fetches_outside, 0.0);
+    context.add(varied, "results outside their range", results_outside, 0.0);
 }
 
 }  // namespace
