@@ -135,20 +135,18 @@ Pictures pictures_of(const effect::Composite& composite, std::string name,
                      const pictures::PictureLight& light, const std::vector<float>& occlusion,
                      const effect::Truth& truth, bool multi_bounce) {
     const std::vector<glm::vec3> black;
-    const std::vector<glm::vec3>& albedo = multi_bounce ? light.albedo : black;
-    const auto lit = [&](const std::vector<float>& values) {
-        const std::vector<float> samples = values.empty() ? values : light.spread(values);
-        return base::srgb_of(components_of(light.mean(
-            composite.lit(light.sampled(), light.light.ambient, light.light.direct, samples, albedo))));
-    };
-    Pictures pictures{.name = std::move(name),
-                      .extent = light.extent,
-                      .plain = lit({}),
-                      .shaded = lit(occlusion),
-                      .visibility = pictures::visibility_rgb(occlusion)};
+    const std::vector<float> open;
+    Pictures pictures{
+        .name = std::move(name), .extent = light.extent, .visibility = pictures::visibility_rgb(occlusion)};
+    for (const auto& [picture, values] :
+         {std::pair(&pictures.plain, &open), {&pictures.shaded, &occlusion}, {&pictures.truth_lit, &truth}}) {
+        if (picture == &pictures.truth_lit && truth.empty()) continue;
+        *picture = base::srgb_of(components_of(light.mean(composite.lit(
+            light.sampled(), light.light.ambient, light.light.direct,
+            values->empty() ? open : light.spread(*values), multi_bounce ? light.albedo : black))));
+    }
     if (truth.empty()) return pictures;
     pictures.truth = pictures::visibility_rgb(truth);
-    pictures.truth_lit = lit({truth.begin(), truth.end()});
     std::vector<float> errors;
     for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(occlusion[i] - truth[i]));
     pictures.error = base::heat_rgb(errors, brightest_error);

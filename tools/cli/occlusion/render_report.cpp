@@ -76,14 +76,15 @@ ordered_json truth_json(const scene::TracedTruth& traced) {
              std::sqrt(squares / static_cast<double>(std::max<std::uint64_t>(1, traced.pixels)))}};
 }
 
-// last: of its view, for which there are metrics as well. What the truths differ by goes into the report.
-ordered_json frame_errors(ordered_json& report, const ShadedView& shown, const effect::Frame& frame,
-                          const FrameChange& change, bool last) {
+// Adds "truth", where it was traced, and "errors". last: of its view, for which there are metrics as well.
+void add_errors(ordered_json& report, const ShadedView& shown, const effect::Frame& frame,
+                const FrameChange& change, bool last) {
     const ViewTruth& truth = shown.truth;
     const effect::Errors raw = effect::errors_of(frame.occlusion, truth.known);
     ordered_json errors{{"compared", raw.compared},
                         {"raw", errors_json(raw)},
                         {"filtered", errors_json(effect::errors_of(frame.filtered, truth.known))}};
+    if (truth.depth) report["truth"] = truth_json(truth.best());
     if (truth.geometry) {
         const effect::Truth depth = effect::truth_from(shown.view, truth.depth->occlusion);
         report["truth"]["depth_against_geometry"] = errors_json(effect::errors_of(depth, truth.known));
@@ -92,43 +93,38 @@ ordered_json frame_errors(ordered_json& report, const ShadedView& shown, const e
     if (last)
         errors["filtered_metrics"] =
             metrics_json(effect::metrics_of(frame.filtered, truth.known, shown.view.extent));
-    if (!change.flicker) return errors;
-    const effect::ClassErrors by_class =
-        effect::class_errors_of(frame.filtered, truth.known, *change.classes);
-    for (std::size_t i = 0; i < by_class.size(); ++i)
-        errors["filtered_by_class"][effect::pixel_class_names[i]] = class_json(by_class[i]);
-    return errors;
+    if (change.flicker) {
+        const effect::ClassErrors by_class =
+            effect::class_errors_of(frame.filtered, truth.known, *change.classes);
+        for (std::size_t i = 0; i < by_class.size(); ++i)
+            errors["filtered_by_class"][effect::pixel_class_names[i]] = class_json(by_class[i]);
+    }
+    report["errors"] = std::move(errors);
+}
+
+double number_in(const ordered_json& json, const char* path) {
+    return json.at(ordered_json::json_pointer(path)).get<double>();
 }
 
 std::string errors_line(const char* what, const ordered_json& errors) {
-    const auto number = [&](const char* name) { return errors.at(name).get<double>(); };
     return fmt::format("  {:<25} rmse {:.5f}, mean {:.5f}, 99 % below {:.5f}, max {:.5f}, bias {:+.5f}\n",
-                       what, number("rmse"), number("mean"), number("percentile_99"), number("max"),
-                       number("bias"));
+                       what, number_in(errors, "/rmse"), number_in(errors, "/mean"),
+                       number_in(errors, "/percentile_99"), number_in(errors, "/max"),
+                       number_in(errors, "/bias"));
 }
 
 std::string work_lines(const effect::Frame& frame, const ordered_json& report) {
     std::string text;
     for (const effect::PassTime& time : frame.times)
         text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", time.pass, time.ms);
-    const effect::TileShares tiles = shares_of(frame.tiles);
+    const auto percent = [&](const char* path) { return 100.0 * number_in(report, path); };
     text += fmt::format(
         "\ntiles: {:.1f} % background, {:.1f} % below a pixel, {:.1f} % at half size, {:.1f} % in full",
-        100.0 * tiles.background, 100.0 * tiles.below_pixel, 100.0 * tiles.half, 100.0 * tiles.full);
+        percent("/tiles/background"), percent("/tiles/below_pixel"), percent("/tiles/half"),
+        percent("/tiles/full"));
     if (frame.samples == 0.0) return text + "\n";
     return text + fmt::format("\n{:.1f} samples of a pixel, mean convergence {:.3f}\n", frame.samples,
-                              report.at("convergence").get<double>());
-}
-
-std::string metrics_line(const ordered_json& metrics) {
-    const auto number = [&](const char* path) {
-        return metrics.at(ordered_json::json_pointer(path)).get<double>();
-    };
-    return fmt::format(
-        "  SSIM (structural similarity, 1: the same) {:.4f}; best remap ({:.3f} (v {:+.3f}))^{:.3f}: "
-        "rmse {:.5f}, SSIM {:.4f}\n",
-        number("/ssim"), number("/remap/b"), number("/remap/a"), number("/remap/c"), number("/remapped/rmse"),
-        number("/remapped_ssim"));
+                              number_in(report, "/convergence"));
 }
 
 }  // namespace
@@ -155,9 +151,7 @@ ordered_json frame_json(const RenderInput& input, const ShadedView& shown, int i
                         {"convergence", mean_convergence(frame, shown.view)}};
     if (input.scene) report["scene_frame"] = input.first_frame + shown.number;
     if (change.flicker) report["flicker"] = *change.flicker;
-    if (shown.truth.known.empty()) return report;
-    if (shown.truth.depth) report["truth"] = truth_json(shown.truth.best());
-    report["errors"] = frame_errors(report, shown, frame, change, i + 1 == input.frames_per_view);
+    if (!shown.truth.known.empty()) add_errors(report, shown, frame, change, i + 1 == input.frames_per_view);
     return report;
 }
 
@@ -198,8 +192,7 @@ std::string to_text(const Rendered& run) {
     const bool study = s.passes == effect::Passes::study;
     if (study && frames > 1)
         text += fmt::format("history at {:.1f} % of the pixels, of {:.0f} samples\n",
-                            100.0 * last.at("history").at("kept").get<double>(),
-                            last.at("history").at("samples").get<double>());
+                            100.0 * number_in(last, "/history/kept"), number_in(last, "/history/samples"));
     if (!last.contains("errors")) return text;
     const ordered_json& errors = last.at("errors");
     text += fmt::format("error against {}, {} pixels compared (rmse: root mean square error):\n",
@@ -208,11 +201,17 @@ std::string to_text(const Rendered& run) {
     if (!study || filters(s)) text += errors_line("after the filter", errors.at("filtered"));
     if (errors.contains("filtered_against_depth"))
         text += errors_line("against the depth buffer's", errors.at("filtered_against_depth"));
-    text += metrics_line(errors.at("filtered_metrics"));
+    const ordered_json& metrics = errors.at("filtered_metrics");
+    text += fmt::format(
+        "  SSIM (structural similarity, 1: the same) {:.4f}; best remap ({:.3f} (v {:+.3f}))^{:.3f}: "
+        "rmse {:.5f}, SSIM {:.4f}\n",
+        number_in(metrics, "/ssim"), number_in(metrics, "/remap/b"), number_in(metrics, "/remap/a"),
+        number_in(metrics, "/remap/c"), number_in(metrics, "/remapped/rmse"),
+        number_in(metrics, "/remapped_ssim"));
     if (last.contains("truth"))
         text += fmt::format("  truth: {} rays a pixel, standard error {:.5f}\n",
                             last.at("truth").at("rays").get<std::uint64_t>(),
-                            last.at("truth").at("standard_error").get<double>());
+                            number_in(last, "/truth/standard_error"));
     return text;
 }
 

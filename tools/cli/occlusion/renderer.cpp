@@ -106,7 +106,7 @@ class Renderer {
         if (frames.back().contains("errors"))
             made.error = frames.back()["errors"]["filtered"]["rmse"].get<double>();
         made.report = report_of(options_, input_, candidate, device_.info(), made, frames);
-        write({{candidate.prefix + "render.json", made.report.dump(2) + "\n"}});
+        if (folder_ != nullptr) folder_->write(candidate.prefix + "render.json", made.report.dump(2) + "\n");
         if (gbuffer_out_) gbuffer_out_->keep();
         return made;
     }
@@ -126,8 +126,9 @@ class Renderer {
             shown.truth = input_.truth(shown.view, input_.first_frame + number, radius);
         if (shown.truth.depth && folder_ != nullptr) {
             const bool only = input_.views.size() == 1 || !input_.every_truth;
-            write(truth_files(candidate.prefix + (only ? "" : scene::frame_prefix(number) + "_"),
-                              shown.view.extent, shown.truth));
+            const std::string prefix = candidate.prefix + (only ? "" : scene::frame_prefix(number) + "_");
+            for (const auto& [name, bytes] : truth_files(prefix, shown.view.extent, shown.truth))
+                folder_->write(name, bytes);
         }
         if (gbuffer_out_)
             for (const auto& [name, bytes] : gbuffer_files(number, shown.wide))
@@ -135,36 +136,33 @@ class Renderer {
         return shown;
     }
 
-    // Makes the pictures and files of a view's i-th frame. Lit pictures show a view's last frame: that of the
-    // last view, and of one candidate all that are written; so do the requested results besides the
-    // occlusion.
+    // Makes the pictures and files of a view's i-th frame. Its last frame is lit: that of the last view, and
+    // of each view where a single candidate is written. What is asked for besides the occlusion is written of
+    // each view's last frame.
     void show(const RenderCandidate& candidate, const ShadedView& shown, int i, Rendered& made) {
         const bool last = i + 1 == input_.frames_per_view;
+        const bool alone = folder_ != nullptr && candidate.prefix.empty();
         const std::string stem = candidate.prefix + scene::frame_prefix(shown.number + i);
-        if (folder_ != nullptr) write(frame_files(stem, shown, made.frame));
-        if (!last) return;
-        if (shown.number == input_.views.back() || (folder_ != nullptr && candidate.prefix.empty())) {
+        if (last && (alone || shown.number == input_.views.back()))
             made.pictures = pictures_of(composite_, stem, light_of(shown), made.frame.filtered,
                                         shown.truth.known, options_.multi_bounce);
-            if (folder_ != nullptr) write(picture_files(made.pictures));
+        if (folder_ == nullptr) return;
+        Files files = frame_files(stem, shown, made.frame);
+        if (made.pictures.name == stem) files.merge(picture_files(made.pictures));
+        if (last && (candidate.bent_normals || options_.light)) {
+            if (!directional_) directional_.emplace(device_, passes_);
+            // The frame's own if it has some and the view has normals.
+            if (candidate.bent_normals)
+                files.merge(bent_files(stem, shown.settings.bent_normals && !shown.wide.normal.empty()
+                                                 ? bent_of(made.frame, shown.view)
+                                                 : directional_->bent_normals(shown.wide, shown.settings,
+                                                                              candidate.bent_interleave)));
+            if (options_.light)
+                files.merge(light_files(
+                    stem, directional_->light(shown.wide, shown.settings,
+                                              *options_.light == "sky" ? effect::clear_sky : effect::Sky{})));
         }
-        if (folder_ == nullptr || !(candidate.bent_normals || options_.light)) return;
-        if (!directional_) directional_.emplace(device_, passes_);
-        // The frame's own if it has some and the view has normals.
-        if (candidate.bent_normals)
-            write(bent_files(stem, shown.settings.bent_normals && !shown.wide.normal.empty()
-                                       ? bent_of(made.frame, shown.view)
-                                       : directional_->bent_normals(shown.wide, shown.settings,
-                                                                    candidate.bent_interleave)));
-        if (options_.light)
-            write(light_files(
-                stem, directional_->light(shown.wide, shown.settings,
-                                          *options_.light == "sky" ? effect::clear_sky : effect::Sky{})));
-    }
-
-    void write(const Files& files) {
-        for (const auto& [name, bytes] : files)
-            if (folder_ != nullptr) folder_->write(name, bytes);
+        for (const auto& [name, bytes] : files) folder_->write(name, bytes);
     }
 
     // The light of a view. It does not depend on the candidate.
