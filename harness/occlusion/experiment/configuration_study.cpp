@@ -155,7 +155,7 @@ std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& 
 class Judge {
   public:
     // by_class: what the views ask for by class is judged.
-    explicit Judge(const BenchmarkViews& views, bool by_class = false) : views_(&views) {
+    Judge(const BenchmarkViews& views, bool by_class) : views_(&views) {
         if (by_class && views.frames().measures.contains(Quantity::by_class) && views.frames().rays > 0)
             sum_.by_class.emplace();
     }
@@ -229,13 +229,22 @@ class Judge {
     std::map<std::string, std::vector<double>> changes_;  // of scored frames, by class
 };
 
+// Judges an image of each scored frame.
+ConfigurationVisit judged(const BenchmarkViews& views, bool by_class,
+                          const std::function<effect::Frame(int)>& frame_of) {
+    Judge judge(views, by_class);
+    ConfigurationVisit visit;
+    for (const int i : views.scored_frames()) {
+        visit.shown = frame_of(i);
+        judge.add(i, visit.shown, {});
+    }
+    visit.quality = judge.mean();
+    return visit;
+}
+
 // Compared with the geometry truth alone.
 Converged converged_of(const effect::Metrics& metrics) {
-    return {.geometry = metrics.raw,
-            .remapped = metrics.after_remap,
-            .similarity = metrics.similarity,
-            .depth = std::nullopt,
-            .own = std::nullopt};
+    return {.geometry = metrics.raw, .remapped = metrics.after_remap, .similarity = metrics.similarity};
 }
 
 // What the last scored frame would converge to, compared.
@@ -248,12 +257,11 @@ Converged compared(const std::vector<float>& image, BenchmarkViews& views, const
     return found;
 }
 
-}  // namespace
-
+// The occlusion that the method would have after many samples in one frame, without rotation and filter.
 std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuffer& view,
-                             const effect::Settings& settings, std::uint32_t samples) {
+                             const effect::Settings& settings) {
     effect::Settings many = settings;
-    many.samples = many.samples_converged = samples;
+    many.samples = many.samples_converged = 1'024;
     many.c_rot = 0.0F;
     many.filter = effect::Filter::none;
     many.remap_a = 0.0F;
@@ -262,6 +270,8 @@ std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuf
     effect.begin(view, many);
     return effect::remapped(effect.next().occlusion, remap_of(settings));
 }
+
+}  // namespace
 
 ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes)
     : device_(&device), passes_(passes) {}
@@ -286,18 +296,12 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
         const effect::Frame frame = effect.next(frames.repeat);
         return {.readings = {{frame.times}}};
     }
-    Judge judge(views, true);
-    ConfigurationVisit visit;
-    for (const int i : views.scored_frames()) {
+    ConfigurationVisit visit = judged(views, true, [&](int i) {
         effect.begin(views.view(i, settings), settings);
-        effect::Frame frame = effect.next();
-        judge.add(i, frame, {});
-        visit.shown = std::move(frame);
-    }
-    visit.quality = judge.mean();
+        return effect.next();
+    });
     if (!frames.measures.contains(Quantity::converged) || !visit.quality) return visit;
-    constexpr std::uint32_t many = 1'024;
-    visit.converged = converged(effect, views.view(views.last_scored(), settings), settings, many);
+    visit.converged = converged(effect, views.view(views.last_scored(), settings), settings);
     visit.quality->converged = compared(visit.converged, views, settings);
     return visit;
 }
@@ -333,35 +337,32 @@ PlainRun::PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, 
 ConfigurationVisit PlainRun::visit(BenchmarkViews& views, int round) {
     const BenchmarkFrames& frames = views.frames();
     const auto radius = static_cast<float>(views.scene().ao_radius);
-    ConfigurationVisit visit;
-    Judge judge(views);
-    for (const int i : views.scored_frames()) {
+    const auto next = [&](int i) {
         slices_.take(views.view(i, {}), radius);
-        effect::PlainFrame frame = slices_.next(round > 0 ? frames.repeat : 1);
-        if (round > 0) {
-            visit.readings.push_back({{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}});
-            continue;
-        }
-        visit.shown = {.extent = frames.extent,
-                       .occlusion = std::move(frame.occlusion),
-                       .filtered = std::move(frame.blurred)};
-        judge.add(i, visit.shown, {});
+        return slices_.next(round > 0 ? frames.repeat : 1);
+    };
+    if (round == 0)
+        return judged(views, false, [&](int i) -> effect::Frame {
+            effect::PlainFrame frame = next(i);
+            return {.extent = frames.extent,
+                    .occlusion = std::move(frame.occlusion),
+                    .filtered = std::move(frame.blurred)};
+        });
+    ConfigurationVisit visit;
+    for (const int i : views.scored_frames()) {
+        const effect::PlainFrame frame = next(i);
+        visit.readings.push_back({{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}});
     }
-    if (round == 0) visit.quality = judge.mean();
     return visit;
 }
 
 ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     if (round > 0 || views.frames().rays == 0) return {};
     const BenchmarkFrames& frames = views.frames();
-    ConfigurationVisit visit;
-    Judge judge(views);
-    for (const int i : views.scored_frames()) {
+    ConfigurationVisit visit = judged(views, false, [&](int i) -> effect::Frame {
         const effect::Truth& depth = views.scored(i).depth;
-        visit.shown = {.extent = frames.extent, .occlusion = depth, .filtered = depth};
-        judge.add(i, visit.shown, {});
-    }
-    visit.quality = judge.mean();
+        return {.extent = frames.extent, .occlusion = depth, .filtered = depth};
+    });
     if (frames.measures.contains(Quantity::converged))
         visit.quality->converged = converged_of(effect::metrics_of(
             visit.shown.filtered, views.scored(views.last_scored()).geometry, frames.extent));

@@ -149,8 +149,8 @@ struct Converged {
     effect::Errors geometry;
     effect::Errors remapped;  // after its best remap
     double similarity = 0.0;
-    std::optional<effect::Errors> depth;
-    std::optional<effect::Errors> own;  // by the method's own measure
+    std::optional<effect::Errors> depth{};
+    std::optional<effect::Errors> own{};  // by the method's own measure
 };
 
 // Errors of a configuration: RMSE, means over the scored frames.
@@ -180,10 +180,6 @@ struct ConfigurationVisit {
     effect::Frame shown;           // the last scored frame, in round 0
     std::vector<float> converged;  // of single frames, where that is measured, in round 0
 };
-
-// The occlusion that the method would have after `samples` in one frame, without rotation and filter.
-[[nodiscard]] std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuffer& view,
-                                           const effect::Settings& settings, std::uint32_t samples);
 
 // Measures configurations of the effect in rounds. Each round visits every configuration once, so that the
 // machine's load affects all of them alike.

@@ -26,7 +26,7 @@ namespace {
 // A candidate in a case, and the views in which it is measured: with the truth for its radius, and for the
 // scene's own.
 struct Measured {
-    std::size_t number;  // of the candidate
+    const Candidate* candidate;
     Subject subject;
     std::shared_ptr<BenchmarkViews> views;
     std::shared_ptr<BenchmarkViews> own;
@@ -63,8 +63,7 @@ class SizeRun {
 
   private:
     [[nodiscard]] std::string label_of(const Case& one) const {
-        const gpu::Extent extent = frames_of(experiment_, one, extent_).extent;
-        return fmt::format("{}, {} x {}", one.name, extent.width, extent.height);
+        return fmt::format("{}, {} x {}", one.name, extent_.width, extent_.height);
     }
 
     // What tables say of the case, and nothing measured yet.
@@ -80,11 +79,10 @@ class SizeRun {
                 .round = round};
     }
 
-    // Nothing is timed at a point in closed form.
-    [[nodiscard]] static bool is_due(const Case& one, int round) { return !one.closed_form || round == 0; }
-
-    [[nodiscard]] bool is_recorded(const Case& one, const Measured& measured, int round) const {
-        return record_.find(empty_visit(one, experiment_.candidates[measured.number], round)) != nullptr;
+    // Whether the record lacks the visit. Nothing is timed at a point in closed form.
+    [[nodiscard]] bool is_due(const Case& one, const Candidate& candidate, int round) const {
+        return (!one.closed_form || round == 0) &&
+               record_.find(empty_visit(one, candidate, round)) == nullptr;
     }
 
     // Nothing is measured in a case of which all is recorded.
@@ -92,14 +90,13 @@ class SizeRun {
         Visited made{.shown = &one};
         bool depth_truth = measures_.contains(Quantity::depth);
         bool missing = false;
-        for (std::size_t i = 0; i < experiment_.candidates.size(); ++i) {
-            const Candidate& candidate = experiment_.candidates[i];
+        for (const Candidate& candidate : experiment_.candidates) {
             if (!takes_part(one, candidate)) continue;
-            made.all.push_back({.number = i, .subject = subject_of(experiment_, one, candidate, place_)});
-            const Measured& measured = made.all.back();
-            depth_truth |= measured.subject.kind == Kind::depth_truth;
+            made.all.push_back(
+                {.candidate = &candidate, .subject = subject_of(experiment_, one, candidate, place_)});
+            depth_truth |= made.all.back().subject.kind == Kind::depth_truth;
             for (int round = 0; round <= experiment_.rounds; ++round)
-                missing |= is_due(one, round) && !is_recorded(one, measured, round);
+                missing |= is_due(one, candidate, round);
         }
         if (!missing) made.all.clear();
         for (Measured& measured : made.all) {
@@ -163,9 +160,8 @@ class SizeRun {
                 if (round > 0) std::ranges::reverse(one.all);
                 for (const Measured& measured : one.all) {
                     progress(done++ / visits);
-                    if (!is_due(*one.shown, round)) continue;
-                    if (is_recorded(*one.shown, measured, round)) continue;
-                    Visit made = empty_visit(*one.shown, experiment_.candidates[measured.number], round);
+                    if (!is_due(*one.shown, *measured.candidate, round)) continue;
+                    Visit made = empty_visit(*one.shown, *measured.candidate, round);
                     measure(made, *one.shown, measured);
                     place_.keep(line_of(made));
                     record_.add(std::move(made));
