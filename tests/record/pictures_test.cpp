@@ -136,12 +136,6 @@ TEST(Sheet, CaptionsTakeUpToThreeLines) {
     EXPECT_NO_THROW((void)png("\xff\x01\x80"));
 }
 
-TEST(Sheet, RefusesWhatDoesNotFit) {
-    EXPECT_THROW((void)to_sheet_png({}, width, height, 1), std::invalid_argument);
-    EXPECT_THROW((void)to_sheet_png(std::vector{grey("")}, width, height, 0), std::invalid_argument);
-    EXPECT_THROW((void)to_sheet_png(std::vector{grey("")}, width + 1, height, 1), std::invalid_argument);
-}
-
 TEST(Png, ShowsVisibility) {
     const std::string got = to_visibility_png(std::vector<float>{0.0F, 1.0F, 0.5F, -3.0F, 9.0F, nan}, 6, 1);
     EXPECT_EQ(got, base::to_png(std::vector<std::uint8_t>{255, 0, 128, 255, 0, 255}, 6, 1, 1));

@@ -16,7 +16,7 @@ struct PlotPoint {
 
 // An SVG element of points, x on a logarithmic axis, both from the least to the largest value. Every point
 // tells its name and values (its title); beside it stands its name where there is place. The style is the
-// page's: classes plot, axis, own and other. Throws std::invalid_argument for no points.
+// page's: classes plot, axis, own and other. At least one point.
 [[nodiscard]] std::string to_plot_svg(std::span<const PlotPoint> points, const std::string& x_title,
                                       const std::string& y_title);
 

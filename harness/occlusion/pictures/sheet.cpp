@@ -7,7 +7,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -140,17 +139,6 @@ class Font {
     float scale_ = 1.0F;
 };
 
-void check(std::span<const SheetPicture> pictures, std::size_t texels, std::size_t columns) {
-    if (pictures.empty() || columns == 0)
-        throw std::invalid_argument("sheet: expected one picture and one column at least");
-    for (const SheetPicture& picture : pictures) {
-        if (picture.rgb.size() != 3 * texels)
-            throw std::invalid_argument("sheet: the picture \"" + picture.caption + "\" has " +
-                                        std::to_string(picture.rgb.size()) + " bytes, expected " +
-                                        std::to_string(3 * texels));
-    }
-}
-
 void copy(Canvas& canvas, const SheetPicture& picture, std::size_t left, std::size_t top, std::size_t width) {
     const std::size_t rows = picture.rgb.size() / (3 * width);
     for (std::size_t y = 0; y < rows; ++y) {
@@ -176,7 +164,6 @@ std::vector<std::string_view> lines_of(const Font& font, std::string_view captio
 
 std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t width, std::uint32_t height,
                          std::size_t columns) {
-    check(pictures, std::size_t{width} * height, columns);
     columns = std::min(columns, pictures.size());
     const std::size_t rows = (pictures.size() + columns - 1) / columns;
     const std::size_t line = std::max(least_text, width / 26);

@@ -26,8 +26,7 @@ struct SheetPicture {
 };
 
 // PNG of pictures of one size on light grey, `columns` in a row, each with its caption below. There are no
-// captions if the font DejaVu Sans is not installed. Throws std::invalid_argument for no pictures, no
-// columns, and a picture of another size.
+// captions if the font DejaVu Sans is not installed. At least one picture and one column.
 [[nodiscard]] std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t width,
                                        std::uint32_t height, std::size_t columns);
 
