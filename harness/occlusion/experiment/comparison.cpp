@@ -33,7 +33,7 @@ std::vector<std::pair<const char*, std::string>> circumstances(const Record& rec
     const Conditions& all = record.conditions();
     return {{"experiments", all.experiment},
             {"devices", fmt::format("{} ({})", all.device, all.driver)},
-            {"sizes", Database(record).text("SELECT group_concat(size, ', ') FROM sizes")},
+            {"sizes", Database(record).texts("SELECT group_concat(size, ', ') FROM sizes").at(0)},
             {"frames or rays", fmt::format("{} of {} frames, {} rays", all.scored, all.frames, all.rays)}};
 }
 
@@ -47,10 +47,9 @@ std::string warnings(const Record& before, const Record& after) {
     return text;
 }
 
-// The first column of all rows.
-std::string lines_of(const Rows& rows) {
+std::string lines_of(const Database& database, const std::string& select, const std::string& size = "") {
     std::string lines;
-    for (const std::vector<Value>& row : rows.all) lines += text_of(row[0]) + "\n";
+    for (const std::string& line : database.texts(select, size)) lines += line + "\n";
     return lines;
 }
 
@@ -66,27 +65,27 @@ double time_budget(std::string_view text) {
 
 Answers answers_to(const Database& database, const std::string& budget, double error) {
     Answers answers;
-    const Rows sizes = database.select("SELECT size FROM sizes");
+    const std::vector<std::string> sizes = database.texts("SELECT size FROM sizes");
     const auto ask = [&](const std::string& size, const std::string& question, const std::string& within,
                          const std::string& best, const std::string& nearest) {
-        const std::string at = sizes.all.size() == 1 ? "" : size + ", ";
+        const std::string at = sizes.size() == 1 ? "" : size + ", ";
         answers.text += fmt::format("\n{}{}: ", at, question);
-        const std::string found = lines_of(
-            database.select(fmt::format("{} AND {} ORDER BY {} LIMIT 1", choice, within, best), size));
+        const std::string found =
+            lines_of(database, fmt::format("{} AND {} ORDER BY {} LIMIT 1", choice, within, best), size);
         answers.text += found.empty() ? "no configuration\n" : found;
         if (!found.empty()) return;
         answers.all = false;
         const std::string near =
-            lines_of(database.select(fmt::format("{} ORDER BY {} LIMIT 1", choice, nearest), size));
+            lines_of(database, fmt::format("{} ORDER BY {} LIMIT 1", choice, nearest), size);
         if (!near.empty()) answers.text += "  the nearest: " + near;
     };
-    for (const std::vector<Value>& row : sizes.all) {
+    for (const std::string& size : sizes) {
         if (!budget.empty())
-            ask(text_of(row[0]), "within " + budget, fmt::format("worst_ms <= {}", time_budget(budget)),
+            ask(size, "within " + budget, fmt::format("worst_ms <= {}", time_budget(budget)),
                 "rmse, ms, rowid", "worst_ms, rowid");
         if (error > 0.0)
-            ask(text_of(row[0]), fmt::format("RMSE at most {:g}", error),
-                fmt::format("worst_rmse <= {}", error), "ms, rmse, rowid", "worst_rmse, rowid");
+            ask(size, fmt::format("RMSE at most {:g}", error), fmt::format("worst_rmse <= {}", error),
+                "ms, rmse, rowid", "worst_rmse, rowid");
     }
     if (!answers.text.empty())
         answers.text += "RMSE (G): root mean square error against the traced geometry\n";
@@ -95,7 +94,7 @@ Answers answers_to(const Database& database, const std::string& budget, double e
 
 Comparison compared(const Record& before, const Record& after) {
     const Database database(after, &before);
-    const auto ask = [&](const std::string& select) { return lines_of(database.select(both + select)); };
+    const auto ask = [&](const std::string& select) { return lines_of(database, both + select); };
     Comparison found{.text = warnings(before, after)};
     found.text += ask(
         "SELECT printf('%d configurations in both; new over old, geometric means: time %.3f, error %.3f', "

@@ -186,8 +186,10 @@ Rows Database::select(const std::string& text, const std::string& size) const {
     return rows;
 }
 
-std::string Database::text(const std::string& select, const std::string& size) const {
-    return text_of(this->select(select, size).all.at(0).at(0));
+std::vector<std::string> Database::texts(const std::string& select, const std::string& size) const {
+    std::vector<std::string> texts;
+    for (const std::vector<Value>& row : this->select(select, size).all) texts.push_back(text_of(row.at(0)));
+    return texts;
 }
 
 std::string text_of(const Value& value) {

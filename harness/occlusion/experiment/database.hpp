@@ -34,8 +34,9 @@ class Database {
     // only reads, and takes a bounded number of steps. Throws std::runtime_error with SQLite's message.
     [[nodiscard]] Rows select(const std::string& text, const std::string& size = "") const;
 
-    // The only value of a SELECT that has one row.
-    [[nodiscard]] std::string text(const std::string& select, const std::string& size = "") const;
+    // The texts in the first column of a SELECT's rows, as text_of() has them.
+    [[nodiscard]] std::vector<std::string> texts(const std::string& select,
+                                                 const std::string& size = "") const;
 
   private:
     void load(const Record& record);

@@ -24,8 +24,8 @@ constexpr const char* measured = "SELECT * FROM result WHERE measured ORDER BY r
 std::string expanded(const Table& table, const Database& database, const std::string& size) {
     std::vector<std::string> names;
     if (!table.each.empty())
-        for (const std::vector<Value>& row : database.select(table.each, size).all)
-            names.push_back(base::replaced(text_of(row.at(0)), "'", "''"));
+        for (const std::string& name : database.texts(table.each, size))
+            names.push_back(base::replaced(name, "'", "''"));
     std::string text;
     const auto repeats = [](const std::string& line) { return line.find("{}") != std::string::npos; };
     for (auto line = table.select.begin(); line != table.select.end();) {
@@ -65,20 +65,11 @@ record::Table shown(const Rows& rows) {
     return table;
 }
 
-void add(Text& all, const Table& table, const std::string& text) {
-    all.report += "\n" + text;
-    if (!table.in_report) all.text += "\n" + text;
-    if (table.name.empty()) return;
-    std::string& block = all.named[table.name];
-    block += (block.empty() ? "" : "\n") + text;
-}
-
 // Once for each size that there is, or once if the SELECT does not name it.
 void add_table(Text& all, const Table& table, const Database& database) {
     std::vector<std::string> sizes;
     if (std::ranges::any_of(table.select, [](const auto& line) { return line.find(":size") != line.npos; }))
-        for (const std::vector<Value>& row : database.select("SELECT size FROM sizes").all)
-            sizes.push_back(text_of(row[0]));
+        sizes = database.texts("SELECT size FROM sizes");
     if (sizes.empty()) sizes.emplace_back();
     for (const std::string& size : sizes) {
         const Rows rows = database.select(expanded(table, database, size), size);
@@ -86,7 +77,12 @@ void add_table(Text& all, const Table& table, const Database& database) {
         const record::Table cells = shown(rows);
         for (const auto& row : cells.rows)
             for (const record::Cell& cell : row) all.missed |= cell.text.ends_with("missed");
-        add(all, table, (sizes.size() > 1 ? size + ":\n\n" : "") + record::to_markdown(cells));
+        const std::string text = (sizes.size() > 1 ? size + ":\n\n" : "") + record::to_markdown(cells);
+        all.report += "\n" + text;
+        if (!table.in_report) all.text += "\n" + text;
+        if (table.name.empty()) continue;
+        std::string& block = all.named[table.name];
+        block += (block.empty() ? "" : "\n") + text;
     }
 }
 

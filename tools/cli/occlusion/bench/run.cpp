@@ -76,11 +76,11 @@ std::string file_name(std::string name) {
 
 // What was measured where, in a few lines.
 std::string heading_of(const experiment::Conditions& conditions, const experiment::Database& database) {
-    std::string text = database.text("SELECT count(*) FROM cases");
-    text += fmt::format(" cases on {} ({})", conditions.device, conditions.driver);
-    for (const auto& row : database.select("SELECT size FROM sizes").all)
-        text += fmt::format(",\n{} pixels", experiment::text_of(row[0]));
-    text += fmt::format(", {} rounds", database.text("SELECT coalesce(max(round), 0) FROM rounds"));
+    std::string text = fmt::format("{} cases on {} ({})", database.texts("SELECT count(*) FROM cases").at(0),
+                                   conditions.device, conditions.driver);
+    for (const std::string& size : database.texts("SELECT size FROM sizes"))
+        text += fmt::format(",\n{} pixels", size);
+    text += fmt::format(", {} rounds", database.texts("SELECT coalesce(max(round), 0) FROM rounds").at(0));
     if (conditions.rays > 0)
         text += fmt::format(",\nthe last {} of {} frames, the truth of {} rays a pixel", conditions.scored,
                             conditions.frames, conditions.rays);
