@@ -63,8 +63,8 @@ std::vector<Shown> demo_scenes() {
 void render_scene(Shown& scene, const DemoOptions& demo, const gpu::Device& device) {
     const RenderOptions options{.shown = {.source = scene.name == "bunny" ? bunny : scene.name,
                                           .frames = 8,
-                                          .trace_truth = true,
-                                          .truth_rays = 128},
+                                          .truth = "",
+                                          .traced = {.rays = {.rays = 128}}},
                                 .quiet = demo.quiet};
     scene.run = std::move(render(options, open_input(options), device, nullptr).front());
 }

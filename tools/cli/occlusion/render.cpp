@@ -90,17 +90,14 @@ std::vector<Option> options_of(RenderOptions& options) {
          "white or sky: also write the scene in its light, with directional occlusion and one bounce"},
         {"--set", &candidate.set, repeated, "NAME=VALUE: any setting (gloam list settings); may be repeated"},
         {"--truth",
-         [&shown](const std::string& file) {
-             shown.truth = file;
-             shown.trace_truth = file.empty();
-         },
+         [&shown](const std::string& file) { shown.truth = file; },
          {.may_lack = "[FILE]"},
          "compare with true occlusion: traced now, or given as a PFM file"},
         {"--truth-every", &shown.truth_every, needs("--truth"),
          "trace the truth of every frame of a sequence, not of the last alone: it takes as long for each"},
-        {"--truth-rays", &shown.truth_rays, needs("--truth"), "rays for each pixel, 32 to 16777216"},
+        {"--truth-rays", &shown.traced.rays.rays, needs("--truth"), "rays for each pixel, 32 to 16777216"},
         {"--truth-falloff", &shown.truth_falloff, needs("--truth"), "linear, quadratic or step"},
-        {"--truth-thickness", &shown.truth_thickness, needs("--truth"),
+        {"--truth-thickness", &shown.traced.thickness, needs("--truth"),
          "thickness of the surfaces that the depth buffer shows, world units (default: solid behind them)"},
         {"--repeat", &options.repeat, between(1, 1e4), "runs of each frame, of which times are the median"},
         device_option(options.device),
@@ -112,10 +109,8 @@ std::vector<Option> options_of(RenderOptions& options) {
 int run_render(RenderOptions& options) {
     RenderCase& shown = options.shown;
     // `render --truth columns`: if there is nothing else to render, the value of --truth is the scene.
-    if (shown.source.empty() && shown.gbuffer.empty() && !shown.truth.empty()) {
-        shown.source = std::exchange(shown.truth, "");
-        shown.trace_truth = true;
-    }
+    if (shown.source.empty() && shown.gbuffer.empty() && shown.truth)
+        shown.source = std::exchange(*shown.truth, "");
     const RenderInput input = open_input(options);
     record::OutputFolder out(options.out);
     gpu::Device device = open_device(options.device, options.validation);

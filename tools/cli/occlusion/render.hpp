@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -53,14 +52,12 @@ struct RenderCase {
     std::string normals = "view";
     std::string size = "640x360";
     std::optional<int> frames;
-    int frame = 0;             // of a scene that moves: the first
-    bool still = false;        // it is held there
-    bool trace_truth = false;  // --truth without a file
-    bool truth_every = false;  // trace it for each frame; otherwise for the last alone
-    std::string truth;         // PFM; empty: none
+    int frame = 0;                     // of a scene that moves: the first
+    bool still = false;                // it is held there
+    std::optional<std::string> truth;  // PFM; empty: it is traced; nullopt: none
+    bool truth_every = false;          // trace it for each frame; otherwise for the last alone
     std::string truth_falloff = "linear";
-    int truth_rays = 1024;                                             // for each pixel
-    double truth_thickness = std::numeric_limits<double>::infinity();  // world units
+    scene::TruthSettings traced;  // rays for each pixel, and thickness in world units
 };
 
 // A candidate: a method with the settings of a preset, and what the command line changes of them.

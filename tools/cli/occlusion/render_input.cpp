@@ -170,23 +170,25 @@ RenderInput from_gbuffer(const RenderCase& shown) {
 
 // The truth of --truth: by rays.
 void add_traced(RenderInput& input, const RenderCase& shown, scene::Falloff falloff) {
-    scene::validate(scene::RaySettings{.radius = 1.0, .falloff = falloff, .rays = shown.truth_rays});
-    if (!(shown.truth_thickness > 0.0))
-        throw std::invalid_argument(fmt::format("--truth-thickness {}: expected > 0", shown.truth_thickness));
+    scene::TruthSettings settings = shown.traced;
+    settings.rays.falloff = falloff;
+    settings.cache = truth_cache_directory();
+    scene::validate(settings.rays);
+    if (!(settings.thickness > 0.0))
+        throw std::invalid_argument(fmt::format("--truth-thickness {}: expected > 0", settings.thickness));
     input.truth_name = input.scene ? "traced geometry" : "traced depth buffer";
     input.every_truth = shown.truth_every;
-    input.truth = [&shown, falloff, scene = input.scene, name = input.name](const scene::GBuffer& view,
-                                                                            int frame, double radius) {
-        const auto settings = [&](const char* what) {
-            return scene::TruthSettings{
-                .rays = {.radius = radius, .falloff = falloff, .rays = shown.truth_rays},
-                .thickness = shown.truth_thickness,
-                .progress = progress_bar(fmt::format("{}: truth of the {}", name, what)),
-                .cache = truth_cache_directory()};
+    input.truth = [settings, scene = input.scene, name = input.name](const scene::GBuffer& view, int frame,
+                                                                     double radius) {
+        const auto of = [&](const char* what) {
+            scene::TruthSettings made = settings;
+            made.rays.radius = radius;
+            made.progress = progress_bar(fmt::format("{}: truth of the {}", name, what));
+            return made;
         };
         ViewTruth truth;
-        if (scene) truth.geometry = scene::trace_geometry(*scene, frame, view, settings("geometry"));
-        truth.depth = scene::trace_depth(view, settings("depth buffer"));
+        if (scene) truth.geometry = scene::trace_geometry(*scene, frame, view, of("geometry"));
+        truth.depth = scene::trace_depth(view, of("depth buffer"));
         truth.known = effect::truth_from(view, truth.best().occlusion);
         return truth;
     };
@@ -197,14 +199,15 @@ void add_truth(RenderInput& input, const RenderCase& shown) {
     if (!falloff)
         throw std::invalid_argument(
             fmt::format("--truth-falloff \"{}\": expected linear, quadratic or step", shown.truth_falloff));
-    if (shown.truth_every && !shown.trace_truth)
+    const bool traced = shown.truth && shown.truth->empty();
+    if (shown.truth_every && !traced)
         throw std::invalid_argument("--truth-every goes with --truth that is traced, without a file");
-    if (shown.trace_truth) return add_traced(input, shown, *falloff);
-    if (!shown.truth.empty()) {
-        input.truth_name = shown.truth;
+    if (traced) return add_traced(input, shown, *falloff);
+    if (shown.truth) {
+        input.truth_name = *shown.truth;
         input.every_truth = false;
-        input.truth = [file = shown.truth, image = base::read_pfm(shown.truth)](const scene::GBuffer& view,
-                                                                                int, double) {
+        input.truth = [file = *shown.truth, image = base::read_pfm(*shown.truth)](const scene::GBuffer& view,
+                                                                                  int, double) {
             if (gpu::Extent{image.width, image.height} == view.extent && image.channels == 1)
                 return ViewTruth{.known = effect::truth_from(view, image.texels)};
             throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
