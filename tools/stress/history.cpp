@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "judge/function.hpp"
+#include "reference/temporal.hpp"
 #include "stress/run.hpp"
 
 namespace gloam::stress {
@@ -127,17 +128,18 @@ void long_run(const Context& context) {
     std::vector<Lane> lanes;
     for (const Accumulation& a : all)
         for (unsigned i = 0; i < pattern_count * seeds; ++i)
-            lanes.push_back({.sequence = {.pattern = i / seeds,
-                                          .seed = static_cast<unsigned>(context.seed) * seeds + i % seeds,
-                                          .k = a.k,
-                                          .table_size = a.table_size,
-                                          .weight_max = a.weight_max}});
+            lanes.push_back(
+                {.sequence = {.pattern = i / seeds,
+                              .seed = static_cast<unsigned>(context.scope.seed) * seeds + i % seeds,
+                              .k = a.k,
+                              .table_size = a.table_size,
+                              .weight_max = a.weight_max}});
     constexpr std::uint64_t longest = 9'973;  // a prime: readings fall on every phase of the patterns
-    const std::uint64_t step = std::clamp<std::uint64_t>(context.frames / 4, 1, longest);
-    for (std::uint64_t done = 0; done < context.frames; done += step) {
-        advance(kernel, lanes, static_cast<unsigned>(std::min(step, context.frames - done)));
+    const std::uint64_t step = std::clamp<std::uint64_t>(context.scope.frames / 4, 1, longest);
+    for (std::uint64_t done = 0; done < context.scope.frames; done += step) {
+        advance(kernel, lanes, static_cast<unsigned>(std::min(step, context.scope.frames - done)));
         for (std::size_t i = 0; i < lanes.size(); ++i) all[i / (pattern_count * seeds)].look(lanes[i]);
-        context.progress(fmt::format("frame {} of {}", done, context.frames));
+        context.progress(fmt::format("frame {} of {}", done, context.scope.frames));
     }
     for (const Accumulation& a : all) a.report(context);
 }
@@ -148,10 +150,9 @@ constexpr Sequence sequence;
 constexpr glm::vec4 good{0.5F, 500.0F, 64.0F, 3.0F};
 constexpr glm::vec4 empty{0.0F, 0.0F, 0.0F, 3.0F};
 
-// Whether a texel remembers anything, as gloam_history_unpack states it.
+// Whether a texel remembers anything.
 bool usable(const glm::vec4& texel) {
-    const auto positive = [](float x) { return std::isfinite(x) && x > 0.0F; };
-    return texel.x >= 0.0F && texel.x <= 1.0F && positive(texel.y) && positive(texel.w);
+    return reference::gloam_history_unpack(glm::dvec4(texel)).weight > 0.0;
 }
 
 // Subnormals may be flushed, so what is made of them is not judged here beyond its range.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <stdexcept>
 
@@ -55,27 +54,19 @@ scene::GBuffer steps() {
 // Which pixels of an image something reaches, row by row.
 using Mask = std::vector<bool>;
 
-// Where a circle around (slope * depth, depth) begins and ends as seen from the origin, as slopes.
-glm::dvec2 seen_slopes(double slope, double depth, double radius) {
-    const double distance = std::hypot(slope * depth, depth);
-    const double half = radius < distance ? std::asin(radius / distance) : INFINITY;
-    const double angle = std::atan(slope);
-    constexpr double right_angle = 0.5 * std::numbers::pi;
-    return {angle - half > -right_angle ? std::tan(angle - half) : -INFINITY,
-            angle + half < right_angle ? std::tan(angle + half) : INFINITY};
-}
-
 // Whether the ball around a pixel's surface point, and a pixel and a half more, covers the centre of
-// `source`.
+// `source`: along each axis, as an angle seen from the eye.
 bool covers(const scene::GBuffer& view, std::size_t pixel, double radius, glm::ivec2 source) {
     const glm::dvec2 size(extent.width, extent.height);
     const glm::dvec2 p = glm::abs(glm::dvec2(view.camera.p00_p11()));
     for (int axis = 0; axis < 2; ++axis) {
-        const double slope = (2.0 * (pixel_at(pixel)[axis] + 0.5) / size[axis] - 1.0) / p[axis];
-        const glm::dvec2 ends = seen_slopes(slope, double{view.depth[pixel]}, radius);
-        const glm::dvec2 pixels = 0.5 * (ends * p[axis] + 1.0) * size[axis];
-        const double at = source[axis] + 0.5;
-        if (!(at >= pixels.x - 1.5 && at <= pixels.y + 1.5)) return false;
+        const auto slope = [&](double at) { return (2.0 * (at + 0.5) / size[axis] - 1.0) / p[axis]; };
+        const double middle = slope(pixel_at(pixel)[axis]);
+        const double distance = double{view.depth[pixel]} * std::hypot(middle, 1.0);
+        const double half = radius < distance ? std::asin(radius / distance) : INFINITY;
+        if (std::atan(slope(source[axis] + 1.5)) < std::atan(middle) - half ||
+            std::atan(slope(source[axis] - 1.5)) > std::atan(middle) + half)
+            return false;
     }
     return true;
 }
@@ -107,7 +98,7 @@ double changed(const std::vector<float>& now, const std::vector<float>& before, 
 class Experiment {
   public:
     Experiment(const Context& context, const gpu::Device& fragile)
-        : full_(!context.brief),
+        : full_(!context.scope.brief),
           robust_(context.lab.device(), context.passes, extent),
           fragile_(fragile, context.passes, extent) {}
 
@@ -217,7 +208,7 @@ void poisoned_passes(const Context& context) {
     Experiment experiment(context, fragile);
     for (const effect::MethodInfo& method : context.methods) {
         std::size_t number = 0;
-        for (const Place& place : std::span(places).first(context.brief ? 3 : 5)) {
+        for (const Place& place : std::span(places).first(context.scope.brief ? 3 : 5)) {
             context.progress(fmt::format("{}: {}", method.name, place.text));
             experiment.run(context, method, place, number++);
         }

@@ -33,16 +33,21 @@ struct Row {
     [[nodiscard]] bool passed() const { return !bound || measured <= *bound; }
 };
 
-// What a run works with. The lab's include roots hold the shader library, tools/stress/shaders and the folder
-// of effect::MethodFunctions.
-struct Context {
-    const check::Lab& lab;
-    const scene::PassLibrary& passes;
+// How much the runs try.
+struct Scope {
     bool brief = false;  // seconds, for tests; otherwise it takes minutes
     std::uint64_t seed = 1;
     std::uint64_t frames = 1'000'000;  // of the long runs
     // Whose worst inputs are searched: IDs or functions, shell globs; none: all.
     std::vector<std::string> equations{};
+};
+
+// What a run works with. The lab's include roots hold the shader library, tools/stress/shaders and the folder
+// of effect::MethodFunctions.
+struct Context {
+    const check::Lab& lab;
+    const scene::PassLibrary& passes;
+    Scope scope{};
     std::vector<effect::MethodInfo> methods = effect::methods();  // whose passes and gathers are tried
     std::string run{};                                            // its name
     std::function<void(const Row&)> found{};                      // is given each row
@@ -62,7 +67,7 @@ struct Context {
 void worst_inputs(const Context& context);
 void worst_inputs(const Context& context, const catalogue::Entry& entry);
 
-// The history carried over Context::frames frames on the device, as a pass does it, for constant,
+// The history carried over Scope::frames frames on the device, as a pass does it, for constant,
 // alternating, jumping, noisy and rare contributions, beside the mean in double: the farthest from it, and
 // the average over time (bias), at most E (w_max + k) / k with the error E of gloam_blend; weight and index,
 // exact.

@@ -22,8 +22,9 @@ std::string input_text(const check::Answer& answer) {
 void worst_inputs(const Context& context, const catalogue::Entry& entry) {
     const std::string& equation = entry.description.id;
     context.progress(equation);
-    const check::SearchResult found = check::search(
-        context.lab, entry.question, {.inputs = context.brief ? 2'048U : 262'144U, .seed = context.seed});
+    const check::SearchResult found =
+        check::search(context.lab, entry.question,
+                      {.inputs = context.scope.brief ? 2'048U : 262'144U, .seed = context.scope.seed});
     const check::Answer& answer = found.answer;
     const char* limit = answer.rules_alone() ? "permitted" : "documented";
     context.add(fmt::format("{} {}", equation, input_text(answer)),
@@ -33,7 +34,7 @@ void worst_inputs(const Context& context, const catalogue::Entry& entry) {
 
 void worst_inputs(const Context& context) {
     const catalogue::Entries all = catalogue::all_entries(context.lab.options().include_roots.front());
-    for (const catalogue::Entry& entry : catalogue::select(all, context.equations))
+    for (const catalogue::Entry& entry : catalogue::select(all, context.scope.equations))
         worst_inputs(context, entry);
 }
 

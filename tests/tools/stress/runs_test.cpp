@@ -44,16 +44,6 @@ TEST_P(WorstInputs, StayWithinWhatIsDocumentedAndAreAtLeastAsBadAsRandomOnes) {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, WorstInputs, gloam::test::entry_numbers(), gloam::test::entry_name);
 
-TEST(Climb, FindsWorseInputsThanDrawingForManyEquations) {
-    const Bench bench;
-    Context context = bench.context();
-    context.equations = {"TSSAO-*"};
-    const Rows rows = rows_of([](const Context& all) { worst_inputs(all); }, context);
-    std::size_t worse = 0;
-    for (std::size_t i = 0; i + 1 < rows.size(); i += 2) worse += rows[i].measured > rows[i + 1].measured;
-    EXPECT_GT(worse, rows.size() / 8);
-}
-
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

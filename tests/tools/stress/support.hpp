@@ -10,48 +10,28 @@ namespace gloam::stress::test {
 // A brief run on the default device with validation, its shaders from `glsl`.
 class Bench {
   public:
-    explicit Bench(const std::filesystem::path& glsl = GLOAM_GLSL_DIR,
-                   const std::filesystem::path& stress_shaders = GLOAM_STRESS_SHADERS)
-        : lab_(options(glsl, stress_shaders, methods_.folder())),
-          passes_(glsl, gloam::test::cache_directory()) {}
-
-    [[nodiscard]] Context context(std::uint64_t frames = 20'000) const {
-        return {.lab = lab_, .passes = passes_, .brief = true, .frames = frames};
-    }
+    explicit Bench(const std::filesystem::path& glsl = GLOAM_GLSL_DIR)
+        : lab_(options(glsl, methods_.folder())), passes_(glsl, gloam::test::cache_directory()) {}
 
     // With one method only: enough where what is broken is none of a method's own.
-    [[nodiscard]] Context context_of(const std::string& method) const {
-        Context one = context();
-        one.methods = {effect::method_named(method)};
-        return one;
+    [[nodiscard]] Context context(const std::string& method = "hemisphere") const {
+        return {.lab = lab_,
+                .passes = passes_,
+                .scope = {.brief = true, .frames = 20'000},
+                .methods = {effect::method_named(method)}};
     }
 
   private:
     static check::LabOptions options(const std::filesystem::path& glsl,
-                                     const std::filesystem::path& stress_shaders,
                                      const std::filesystem::path& methods) {
         check::LabOptions all = gloam::test::make_lab().options();
-        all.include_roots = {glsl, stress_shaders, methods};
+        all.include_roots = {glsl, GLOAM_STRESS_SHADERS, methods};
         return all;
     }
 
     effect::MethodFunctions methods_;
     check::Lab lab_;
     scene::PassLibrary passes_;
-};
-
-// Tests of one method, by its name: a suite shares a run. They are instantiated for all methods, so that
-// after a change of one method `tools/test-readers` runs its own.
-class EachMethod : public testing::TestWithParam<std::string> {
-  protected:
-    static void SetUpTestSuite() { bench_.emplace(); }
-    static void TearDownTestSuite() { bench_.reset(); }
-
-    [[nodiscard]] static const Bench& bench() { return *bench_; }
-    [[nodiscard]] static Context context() { return bench_->context_of(GetParam()); }
-
-  private:
-    inline static std::optional<Bench> bench_;
 };
 
 // What a run finds.

@@ -33,12 +33,9 @@ namespace {
 
 // The options of `gloam stress`.
 struct StressOptions {
-    std::string only;                    // name of one run; empty: all
-    std::vector<std::string> equations;  // none: all
-    std::string device;                  // name or index; empty: the default
-    std::uint64_t seed = 1;
-    std::uint64_t frames = 1'000'000;
-    bool brief = false;
+    std::string only;  // name of one run; empty: all
+    stress::Scope scope;
+    std::string device;  // name or index; empty: the default
     bool validation = false;
     std::filesystem::path json;
 };
@@ -90,7 +87,7 @@ int run_stress(const StressOptions& options) {
         throw std::invalid_argument(
             fmt::format("unknown stress run \"{}\": expected {}", options.only, run_names()));
     (void)catalogue::select(catalogue::all_entries(glsl_directory()),
-                            options.equations);  // invalid names are reported before anything runs
+                            options.scope.equations);  // invalid names are reported before anything runs
     const record::OutputFile json(options.json);
     require_good_drivers();
     const effect::MethodFunctions methods;
@@ -103,12 +100,7 @@ int run_stress(const StressOptions& options) {
     fmt::print("device: {} ({})\n", device.name, device.driver);
     fmt::print(layout, "run", "varied", "measured", "value", "bound", "verdict");
     std::vector<stress::Row> rows;
-    stress::Context context{.lab = lab,
-                            .passes = passes,
-                            .brief = options.brief,
-                            .seed = options.seed,
-                            .frames = options.frames,
-                            .equations = options.equations};
+    stress::Context context{.lab = lab, .passes = passes, .scope = options.scope};
     context.found = [&](const stress::Row& row) {
         show_progress("");
         print(row);
@@ -134,11 +126,11 @@ Command stress_command() {
             .about = "test long runs, far places, invalid buffers and worst inputs against the documentation",
             .options =
                 {{"--only", &options.only, "one run: " + run_names()},
-                 {"--equation", &options.equations,
+                 {"--equation", &options.scope.equations,
                   "search the worst inputs of these only: by any name of equations (gloam list equations)"},
-                 {"--seed", &options.seed, "seed of noise and points"},
-                 {"--frames", &options.frames, between(4, 1e9), "frames of the long runs"},
-                 {"--brief", &options.brief, "fewer inputs and places"},
+                 {"--seed", &options.scope.seed, "seed of noise and points"},
+                 {"--frames", &options.scope.frames, between(4, 1e9), "frames of the long runs"},
+                 {"--brief", &options.scope.brief, "fewer inputs and places"},
                  {"--json", &options.json, "write the numbers to this file"},
                  device_option(options.device),
                  validation_option(options.validation),
