@@ -266,32 +266,24 @@ glm::vec3 position_at(glm::ivec2 pixel) {
 
 // Every pixel of the image, and bad positions, normals, radii and angles.
 std::vector<Gather::Inputs> gather_inputs(float bad) {
-    const auto values = [](float length) {
-        return effect::MethodValues{.range = length,
-                                    .epsilon = length,
-                                    .thickness = 1.0F,
-                                    .steps = steps_asked,
-                                    .disagreement = 0.05F};
-    };
-    const GatherKernel kernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, asked};  // its index passes 2^32
-    const glm::vec3 position = position_at(size / 2);
-    const glm::vec3 normal(0, 0, 1);
+    const Gather::Inputs good(
+        position_at(size / 2), glm::vec3(0, 0, 1), camera,
+        GatherKernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, asked},  // its index passes 2^32
+        effect::MethodValues{
+            .range = 1.0F, .epsilon = 1.0F, .thickness = 1.0F, .steps = steps_asked, .disagreement = 0.05F});
     std::vector<Gather::Inputs> inputs;
-    for (int i = 0; i < size.x * size.y; ++i)
-        inputs.emplace_back(position_at({i % size.x, i / size.x}), normal, camera, kernel, values(1.0F));
+    const auto add = [&]() -> Gather::Inputs& { return inputs.emplace_back(good); };
+    for (int i = 0; i < size.x * size.y; ++i) std::get<0>(add()) = position_at({i % size.x, i / size.x});
     for (int axis = 0; axis < 3; ++axis) {
-        glm::vec3 moved = position;
-        glm::vec3 turned = normal;
-        moved[axis] = bad;
-        turned[axis] = bad;
-        inputs.emplace_back(moved, normal, camera, kernel, values(1.0F));
-        inputs.emplace_back(position, turned, camera, kernel, values(1.0F));
+        std::get<0>(add())[axis] = bad;
+        std::get<1>(add())[axis] = bad;
     }
     for (const GatherKernel& other :
          {GatherKernel{bad, 0.001F, 0.0F, 0, asked}, GatherKernel{0.5F, bad, 0.0F, 0, asked},
           GatherKernel{0.5F, 0.001F, bad, 0, asked}, GatherKernel{0.5F, 0.001F, 0.0F, 0, 0}})
-        inputs.emplace_back(position, normal, camera, other, values(1.0F));
-    inputs.emplace_back(position, normal, camera, kernel, values(bad));
+        std::get<GatherKernel>(add()) = other;
+    auto& values = std::get<effect::MethodValues>(add());
+    values.range = values.epsilon = bad;
     return inputs;
 }
 

@@ -12,6 +12,13 @@
 #include "record/json.hpp"
 
 namespace gloam::experiment {
+
+const std::vector<std::string>& quantities() {
+    static const std::vector<std::string> words{"depth",    "remapped", "fit",      "own_radius",
+                                                "by_class", "places",   "converged"};
+    return words;
+}
+
 namespace {
 
 using record::JsonReader;
@@ -202,16 +209,6 @@ void read_candidates(const JsonReader& value, Experiment& experiment) {
         experiment.candidate_query = query_from(element);
     }
 }
-
-}  // namespace
-
-const std::vector<std::string>& quantities() {
-    static const std::vector<std::string> words{"depth",    "remapped", "fit",      "own_radius",
-                                                "by_class", "places",   "converged"};
-    return words;
-}
-
-namespace {
 
 Table table_from(const JsonReader& value) {
     Members members(value);
