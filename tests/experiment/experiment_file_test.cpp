@@ -31,57 +31,48 @@ TEST(ExperimentFile, ReadsAllParts) {
     EXPECT_NO_THROW(require_consistent(read));
 }
 
-// What the query stands for.
-std::vector<Candidate> candidates_of(CandidateQuery query) {
-    Experiment what;
-    what.candidate_query = std::move(query);
+// The candidates that the experiment then has: NAME|GROUP|METHOD|PRESET, and their settings.
+std::vector<std::string> chosen(Experiment what) {
     choose_candidates(what);
-    return what.candidates;
+    std::vector<std::string> all;
+    for (const auto& [name, group, layer] : what.candidates) {
+        std::string& text =
+            all.emplace_back(fmt::format("{}|{}|{}|{}", name, group, layer.method, layer.preset));
+        if (layer.sequence == false) text += "|alone";
+        for (const auto& [setting, value] : layer.set) text += fmt::format("|{}={}", setting, value);
+    }
+    return all;
 }
 
-// Each method with each count, then each preset; single frames before sequences.
+// Each method with each count, then each preset; single frames before sequences, which are a mean over at
+// least two frames.
 TEST(ExperimentFile, AQueryStandsForCandidates) {
-    const auto names_of = [](CandidateQuery query) {
-        std::vector<std::string> names;
-        for (const Candidate& candidate : candidates_of(std::move(query))) names.push_back(candidate.name);
-        return names;
-    };
-    EXPECT_THAT(
-        names_of({.methods = {"gtao", "sao"}, .presets = {"fast"}, .samples = {4, 8}, .sequence = false}),
-        ElementsAre("gtao/4/single", "gtao/8/single", "sao/4/single", "sao/8/single", "fast/12/single"));
-    EXPECT_THAT(names_of({.presets = {"fast"}, .single = false}), ElementsAre("fast/12/temporal"));
-    EXPECT_EQ(names_of({.samples = {4}}).size(), 2 * effect::methods().size());
+    const auto of = [](const CandidateQuery& query) { return chosen({.candidate_query = query}); };
+    EXPECT_THAT(of({.methods = {"gtao", "sao"}, .presets = {"fast"}, .samples = {4, 8}, .sequence = false}),
+                ElementsAre("gtao/4/single|gtao|gtao|tssao-paper|alone|samples=4|samples_converged=4",
+                            "gtao/8/single|gtao|gtao|tssao-paper|alone|samples=8|samples_converged=8",
+                            "sao/4/single|sao|sao|tssao-paper|alone|samples=4|samples_converged=4",
+                            "sao/8/single|sao|sao|tssao-paper|alone|samples=8|samples_converged=8",
+                            "fast/12/single|presets||fast|alone"));
+    EXPECT_THAT(of({.presets = {"fast"}, .single = false}), ElementsAre("fast/12/temporal|presets||fast"));
+    EXPECT_THAT(of({.methods = {"hemisphere"}, .samples = {512}, .single = false}),
+                ElementsAre("hemisphere/512/temporal|hemisphere, temporal|hemisphere|tssao-paper|samples=512"
+                            "|samples_converged=512|weight_max=1024"));
+    EXPECT_EQ(of({.samples = {4}}).size(), 2 * effect::methods().size());
     for (const CandidateQuery& query :
          {CandidateQuery{.presets = {"magic"}}, {.methods = {"magic"}}, {.single = false, .sequence = false}})
-        EXPECT_THROW((void)names_of(query), std::invalid_argument);
+        EXPECT_THROW((void)of(query), std::invalid_argument);
 }
 
 // Without counts each method is as it is, with its preset, behind the candidates of the list.
 TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
     const char* const both = R"({"name": "loop", "plain": "9x3+1"},
     {"name": "truth", "truth": true})";
-    Experiment what =
-        read_experiment("mine.json", with(whole, both, R"({"methods": ["gtao", "crytek", "unreal"]})"));
-    choose_candidates(what);
-    std::vector<std::string> all;
-    for (const Candidate& one : what.candidates)
-        all.push_back(fmt::format("{}|{}|{}|{}", one.name, one.group, one.layer.method, one.layer.preset));
-    EXPECT_THAT(all, ElementsAre("run|||", "gtao|methods|gtao|", "crytek|methods|crytek|",
-                                 "study-crytek-quality|methods||study-crytek-quality",
-                                 "unreal|methods|unreal|", "unreal-quality|methods||unreal-quality"));
-}
-
-// A mean over at least two frames.
-TEST(ExperimentFile, AMethodTakesTheSamplesAskedFor) {
-    const std::vector<Candidate> all = candidates_of({.methods = {"hemisphere"}, .samples = {512}});
-    ASSERT_EQ(all.size(), 2U);
-    for (const Candidate& one : all) EXPECT_EQ(one.layer.preset, "tssao-paper");
-    EXPECT_EQ(all[0].layer.sequence, false);
-    EXPECT_EQ(all[1].group, "hemisphere, temporal");
-    const auto samples = Pair("samples", "512");
-    const auto converged = Pair("samples_converged", "512");
-    EXPECT_THAT(all[0].layer.set, ElementsAre(samples, converged));
-    EXPECT_THAT(all[1].layer.set, ElementsAre(samples, converged, Pair("weight_max", "1024")));
+    const std::string text = with(whole, both, R"({"methods": ["gtao", "crytek", "unreal"]})");
+    EXPECT_THAT(chosen(read_experiment("mine.json", text)),
+                ElementsAre("run|||", "gtao|methods|gtao|", "crytek|methods|crytek|",
+                            "study-crytek-quality|methods||study-crytek-quality", "unreal|methods|unreal|",
+                            "unreal-quality|methods||unreal-quality"));
 }
 
 // A part of the description, what stands there instead, and what is said of it.

@@ -122,8 +122,8 @@ std::vector<Option> query_options(ExperimentOptions& options) {
             {"--preset", &query.presets, "presets, measured as they are; `all` for all"},
             {"--samples", &query.samples, between(1, effect::most_samples),
              "samples for each pixel in each frame, of the methods"},
-            {"--temporal", &options.only_temporal, "only over the frames of a moving camera"},
-            {"--single", &options.only_single, "only single frames"}};
+            {"--temporal", [&query] { query.single = false; }, "only over the frames of a moving camera"},
+            {"--single", [&query] { query.sequence = false; }, "only single frames"}};
 }
 
 // What is answered, and files.
@@ -194,8 +194,8 @@ void choose_candidates(Experiment& what, const ExperimentOptions& options) {
         if (!options.query->methods.empty()) query.methods = options.query->methods;
         if (!options.query->presets.empty()) query.presets = options.query->presets;
         if (!options.query->samples.empty()) query.samples = options.query->samples;
-        query.single &= !options.only_temporal;
-        query.sequence &= !options.only_single;
+        query.single &= options.query->single;
+        query.sequence &= options.query->sequence;
     }
     experiment::choose_candidates(what);
     what.candidates = replaced(what.candidates, options);

@@ -31,8 +31,6 @@ struct ExperimentOptions {
     std::string inputs = "device";
     std::filesystem::path meshes;
     std::optional<experiment::CandidateQuery> query;  // of a description with such a query
-    bool only_single = false;
-    bool only_temporal = false;
     bool fail_if_missed = false;
     bool fail_if_worse = false;
     bool resume = false;

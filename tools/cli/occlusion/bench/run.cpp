@@ -163,7 +163,7 @@ int compare_files(const ExperimentOptions& options) {
 }
 
 int run_experiment(const ExperimentOptions& options) {
-    if (options.only_single && options.only_temporal)
+    if (options.query && !options.query->single && !options.query->sequence)
         throw std::invalid_argument("--temporal and --single: expected one of them, or none for both");
     if (options.resume && options.out.empty())
         throw std::invalid_argument("--resume: expected --out, the folder whose journal is taken up again");
