@@ -53,38 +53,25 @@ constexpr const char* first_steps =
     "  gloam check --device all           judge: every equation on every driver here\n\n"
     "gloam --help lists all commands, gloam COMMAND --help the options of one.\n";
 
-int run(int argc, char** argv) {
+gloam::cli::Command program() {
     using namespace gloam::cli;
-    const Command program{
-        .name = "gloam",
-        .about = "gloam: GLSL ambient occlusion, measured",
-        .run =
-            [] {
-                fmt::print("{}", first_steps);
-                return 0;
-            },
-        .examples =
-            "  gloam demo                                  pictures, a check, a page\n"
-            "  gloam check --device all --html check.html  every equation on every Vulkan device\n"
-            "  gloam render mesh.obj                       a mesh in light, with and without\n"
-            "  gloam COMMAND --help                        the options of a command\n",
-        .commands = {demo_command(), devices_command(), list_command(), check_command(subjects_named),
-                     check_worker_command(subjects_named), audit_command(equations_named),
-                     explain_command(equations_named), cost_command(equations_named, frame_of),
-                     mutate_command(), report_command(), render_command(), bench_command(), stress_command(),
-                     pack_command()}};
-    return run_command(program, {argv + 1, argv + argc});
-}
-
-int status_of(int argc, char** argv) {
-    try {
-        return finished(run(argc, argv));
-    } catch (const std::exception& error) {
-        const bool is_output =
-            std::ferror(stdout) != 0 && dynamic_cast<const std::system_error*>(&error) != nullptr;
-        complain((is_output ? "standard output: " : "") + std::string(error.what()));
-        return could_not_run;
-    }
+    return {.name = "gloam",
+            .about = "gloam: GLSL ambient occlusion, measured",
+            .run =
+                [] {
+                    fmt::print("{}", first_steps);
+                    return 0;
+                },
+            .examples =
+                "  gloam demo                                  pictures, a check, a page\n"
+                "  gloam check --device all --html check.html  every equation on every Vulkan device\n"
+                "  gloam render mesh.obj                       a mesh in light, with and without\n"
+                "  gloam COMMAND --help                        the options of a command\n",
+            .commands = {demo_command(), devices_command(), list_command(), check_command(subjects_named),
+                         check_worker_command(subjects_named), audit_command(equations_named),
+                         explain_command(equations_named), cost_command(equations_named, frame_of),
+                         mutate_command(), report_command(), render_command(), bench_command(),
+                         stress_command(), pack_command()}};
 }
 
 }  // namespace
@@ -92,9 +79,16 @@ int status_of(int argc, char** argv) {
 int main(int argc, char** argv) {
     gloam::base::reserve_standard_streams();
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its write, not the end
-    const int status = status_of(argc, argv);
-    const std::vector<std::string_view> words(argv, argv + argc);
-    const bool bisects =
-        words.size() > 1 && words[1] == "check" && std::ranges::count(words, gloam::cli::bisect_option) > 0;
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    int status = could_not_run;
+    try {
+        status = finished(gloam::cli::run_command(program(), words));
+    } catch (const std::exception& error) {
+        const bool is_output =
+            std::ferror(stdout) != 0 && dynamic_cast<const std::system_error*>(&error) != nullptr;
+        complain((is_output ? "standard output: " : "") + std::string(error.what()));
+    }
+    const bool bisects = !words.empty() && words.front() == "check" &&
+                         std::ranges::count(words, gloam::cli::bisect_option) > 0;
     return bisects && status == could_not_run ? skip_this_build : status;
 }

@@ -2,18 +2,15 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "audit/audit.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
-#include "cli/framework/check/checker.hpp"
 #include "cli/framework/open_device.hpp"
+#include "cli/framework/own_file.hpp"
 #include "interpreter/program.hpp"
 #include "record/audit_report.hpp"
 #include "record/output.hpp"
@@ -23,8 +20,6 @@ namespace {
 
 struct AuditCommand {
     std::vector<std::string> words;  // a file and functions, or equations
-    std::filesystem::path file = {};
-    std::vector<std::string> functions = {};
     OwnFileOptions own;
     std::vector<std::string> devices;
     std::string json;
@@ -33,19 +28,20 @@ struct AuditCommand {
 };
 
 // Says what is left out; throws where nothing remains.
-void say_left_out(const AuditCommand& command, const FileFunctions& read) {
+void say_left_out(const std::string& file, const FileFunctions& read) {
     for (const check::LeftOut& function : read.functions.left_out)
-        fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
-                                                      function.name, function.why)));
+        fmt::print("{}\n",
+                   base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
     for (const std::string& made : read.file->excerpts.by_macro)
-        fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(), made);
+        fmt::print("{}: {}: functions that a macro makes are not looked at\n", file, made);
     if (read.functions.found.empty())
-        throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
-                                             why_nothing(read.functions.left_out)));
+        throw std::runtime_error(
+            fmt::format("{}: nothing was audited: {}", file, why_nothing(read.functions.left_out)));
 }
 
 // One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
-std::vector<check::Audit> audits_of(const AuditCommand& command, const FileFunctions& read) {
+std::vector<check::Audit> audits_of(const AuditCommand& command, const std::string& file,
+                                    const FileFunctions& read) {
     std::vector<check::Audit> audits;
     const check::Ranges ranges = ranges_from(command.own.ranges);
     const check::Lab interpreter = lab_of(read.file);
@@ -56,8 +52,7 @@ std::vector<check::Audit> audits_of(const AuditCommand& command, const FileFunct
         try {
             audits.push_back(check::audit(interpreter, function, ranges, command.options));
         } catch (const interpreter::Error& error) {
-            throw std::runtime_error(
-                fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
+            throw std::runtime_error(fmt::format("{}: {}: {}", file, function.name, error.what()));
         }
         for (const check::Lab& lab : labs)
             add_witness(audits.back(), lab, question_of(lab, function, ranges), command.options);
@@ -67,14 +62,14 @@ std::vector<check::Audit> audits_of(const AuditCommand& command, const FileFunct
     return audits;
 }
 
-int run_audit(AuditCommand& command, EquationsNamed* equations) {
-    std::tie(command.file, command.functions) = file_and_functions(command.words, equations);
+int run_audit(const AuditCommand& command, EquationsNamed* equations) {
+    const auto [file, functions] = file_and_functions(command.words, equations);
     const record::OutputFile json(command.json);
     const record::OutputFile html(command.html);
-    const FileFunctions read = functions_of(command.file, command.functions, command.own);
-    say_left_out(command, read);
+    const FileFunctions read = functions_of(file, functions, command.own);
+    say_left_out(file, read);
     const record::AuditReport report{
-        .file = command.file.string(), .source = read.file->text, .audits = audits_of(command, read)};
+        .file = file, .source = read.file->text, .audits = audits_of(command, file, read)};
     int status = 0;
     for (const check::Audit& audit : report.audits) {
         if (audit.is_broken()) status = 1;

@@ -9,7 +9,6 @@
 
 #include "base/text.hpp"
 #include "cli/framework/check/check_run.hpp"
-#include "cli/framework/check/selection.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/progress.hpp"
 #include "record/check_report.hpp"
@@ -70,12 +69,6 @@ std::string step_summary(const std::vector<record::CheckReport>& reports) {
     return text.empty() ? text : "modules  changed  failed  not judged  variant\n" + text;
 }
 
-// What helps where the usual inputs of a user's function could not be judged.
-void print_range_hint(const CheckOptions& options, const record::OutcomeCounts& counts) {
-    if (counts.not_judged > 0 && is_of_file(options) && options.task.own.ranges.empty())
-        fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
-}
-
 // Throws std::invalid_argument for options that a user's file has, or only equations.
 void require_fitting(const CheckOptions& options) {
     if (is_of_file(options)) {
@@ -88,37 +81,9 @@ void require_fitting(const CheckOptions& options) {
     if (!own.defines.empty()) throw std::invalid_argument("--define is for a shader file");
 }
 
-}  // namespace
-
-CheckOutcome check(const CheckOptions& options) {
-    const record::OutputFile json(options.json);
-    const record::OutputFile junit(options.junit);
-    const record::OutputFile html(options.html);
-    CheckOutcome outcome;
-    require_fitting(options);
-    outcome.reports = CheckRun(options, tasks_of(options, outcome)).run();
-    for (record::CheckReport& report : outcome.reports) {
-        report.versions = versions();
-        report.inputs = options.task.run.inputs;
-        report.seed = options.task.run.seed;
-    }
-    outcome.counts = counts_of(outcome.reports);
-    json.write(record::to_json(outcome.reports));
-    junit.write(record::to_junit(outcome.reports));
-    html.write(record::to_check_page(outcome.reports));
-    if (!options.json.empty()) {      // the results are now in the result file
-        std::error_code still_there;  // harmless: the next run starts it anew
-        std::filesystem::remove(options.journal(), still_there);
-    }
-    return outcome;
-}
-
-namespace {
-
-// Runs check() and prints the story of each failure. Returns the exit status: 0, 1 or 2; 2 for an outcome
-// that is not complete, unless a check failed.
-int run_check(const CheckOptions& options) {
-    const CheckOutcome outcome = check(options);
+// Prints the story of each failure, and what the table does not say. Returns the exit status: 0, 1 or 2; 2
+// for an outcome that is not complete, unless a check failed.
+int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
     for (const record::CheckReport& report : outcome.reports)
         for (const check::Answer& row : report.rows)
             if (row.failed()) print_failure(options, report.device, row);
@@ -130,7 +95,8 @@ int run_check(const CheckOptions& options) {
     print_rows(outcome, print_coverage);
     print_rows(outcome, print_undefined);
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
-    print_range_hint(options, outcome.counts);
+    if (outcome.counts.not_judged > 0 && is_of_file(options) && options.task.own.ranges.empty())
+        fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
     const int status = outcome.counts.exit_status();
     fmt::print("{}\n", colored(to_text(outcome.counts), status == 0 ? Ink::good : Ink::bad));
     return status == 0 && !outcome.complete ? 2 : status;
@@ -186,6 +152,29 @@ std::vector<Option> options_of(CheckOptions& options) {
 
 }  // namespace
 
+CheckOutcome check(const CheckOptions& options) {
+    const record::OutputFile json(options.json);
+    const record::OutputFile junit(options.junit);
+    const record::OutputFile html(options.html);
+    CheckOutcome outcome;
+    require_fitting(options);
+    outcome.reports = run_tasks(options, tasks_of(options, outcome));
+    for (record::CheckReport& report : outcome.reports) {
+        report.versions = versions();
+        report.inputs = options.task.run.inputs;
+        report.seed = options.task.run.seed;
+    }
+    outcome.counts = counts_of(outcome.reports);
+    json.write(record::to_json(outcome.reports));
+    junit.write(record::to_junit(outcome.reports));
+    html.write(record::to_check_page(outcome.reports));
+    if (!options.json.empty()) {      // the results are now in the result file
+        std::error_code still_there;  // harmless: the next run starts it anew
+        std::filesystem::remove(options.journal(), still_there);
+    }
+    return outcome;
+}
+
 Command check_command(EquationsNamed* equations) {
     static CheckOptions options{.named = equations};
     return {.name = "check",
@@ -195,7 +184,7 @@ Command check_command(EquationsNamed* equations) {
                 [] {
                     if (!options.compilers.empty() && options.device.empty())
                         options.device = check::interpreter_name;
-                    return run_check(options);
+                    return print_outcome(options, check(options));
                 },
             .examples =
                 R"(  gloam check                                          every equation on the default device

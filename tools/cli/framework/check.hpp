@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -8,6 +11,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/framework/own_file.hpp"
 #include "judge/run.hpp"
 #include "record/check_report.hpp"
 
@@ -16,20 +20,12 @@ namespace gloam::cli {
 // With this option the program ends with status 125 instead of 2.
 constexpr std::string_view bisect_option = "--exit-code";
 
-// What the command line says of a user's file.
-struct OwnFileOptions {
-    std::vector<std::string> ranges;    // of its functions' parameters: "x=0:1"
-    std::vector<std::string> includes;  // further include roots
-    std::vector<std::string> defines;   // macros that hold before it begins
-};
-
 // One check.
 struct CheckTask {
-    std::string equation;  // its ID; or a function of `file`
-    std::string variant;
+    check::AnswerIdentity identity;  // of the row, until that says more
     check::RunOptions run;
     bool coverage = false;
-    std::string file;  // a user's file, with its folder; empty: an equation of the catalogue
+    std::string path;  // of a user's file; empty: an equation of the catalogue
     OwnFileOptions own;
 };
 
@@ -54,6 +50,11 @@ struct CheckOptions {
     std::filesystem::path html;      // page of the results; empty: none
     bool rows = true;                // print the device and a line for each check
     bool progress = true;            // on a terminal
+
+    // The longest wait for a worker, and for one submission to a device.
+    [[nodiscard]] std::chrono::milliseconds patience() const {
+        return std::chrono::milliseconds(std::max(1L, std::lround(timeout * 1000.0)));
+    }
 
     // Of the rows while the check runs, from which --resume continues a run that was killed; empty if no
     // result file is written.

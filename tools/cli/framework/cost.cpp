@@ -17,7 +17,7 @@
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/check/checker.hpp"
+#include "cli/framework/own_file.hpp"
 #include "module/include.hpp"
 #include "module/spirv.hpp"
 #include "subject/kernel_code.hpp"
@@ -38,9 +38,8 @@ struct CostCommand {
 };
 
 struct CostRow {
-    std::string name;
+    FramePass pass;  // of a frame; otherwise its name alone
     cost::Cost cost;
-    FramePass pass;  // of a frame
 
     // Of a pixel of the view, as all below.
     [[nodiscard]] double valu() const { return pass.share * static_cast<double>(cost.valu) / pass.pixels; }
@@ -71,7 +70,7 @@ std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::files
         return shader::compile({std::filesystem::absolute(file).string(), text},
                                {.include_roots = include_roots_of(file, command.own.includes)});
     });
-    return {{file.filename().string(), cost_of(module, command.options)}};
+    return {{{.name = file.filename().string()}, cost_of(module, command.options)}};
 }
 
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
@@ -93,7 +92,7 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
         kernels.push_back(cost_kernel(lab, one.file, one.function.name, one.signature()));
     std::vector<CostRow> rows;
     for (const cost::Cost& one : costs_of(kernels, command.options))
-        rows.push_back({functions.found[rows.size()].name, one});
+        rows.push_back({{.name = functions.found[rows.size()].name}, one});
     return rows;
 }
 
@@ -102,7 +101,7 @@ std::vector<CostRow> cost_of_frame(const CostCommand& command, const PresetFrame
     for (const FramePass& pass : frame.passes) {
         cost::CostOptions of_pass = command.options;
         of_pass.constants = pass.constants;
-        rows.push_back({.name = pass.name, .cost = cost_of(pass.module, of_pass), .pass = pass});
+        rows.push_back({pass, cost_of(pass.module, of_pass)});
     }
     return rows;
 }
@@ -110,7 +109,7 @@ std::vector<CostRow> cost_of_frame(const CostCommand& command, const PresetFrame
 std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>& rows, double memory) {
     const bool frame = !command.preset.empty();
     std::size_t width = 4;
-    for (const CostRow& row : rows) width = std::max(width, row.name.size());
+    for (const CostRow& row : rows) width = std::max(width, row.pass.name.size());
     std::string text =
         fmt::format("{:{}}", command.options.family, std::max(width, command.options.family.size()));
     width = text.size();
@@ -121,7 +120,7 @@ std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>
     double bytes = 0.0;
     double microseconds = 0.0;
     for (const CostRow& row : rows) {
-        text += fmt::format("{:{}}", base::one_line(row.name), width);
+        text += fmt::format("{:{}}", base::one_line(row.pass.name), width);
         for (const cost::CostField& field : cost::cost_fields())
             text += fmt::format(" {:>{}}", row.cost.*field.value, field.name.size());
         if (frame)
@@ -148,7 +147,7 @@ nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vect
     if (frame) json["memory_bytes"] = memory;
     auto& shaders = json[frame ? "passes" : "shaders"] = nlohmann::ordered_json::array();
     for (const CostRow& row : rows) {
-        nlohmann::ordered_json one{{"name", row.name}};
+        nlohmann::ordered_json one{{"name", row.pass.name}};
         for (const cost::CostField& field : cost::cost_fields())
             one[std::string(field.name)] = row.cost.*field.value;
         if (frame) {
@@ -165,32 +164,29 @@ nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vect
 
 // Whether a frame, or a shader, costs more than --below. Says so.
 bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
+    std::vector<std::pair<std::string, double>> all;
+    if (!command.preset.empty()) all.emplace_back(command.preset, 0.0);
+    for (const CostRow& row : rows) {
+        if (command.preset.empty()) all.emplace_back(row.pass.name, 0.0);
+        all.back().second += row.valu();
+    }
     bool more = false;
-    const auto judge = [&](const std::string& name, double valu) {
-        if (valu <= *command.below) return;
+    for (const auto& [name, valu] : all) {
+        if (!command.below || valu <= *command.below) continue;
         more = true;
         fmt::print(stderr, "{}\n",
                    base::one_line(fmt::format("{}: {:g} vector instructions, allowed are {:g}", name, valu,
                                               *command.below)));
-    };
-    if (!command.below) return false;
-    double frame = 0.0;
-    for (const CostRow& row : rows) {
-        frame += row.valu();
-        if (command.preset.empty()) judge(row.name, row.valu());
     }
-    if (!command.preset.empty()) judge(command.preset, frame);
     return more;
 }
 
 int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of) {
     if (command.file.empty() == command.preset.empty())
         throw std::invalid_argument("expected a file, or --preset NAME");
-    if (!command.set.empty() && command.preset.empty())
-        throw std::invalid_argument("--set: expected --preset NAME");
-    if (command.tiles && command.preset.empty())
-        throw std::invalid_argument("--tiles: expected --preset NAME");
     if (!command.file.empty()) {
+        if (!command.set.empty()) throw std::invalid_argument("--set: expected --preset NAME");
+        if (command.tiles) throw std::invalid_argument("--tiles: expected --preset NAME");
         command.functions.insert(command.functions.begin(), command.file);
         std::tie(command.file, command.functions) = file_and_functions(command.functions, equations);
     }

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "backend/backend.hpp"
-#include "backend/gl/device.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/framework/open_device.hpp"
@@ -36,17 +34,9 @@ void print_device(const backend::DeviceInfo& device) {
     print_float_controls(device.float32);
 }
 
-// What each executor of OpenGL and OpenGL ES has (backend/gl/device.hpp), by its name. Each is opened in a
-// process of its own: what a driver does to that costs no more than its devices.
-std::vector<std::pair<std::string, Listing>> list_gl_executors() {
-    std::vector<std::pair<std::string, Listing>> executors;
-    for (const std::string& name : gl::executors()) executors.emplace_back(name, list_opengl(name));
-    return executors;
-}
-
 void print_json(const Drivers& drivers) {
     nlohmann::ordered_json all = record::json_of(drivers.devices);
-    for (const auto& [name, listing] : list_gl_executors())
+    for (const auto& [name, listing] : list_opengl())
         for (const backend::DeviceInfo& device : listing.devices)
             all.push_back({{"index", nullptr},
                            {"name", device.name},
@@ -69,7 +59,7 @@ int run_devices(bool json) {
         return 0;
     }
     for (const backend::DeviceInfo& device : drivers.devices) print_device(device);
-    for (const auto& [name, listing] : list_gl_executors()) {
+    for (const auto& [name, listing] : list_opengl()) {
         for (const backend::DeviceInfo& device : listing.devices)
             fmt::print("{}: {}, {}\n", device.name, device.api_version, device.driver);
         if (!listing.error.empty()) fmt::print("OpenGL on {}: {}\n", name, listing.error);
@@ -90,17 +80,6 @@ Command devices_command() {
         .options = {{"--json", &json, "as JSON"}, driver_option()},
         .run = [] { return run_devices(json); },
         .examples = "  gloam devices --json\n"};
-}
-
-std::vector<std::string> gl_device_names() {
-    std::vector<std::string> names;
-    std::string error;
-    for (const auto& [name, listing] : list_gl_executors()) {
-        if (error.empty()) error = listing.error;
-        for (const backend::DeviceInfo& device : listing.devices) names.push_back(device.name);
-    }
-    if (names.empty()) throw std::runtime_error(error.empty() ? "there is no OpenGL device" : error);
-    return names;
 }
 
 }  // namespace gloam::cli

@@ -13,12 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"
 #include "base/number.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/check/checker.hpp"
+#include "cli/framework/check/worker.hpp"
 
 namespace gloam::cli {
 
@@ -52,10 +53,10 @@ std::chrono::duration<double> time_to_load() {
         fmt::format("GLOAM_DRIVER_SECONDS \"{}\": expected seconds, 0.1 to {}", text, most));
 }
 
-Listing listed(const std::string& option, std::vector<std::string> environment = {}) {
+Listing listed(const std::string& what, std::vector<std::string> environment = {}) {
     const std::chrono::duration<double> patience = time_to_load();
     const base::ProcessResult result =
-        base::run_process(listing_command(option), "",
+        base::run_process(listing_command(what), "",
                           {.patience = std::chrono::ceil<std::chrono::milliseconds>(patience),
                            .environment = std::move(environment)});
     if (result.end == base::ProcessResult::End::time)
@@ -78,7 +79,7 @@ std::vector<std::string> only(const std::string& manifests) {
 // The manifests of the drivers that the Vulkan loader would load, in its order, as it says itself.
 std::vector<fs::path> driver_manifests() {
     const std::string log =
-        base::run_process(listing_command("--manifests"), "",
+        base::run_process(listing_command("manifests"), "",
                           {.environment = {"VK_LOADER_DEBUG=driver", "VK_LOADER_DRIVERS_DISABLE=*"}})
             .output;
     std::istringstream lines(log.substr(std::min(log.size(), log.find("Found the following files:"))));
@@ -103,23 +104,36 @@ void say_skipped(const BrokenDriver& driver) {
     fmt::print(stderr, "gloam: {}; it is skipped\n", text_of(driver));
 }
 
-Listing list_opengl(const std::string& executor) {
-    return listed("--opengl=" + executor);
+std::vector<std::pair<std::string, Listing>> list_opengl() {
+    std::vector<std::pair<std::string, Listing>> executors;
+    for (const std::string& name : gl::executors()) executors.emplace_back(name, listed(name));
+    return executors;
+}
+
+std::vector<std::string> gl_device_names() {
+    std::vector<std::string> names;
+    std::string error;
+    for (const auto& [name, listing] : list_opengl()) {
+        if (error.empty()) error = listing.error;
+        for (const backend::DeviceInfo& device : listing.devices) names.push_back(device.name);
+    }
+    if (names.empty()) throw std::runtime_error(error.empty() ? "there is no OpenGL device" : error);
+    return names;
 }
 
 Drivers load_drivers() {
-    Drivers found{listed("--list"), {}};
+    Drivers found{listed("vulkan"), {}};
     if (found.reason == check::Reason::none) return found;
     std::string others;
     for (const fs::path& manifest : driver_manifests()) {
-        const Listing alone = listed("--list", only(manifest));
+        const Listing alone = listed("vulkan", only(manifest));
         if (alone.reason == check::Reason::none)
             others += (others.empty() ? "" : ":") + manifest.string();
         else
             found.broken.push_back({alone, manifest});
     }
     found.error = found.broken.empty() ? "the Vulkan drivers: " + found.error : text_of(found.broken.front());
-    found.devices = listed("--list", only(others)).devices;
+    found.devices = listed("vulkan", only(others)).devices;
     if (found.devices.empty()) return found;
     for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
         ::setenv(variable, others.c_str(), 1);
@@ -133,15 +147,6 @@ void require_good_drivers() {
 }
 
 namespace {
-
-// Throws if a driver that was requested by name has no device. If it is broken, the command reports that.
-void require_driver(const fs::path& manifest) {
-    const Listing alone = listed("--list", only(manifest));
-    if (!alone.devices.empty() || alone.reason != check::Reason::none) return;
-    throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
-                                         manifest.string(),
-                                         alone.error.empty() ? "it gives none" : alone.error));
-}
 
 std::vector<fs::path> asked_for;  // manifests of --driver
 
@@ -157,7 +162,11 @@ void tell_the_loader() {
     gpu::add_drivers(all);
     for (fs::path& manifest : asked_for) {
         manifest = fs::absolute(manifest);
-        require_driver(manifest);
+        const Listing alone = listed("vulkan", only(manifest));
+        if (!alone.devices.empty() || alone.reason != check::Reason::none) continue;  // the command says it
+        throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
+                                             manifest.string(),
+                                             alone.error.empty() ? "it gives none" : alone.error));
     }
 }
 

@@ -12,7 +12,7 @@
 
 #include "base/number.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/check/checker.hpp"
+#include "cli/framework/own_file.hpp"
 #include "interpreter/program.hpp"
 #include "judge/explain.hpp"
 #include "module/compile.hpp"

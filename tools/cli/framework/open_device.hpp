@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
@@ -32,8 +33,12 @@ struct Listing {
     check::Reason reason = check::Reason::none;  // crash, hang: it ended, or was ended, without a word
 };
 
-// Lists the OpenGL devices of an executor (backend/gl/device.hpp).
-[[nodiscard]] Listing list_opengl(const std::string& executor);
+// What each executor of OpenGL and OpenGL ES has (backend/gl/device.hpp), by its name. Each is opened in a
+// process of its own: what a driver does to that costs no more than its devices.
+[[nodiscard]] std::vector<std::pair<std::string, Listing>> list_opengl();
+
+// The names of all OpenGL devices. Throws std::runtime_error that says why where there is none.
+[[nodiscard]] std::vector<std::string> gl_device_names();
 
 // A Vulkan driver that crashes, exits or hangs while it loads: its listing says why there are no devices.
 struct BrokenDriver : Listing {
@@ -58,9 +63,6 @@ void say_skipped(const BrokenDriver& driver);
 
 // Manifests of --driver.
 [[nodiscard]] const std::vector<std::filesystem::path>& drivers_asked_for();
-
-// The names of all OpenGL devices. Throws std::runtime_error that says why where there is none.
-[[nodiscard]] std::vector<std::string> gl_device_names();
 
 // Its one line of JSON, without the reason; a device as `gloam devices --json` shows it.
 template <class Io>

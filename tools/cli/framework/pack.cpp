@@ -13,7 +13,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/check/checker.hpp"
+#include "cli/framework/own_file.hpp"
 #include "module/include.hpp"
 #include "module/texts.hpp"
 #include "record/output.hpp"
@@ -29,41 +29,29 @@ struct Packed {
     std::vector<std::string> functions;
 };
 
-// A file by its path, or by its name inside the library; else an equation, of which only the function is
-// packed.
-void find_one(const std::string& name, const std::vector<fs::path>& roots, EquationsNamed* equations,
-              Packed& packed) {
-    std::error_code none;
-    if (fs::exists(name, none))
-        return packed.files.emplace_back(name), void();  // reading it says if it is a text
-    const bool is_file = is_shader_file(name) || name.find('/') != std::string::npos;
-    if (is_file && name.find_first_of("*?") == std::string::npos)
-        return packed.files.push_back(shader::resolve_include(name, {}, roots));
-    for (const check::Question& equation : equations({name})) {
-        const fs::path file = shader::resolve_include(equation.file, {}, roots);
-        if (std::ranges::find(packed.files, file) == packed.files.end()) packed.files.push_back(file);
-        packed.functions.push_back(equation.function);
-    }
-}
-
+// Each name is a file by its path, or by its name inside the library; else equations, of which only the
+// functions are packed.
 Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots, EquationsNamed* equations) {
     Packed packed{.files = {}, .functions = options.functions};
     bool whole = false;
     for (const std::string& name : options.files) {
-        const std::size_t before = packed.functions.size();
-        find_one(name, roots, equations, packed);
-        whole = whole || packed.functions.size() == before;
+        std::error_code none;
+        const bool exists = fs::exists(name, none);
+        const bool may_exist = is_shader_file(name) || name.find('/') != std::string::npos;
+        if (exists || (may_exist && name.find_first_of("*?") == std::string::npos)) {
+            packed.files.push_back(exists ? fs::path(name) : shader::resolve_include(name, {}, roots));
+            whole = true;
+            continue;
+        }
+        for (const check::Question& equation : equations({name})) {
+            const fs::path file = shader::resolve_include(equation.file, {}, roots);
+            if (std::ranges::find(packed.files, file) == packed.files.end()) packed.files.push_back(file);
+            packed.functions.push_back(equation.function);
+        }
     }
     if (whole && packed.functions.size() > options.functions.size())
         throw std::invalid_argument("files and equations together: expected one or the other");
     return packed;
-}
-
-// The stage from the suffix of a file's name.
-std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
-    for (const fs::path& file : files)
-        if (const auto stage = shader::stage_of_file(file)) return stage;
-    return std::nullopt;
 }
 
 // Throws like shader::pack(), in one line for what Vulkan alone refuses: uniforms outside blocks.
@@ -103,11 +91,13 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
     std::vector<fs::path> roots{glsl_directory()};
     roots.insert(roots.begin(), options.includes.begin(), options.includes.end());
     const auto [files, functions] = find_all(options, roots, equations);
-    // As in check and audit, "#include <sub/x.glsl>" may name a file beside the one that is given.
-    for (const fs::path& file : files) roots.insert(roots.begin(), fs::absolute(file).parent_path());
+    shader::PackRequest request{.language = *language, .functions = functions};
+    for (const fs::path& file : files) {
+        // As in check and audit, "#include <sub/x.glsl>" may name a file beside the one that is given.
+        roots.insert(roots.begin(), fs::absolute(file).parent_path());
+        if (!request.stage) request.stage = shader::stage_of_file(file);
+    }
     const record::OutputFile out(options.out);
-    const shader::PackRequest request{
-        .language = *language, .functions = functions, .stage = stage_of(files)};
     const std::string packed = base::tried(files.front(), [&] {
         const std::string text = packed_text(files, request, roots, options.defines);
         if (shader::code_lines(text) <= 1)  // its #version

@@ -4,28 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <array>
 #include <cstdio>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
 
-#include "cli/framework/check/selection.hpp"
+#include "base/threads.hpp"
+#include "cli/framework/check/worker.hpp"
+#include "cli/framework/open_device.hpp"
 #include "cli/progress.hpp"
+#include "record/answer_json.hpp"
 
 namespace gloam::cli {
 namespace {
 
-void print_device(const record::DeviceSummary& device) {
-    fmt::print("device: {}\nversions: {}\n{}\n", record::name_of(device), versions(), record::table_header());
-    std::fflush(stdout);
-}
-
-void print_row(const check::Answer& row) {
-    std::string verdict = record::verdict_of(row);
-    if (row.passed() || row.failed()) verdict = colored(verdict, row.passed() ? Ink::good : Ink::bad);
-    if (row.reason == check::Reason::unchanged) return;  // there are many, and step_summary() counts them
-    fmt::print("{}\n", record::table_line(row, verdict));
-    std::fflush(stdout);
-}
+using check::Answer;
 
 // The conditions under which --resume goes on from a journal.
 std::string journal_heading(const CheckOptions& options) {
@@ -37,99 +33,215 @@ std::string journal_heading(const CheckOptions& options) {
     return heading.dump();
 }
 
+// A line of the journal.
+struct JournalRow {
+    std::string device;
+    Answer row;
+};
+
+template <class Io>
+void members(Io& io, JournalRow& kept) {
+    record::each(io, "device", kept.device, "row", kept.row);
+}
+
+// One worker for each core, unless the work is too short for another worker's start.
+unsigned jobs_of(const CheckOptions& options, std::size_t checks) {
+    constexpr std::size_t checks_that_pay = 64;
+    constexpr std::size_t most = 16;
+    if (options.in_process) return 1;
+    const std::size_t jobs = std::min({checks / checks_that_pay, std::size_t{base::processors()}, most});
+    return static_cast<unsigned>(std::max<std::size_t>(options.jobs == 0 ? jobs : options.jobs, 1));
+}
+
+// The row of a device that cannot be opened.
+Answer device_row(check::Reason reason, const std::string& error, std::size_t checks_left) {
+    Answer row{{.equation = "device"}};
+    row.error = fmt::format("the device cannot be opened, {} checks were not run: {}", checks_left, error);
+    row.reason = reason;
+    return row;
+}
+
+// The workers and rows of one device, which its threads share.
+struct Shared {
+    CheckOptions options;
+    std::map<std::thread::id, Worker> workers = {};  // each lives and dies with its thread
+    std::vector<std::optional<Answer>> rows = {};    // of the tasks
+    std::size_t reported = 0;                        // of these
+    std::optional<NoWorker> given_up = {};           // why no more tasks are begun
+    std::mutex mutex = {};
+
+    // The worker of this thread.
+    Worker& worker() { return workers.try_emplace(std::this_thread::get_id(), options).first->second; }
+};
+
+// The checks of one call of `gloam check`, on one device after the other.
+class CheckRun {
+  public:
+    CheckRun(const CheckOptions& options, const std::vector<CheckTask>& tasks)
+        : options_(options),
+          tasks_(tasks),
+          journal_(options.journal(), journal_heading(options), options.resume,
+                   [this](std::string_view line) {
+                       const auto kept = record::from_line<JournalRow>(line);
+                       // A hang or a crash can have other causes than the driver, so it is tried again.
+                       if (kept.row.ran())
+                           known_[{kept.device, kept.row.equation, kept.row.variant}] = kept.row;
+                   }),
+          progress_(progress_bar("checks", options.progress)) {
+        if (!options.failures.empty()) failures_.emplace(options.failures);
+    }
+    ~CheckRun() { progress_(-1.0); }
+    CheckRun(const CheckRun&) = delete;
+    CheckRun& operator=(const CheckRun&) = delete;
+
+    // What --device stands for. Adds a report for each broken driver.
+    [[nodiscard]] std::vector<std::string> devices() {
+        if (options_.device == every_opengl) return gl_device_names();
+        if (options_.device == check::interpreter_name || is_opengl(options_.device))
+            return {options_.device};
+        const Drivers drivers = load_drivers();
+        for (const BrokenDriver& driver : drivers.broken) {
+            if (drivers.devices.empty()) break;  // opening the default device reports why there is none
+            if (options_.device != "all" && std::ranges::count(drivers_asked_for(), driver.manifest) == 0) {
+                say_skipped(driver);
+                continue;
+            }
+            reports.push_back({.device = {.name = "driver " + driver.manifest.string()}, .rows = {}});
+            begin();
+            add(device_row(driver.reason, driver.error, tasks_.size()));
+        }
+        if (options_.device != "all") return {options_.device};
+        if (drivers.devices.empty() && !drivers.error.empty()) throw std::runtime_error(drivers.error);
+        std::vector<std::string> all;
+        for (const backend::DeviceInfo& device : drivers.devices) all.push_back(std::to_string(device.index));
+        if (all.empty()) all.emplace_back();
+        return all;
+    }
+
+    // Adds the report of a device. Throws NoWorker if that is the only one and refuses to open.
+    void run_on(const std::string& device) {
+        Shared shared{.options = options_};
+        shared.options.device = device;
+        record::CheckReport& report = reports.emplace_back();
+        try {
+            report.device = shared.worker().device();
+        } catch (const NoWorker& none) {
+            const bool refuses = none.reason == check::Reason::error;
+            if (refuses && options_.device != "all" && options_.device != every_opengl) throw;
+            report.device.name = refuses ? "device " + device : device.empty() ? "default" : device;
+            return add(device_row(none.reason, none.what(), tasks_.size()));
+        }
+        begin();
+        for (const CheckTask& task : tasks_) {
+            const auto known = known_.find(key_of(task.identity));
+            const bool holds = known != known_.end() && !(known->second.failed() && failures_);
+            shared.rows.push_back(holds ? std::optional(known->second) : std::nullopt);
+        }
+        take_next(shared);
+        base::for_each_index(tasks_.size(), jobs_of(options_, tasks_.size()),
+                             [&](std::size_t number) { run_task(shared, number); });
+        for (std::size_t i = 0; i < tasks_.size(); ++i) {
+            if (!shared.rows[i]) continue;
+            if (i >= shared.reported) take(*shared.rows[i]);
+            report.rows.push_back(std::move(*shared.rows[i]));
+        }
+        if (const auto& none = shared.given_up)
+            add(device_row(none->reason, none->what(), tasks_.size() - report.rows.size()));
+    }
+
+    std::vector<record::CheckReport> reports;
+    std::size_t left = 0;  // checks; for the progress
+
+  private:
+    // Of equation and variant, on the device of the last report.
+    using Key = std::array<std::string, 3>;
+    [[nodiscard]] Key key_of(const check::AnswerIdentity& row) const {
+        return {name_of(reports.back().device), row.equation, row.variant};
+    }
+
+    // Names the last report's device.
+    void begin() {
+        progress_(-1.0);
+        if (options_.rows) {
+            fmt::print("device: {}\nversions: {}\n{}\n", record::name_of(reports.back().device), versions(),
+                       record::table_header());
+            std::fflush(stdout);
+        }
+        show_progress();
+    }
+
+    // Runs a task, and prepares its failure for a report; on any thread.
+    void run_task(Shared& shared, std::size_t number) {
+        std::unique_lock lock(shared.mutex);
+        if (shared.rows[number] || shared.given_up) return;
+        Worker& worker = shared.worker();
+        lock.unlock();
+        const CheckTask& task = tasks_[number];
+        try {
+            const Answer row = worker.run(task);
+            lock.lock();
+            shared.rows[number] = row;
+            take_next(shared);
+            if (!row.failed() || !failures_) return;
+            lock.unlock();
+            const FailureBundle bundle = worker.bundle(task, row);
+            lock.lock();
+            const record::DeviceSummary& on = reports.back().device;
+            write_failure(*failures_, on, row, bundle, {command_for(options_, on, row), versions()});
+        } catch (const NoWorker& none) {
+            lock.lock();
+            if (!shared.given_up) shared.given_up = none;
+        }
+    }
+
+    // Takes the rows that come next, in the order of the tasks.
+    void take_next(Shared& shared) {
+        while (shared.reported < tasks_.size() && shared.rows[shared.reported])
+            take(*shared.rows[shared.reported++]);
+    }
+
+    // Keeps and prints a row of the last report.
+    void take(const Answer& row) {
+        const bool is_known = known_.contains(key_of(row));
+        if (!is_known) journal_.add(record::line_of(JournalRow{record::name_of(reports.back().device), row}));
+        progress_(-1.0);
+        if (options_.rows && row.reason != check::Reason::unchanged) {  // which step_summary() counts
+            std::string verdict = record::verdict_of(row);
+            if (row.passed() || row.failed()) verdict = colored(verdict, row.passed() ? Ink::good : Ink::bad);
+            fmt::print("{}\n", record::table_line(row, verdict));
+            std::fflush(stdout);
+        }
+        if (left > 0) --left;
+        if (!is_known) ++done_;  // what is known took no time
+        show_progress();
+    }
+
+    void add(const Answer& row) {
+        reports.back().rows.push_back(row);
+        take(row);
+    }
+
+    void show_progress() const {
+        progress_(static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(done_ + left, 1)));
+    }
+
+    const CheckOptions& options_;
+    const std::vector<CheckTask>& tasks_;
+    std::map<Key, Answer> known_;  // rows of an earlier run
+    record::Journal journal_;
+    std::optional<record::OutputFolder> failures_;
+    std::size_t done_ = 0;  // checks, without those that are known
+    std::function<void(double)> progress_;
+};
+
 }  // namespace
 
-CheckRun::CheckRun(const CheckOptions& options, std::vector<CheckTask> tasks)
-    : options_(options),
-      tasks_(std::move(tasks)),
-      journal_(options.journal(), journal_heading(options), options.resume,
-               [this](std::string_view line) {
-                   const auto kept = record::from_line<JournalRow>(line);
-                   // A hang or a crash can have other causes than the driver, so the check is tried again.
-                   if (kept.row.ran()) known_[{kept.device, kept.row.equation, kept.row.variant}] = kept.row;
-               }),
-      progress_(progress_bar("checks", options.progress)) {
-    if (!options.failures.empty()) failures_.emplace(options.failures);
-}
-
-std::vector<record::CheckReport> CheckRun::run() {
-    const std::vector<std::string> all = devices();
-    left_ = tasks_.size() * all.size();
-    for (const std::string& device : all) run_on(device);
-    return std::move(reports_);
-}
-
-// What --device stands for. Adds a report for each broken driver.
-std::vector<std::string> CheckRun::devices() {
-    if (options_.device == every_opengl) return gl_device_names();
-    if (options_.device == check::interpreter_name || is_opengl(options_.device)) return {options_.device};
-    const Drivers drivers = load_drivers();
-    if (!drivers.devices.empty())
-        for (const BrokenDriver& driver : drivers.broken) report(driver);
-    // Otherwise opening the default device reports why there is none.
-    if (options_.device != "all") return {options_.device};
-    if (drivers.devices.empty() && !drivers.error.empty()) throw std::runtime_error(drivers.error);
-    std::vector<std::string> all;
-    for (const backend::DeviceInfo& device : drivers.devices) all.push_back(std::to_string(device.index));
-    if (all.empty()) all.emplace_back();
-    return all;
-}
-
-// A broken driver is reported by a row, if it was selected, and by a line; others are not affected.
-void CheckRun::report(const BrokenDriver& driver) {
-    if (options_.device != "all" && std::ranges::count(drivers_asked_for(), driver.manifest) == 0)
-        return say_skipped(driver);
-    reports_.push_back({.device = {.name = "driver " + driver.manifest.string()},
-                        .rows = {device_row(driver.reason, driver.error, tasks_.size())}});
-    if (!options_.rows) return;
-    print_device(reports_.back().device);
-    print_row(reports_.back().rows.front());
-}
-
-void CheckRun::run_on(const std::string& device) {
-    const auto timeout = std::max(1L, std::lround(options_.timeout * 1000.0));
-    try {
-        reports_.push_back(run_on_device(*this, {.equations = options_.named,
-                                                 .device = device,
-                                                 .validation = options_.validation,
-                                                 .timeout = std::chrono::milliseconds(timeout)}));
-    } catch (const DeviceRefused& refused) {
-        if (options_.device != "all" && options_.device != every_opengl) throw;
-        reports_.push_back({.device = {.name = "device " + device},
-                            .rows = {device_row(check::Reason::error, refused.what(), tasks_.size())}});
-        if (options_.rows) print_row(reports_.back().rows.front());
-    }
-}
-
-std::optional<check::Answer> CheckRun::known(const record::DeviceSummary& on, const CheckTask& task) const {
-    const auto row = known_.find({record::name_of(on), task.equation, task.variant});
-    if (row == known_.end() || (row->second.failed() && wants_bundles())) return std::nullopt;
-    return row->second;
-}
-
-void CheckRun::begin(const record::DeviceSummary& on) {
-    progress_(-1.0);
-    if (options_.rows) print_device(on);
-    show_progress();
-}
-
-void CheckRun::take(const record::DeviceSummary& on, const check::Answer& row) {
-    const bool is_known = known_.contains({record::name_of(on), row.equation, row.variant});
-    if (!is_known) journal_.add(record::line_of(JournalRow{record::name_of(on), row}));
-    progress_(-1.0);
-    if (options_.rows) print_row(row);
-    if (left_ > 0) --left_;
-    if (!is_known) ++done_;  // what is known took no time
-    show_progress();
-}
-
-void CheckRun::keep(const record::DeviceSummary& on, const check::Answer& failed,
-                    const FailureBundle& bundle) {
-    write_failure(*failures_, on, failed, bundle, {command_for(options_, on, failed), versions()});
-}
-
-void CheckRun::show_progress() const {
-    progress_(static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(done_ + left_, 1)));
+std::vector<record::CheckReport> run_tasks(const CheckOptions& options, const std::vector<CheckTask>& tasks) {
+    CheckRun run(options, tasks);
+    const std::vector<std::string> devices = run.devices();
+    run.left = tasks.size() * devices.size();
+    for (const std::string& device : devices) run.run_on(device);
+    return std::move(run.reports);
 }
 
 }  // namespace gloam::cli

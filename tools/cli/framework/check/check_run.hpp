@@ -1,80 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <optional>
-#include <stdexcept>
 #include <string>
-#include <tuple>
 #include <vector>
 
-#include "cli/framework/check/checker.hpp"
-#include "cli/framework/open_device.hpp"
-#include "record/check_report.hpp"
-#include "record/output.hpp"
+#include "cli/framework/check.hpp"
 
 namespace gloam::cli {
 
-// The checks of one call of `gloam check`, on one device after the other. Prints rows as they come, writes
-// them to the journal, and shows the progress. The runner of a device asks it for what is known, and tells it
-// what happens, in the order of the tasks and never from two threads at once.
-class CheckRun {
-  public:
-    CheckRun(const CheckOptions& options, std::vector<CheckTask> tasks);
-    ~CheckRun() { progress_(-1.0); }
-    CheckRun(const CheckRun&) = delete;
-    CheckRun& operator=(const CheckRun&) = delete;
+// The name of all OpenGL devices together.
+inline constexpr const char* every_opengl = "gl";
+[[nodiscard]] bool is_opengl(const std::string& device);
 
-    // A report for each device that the options select, and for each broken driver among these.
-    [[nodiscard]] std::vector<record::CheckReport> run();
+// Whether the first word is a file of the user's: functions, or a module.
+[[nodiscard]] bool is_of_file(const CheckOptions& options);
 
-    [[nodiscard]] const CheckOptions& options() const { return options_; }
-    [[nodiscard]] const std::vector<CheckTask>& tasks() const { return tasks_; }
-    // Whether failures are to be prepared for a report.
-    [[nodiscard]] bool wants_bundles() const { return failures_.has_value(); }
+// The selected equations or functions in every selected variant; only this shard's share. `outcome` receives
+// what was left out of a file. Throws like functions_of(), and std::invalid_argument
+// for variants that the device does not have.
+[[nodiscard]] std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome);
 
-    // The row of an earlier run, which is not run again. A failure is, if it is to be prepared for a report.
-    [[nodiscard]] std::optional<check::Answer> known(const record::DeviceSummary& on,
-                                                     const CheckTask& task) const;
-    void begin(const record::DeviceSummary& on);
-    void take(const record::DeviceSummary& on, const check::Answer& row);
-    // In any order.
-    void keep(const record::DeviceSummary& on, const check::Answer& failed, const FailureBundle& bundle);
+// Runs every task on each device that the options select, in worker processes, so that a crash or hang of a
+// driver affects only its task; or in this process, if the options say so. Prints rows as they come, in the
+// order of the tasks, writes them to the journal, and shows the progress. Returns a report for each device,
+// and for each broken driver among these. If a device cannot be opened any more, its run ends with an
+// additional row, named "device", with the reason and the number of checks that were not run. Throws NoWorker
+// if the only device cannot be opened.
+[[nodiscard]] std::vector<record::CheckReport> run_tasks(const CheckOptions& options,
+                                                         const std::vector<CheckTask>& tasks);
 
-  private:
-    using Key = std::tuple<std::string, std::string, std::string>;  // device, equation, variant
-
-    [[nodiscard]] std::vector<std::string> devices();
-    void report(const BrokenDriver& driver);
-    void run_on(const std::string& device);
-    void show_progress() const;
-
-    const CheckOptions& options_;
-    std::vector<CheckTask> tasks_;
-    std::map<Key, check::Answer> known_;
-    record::Journal journal_;
-    std::optional<record::OutputFolder> failures_;
-    std::vector<record::CheckReport> reports_;
-    std::size_t done_ = 0;  // checks, without those that are known
-    std::size_t left_ = 0;
-    std::function<void(double)> progress_;
-};
-
-// The device refuses to open, for example because no device has this name.
-class DeviceRefused : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-// Runs every task in worker processes, so that a crash or hang of a driver affects only its task; or in this
-// process, if the options say so. If a device cannot be opened any more, its run ends with an additional row,
-// named "device", with the reason and the number of checks that were not run. Throws DeviceRefused before the
-// first task only.
-[[nodiscard]] record::CheckReport run_on_device(CheckRun& run, const CheckerOptions& checker);
-
-// The row of a device that cannot be opened.
-[[nodiscard]] check::Answer device_row(check::Reason reason, const std::string& error,
-                                       std::size_t checks_left);
+// The command that repeats this check exactly: the same inputs on the same device.
+[[nodiscard]] std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
+                                      const check::Answer& row);
 
 }  // namespace gloam::cli

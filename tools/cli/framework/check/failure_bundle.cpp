@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "cli/framework/check/failure_bundle.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +6,7 @@
 #include <span>
 
 #include "backend/sampled.hpp"
+#include "cli/framework/check/worker.hpp"
 #include "judge/answer.hpp"
 #include "judge/reproduction.hpp"
 #include "module/spirv.hpp"
@@ -21,8 +21,8 @@ std::vector<std::string> comments_of(const check::Reproduction& all, const check
                                      const CheckTask& task, const backend::DeviceInfo& device,
                                      const std::string& how) {
     std::vector<std::string> comments{
-        fmt::format("{}: {} of {}, variant {}", task.equation, question.function, question.file,
-                    task.variant),
+        fmt::format("{}: {} of {}, variant {}", task.identity.equation, question.function, question.file,
+                    task.identity.variant),
         fmt::format("Found on: {} ({})", device.name, device.driver),
         fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
         "Run it with: " + how};
@@ -41,22 +41,15 @@ check::Reproduction encoded(check::Reproduction all) {
     return all;
 }
 
-check::Reproduction reproduction_of(const check::Lab& lab, const check::Question& question,
-                                    const check::RunOptions& options, const check::Answer& failed) {
-    if (!failed.ran()) return check::reproduce(lab, question, options);
-    if (failed.outside() > 0) return check::reproduce(lab, question, options, failed.worst.value());
-    return check::reproduce_fault(lab, question, options);
-}
-
 }  // namespace
 
 FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, const CheckTask& task,
                         const check::Answer& failed) {
-    const check::Reproduction all = reproduction_of(lab, question, task.run, failed);
+    const check::Reproduction all = !failed.ran() ? check::reproduce(lab, question, task.run)
+                                    : failed.outside() > 0
+                                        ? check::reproduce(lab, question, task.run, failed.worst.value())
+                                        : check::reproduce_fault(lab, question, task.run);
     const backend::DeviceInfo& device = lab.info();
-    const auto comments = [&](const std::string& how) {
-        return comments_of(all, question, task, device, how);
-    };
     if (!all.opengl.empty()) return {.glsl = all.opengl, .rules = all.rules, .smallest = all.failure};
     FailureBundle bundle{.glsl = all.glsl,
                          .assembly = all.assembly,
@@ -71,11 +64,14 @@ FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, 
     const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
     const bool has_layers =
         std::ranges::any_of(all.images, [](const auto& image) { return image.bound && image.words.empty(); });
-    if (!has_images) bundle.amber = record::to_amber(all, comments("amber -v 1.2 -t spv1.5 repro.amber"));
+    if (!has_images)
+        bundle.amber = record::to_amber(
+            all, comments_of(all, question, task, device, "amber -v 1.2 -t spv1.5 repro.amber"));
     if (!has_layers)
-        bundle.c_program =
-            record::to_c_program(encoded(all), comments("cc repro.c -o repro -lvulkan -lm && ./repro"),
-                                 device.name == check::interpreter_name ? "" : device.name);
+        bundle.c_program = record::to_c_program(
+            encoded(all),
+            comments_of(all, question, task, device, "cc repro.c -o repro -lvulkan -lm && ./repro"),
+            device.name == check::interpreter_name ? "" : device.name);
     return bundle;
 }
 

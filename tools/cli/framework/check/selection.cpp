@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/framework/check/selection.hpp"
+#include "cli/framework/check/check_run.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -10,10 +10,11 @@
 
 #include "backend/gl/device.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "cli/environment.hpp"
-#include "cli/framework/check/checker.hpp"
 #include "cli/framework/open_device.hpp"
 #include "module/steps.hpp"
+#include "record/failures.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -38,39 +39,19 @@ std::vector<std::string> followed(const std::vector<std::string>& names, const s
     return longer;
 }
 
-}  // namespace
-
-bool is_opengl(const std::string& device) {
-    return device == every_opengl || gl::is_device_name(device);
-}
-
-// A file of the library by its name there is its equations, unless there is a file of this name.
-bool is_of_file(const CheckOptions& options) {
-    if (options.equations.empty()) return false;
-    const std::string& first = options.equations.front();
-    std::error_code none;
-    if (std::filesystem::exists(first, none) || !std::filesystem::exists(glsl_directory() / first, none))
-        return is_shader_file(first);
-    return false;
-}
-
-namespace {
-
 // The variants that the options ask for, with the steps of each --compiler. OpenGL devices have one variant:
 // the others are ways to make a SPIR-V module. Throws std::invalid_argument.
 std::vector<shader::Variant> variants_of(const CheckOptions& options) {
-    std::vector<std::string> names;
-    std::vector<std::string> bases;
-    for (const shader::Variant& variant : select_variants(options.variant)) bases.push_back(variant.name);
+    const std::vector<shader::Variant> bases = select_variants(options.variant);
+    std::vector<shader::Variant> variants;
+    if (options.compilers.empty()) variants = bases;
     for (const std::string& compiler : options.compilers) {
-        std::vector<std::string> chains = bases;
+        std::vector<std::string> chains;
+        for (const shader::Variant& base : bases) chains.push_back(base.name);
         for (const auto step : std::views::split(std::string_view(compiler), shader::step_separator))
             chains = followed(chains, std::string(step.begin(), step.end()));
-        names.insert(names.end(), chains.begin(), chains.end());
+        for (const std::string& name : chains) variants.push_back(shader::variant(name));
     }
-    std::vector<shader::Variant> variants;
-    for (const std::string& name : options.compilers.empty() ? bases : names)
-        variants.push_back(shader::variant(name));
     if (!is_opengl(options.device)) return variants;
     const std::optional<gl::DeviceName> named = gl::device_name_from(options.device);
     const bool compute = !named || gl::has_compute(named->version);
@@ -101,7 +82,8 @@ std::vector<check::Question> functions_in_file(const CheckOptions& options, Chec
         outcome.complete = outcome.complete && !function.is_error && words.size() == 1;
     }
     std::vector<check::Question> questions;
-    for (const check::OwnFunction& function : functions.found) questions.push_back({.name = function.name});
+    for (const check::OwnFunction& one : functions.found)
+        questions.push_back({.name = one.name, .file = one.file, .function = one.function.name});
     if (!questions.empty()) return questions;
     if (functions.left_out.size() > 1)
         for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
@@ -137,10 +119,24 @@ Shard shard_from(std::string text) {
 
 }  // namespace
 
+bool is_opengl(const std::string& device) {
+    return device == every_opengl || gl::is_device_name(device);
+}
+
+// A file of the library by its name there is its equations, unless there is a file of this name.
+bool is_of_file(const CheckOptions& options) {
+    if (options.equations.empty()) return false;
+    const std::string& first = options.equations.front();
+    std::error_code none;
+    if (std::filesystem::exists(first, none) || !std::filesystem::exists(glsl_directory() / first, none))
+        return is_shader_file(first);
+    return false;
+}
+
 std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
     const Shard shard = shard_from(options.shard);
     CheckTask task = options.task;
-    if (is_of_file(options)) task.file = std::filesystem::absolute(options.equations.front()).string();
+    if (is_of_file(options)) task.path = std::filesystem::absolute(options.equations.front()).string();
     const std::vector<check::Question> questions =
         is_of_file(options) ? functions_in_file(options, outcome) : options.named(options.equations);
     std::vector<CheckTask> tasks;
@@ -149,8 +145,10 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
         for (const check::Question& question : questions) {
             if (question.answers && variant.name != "shipped") continue;  // a pass has no other
             if (position++ % shard.count != shard.index) continue;
-            task.equation = question.name;
-            task.variant = variant.name;
+            task.identity = {.equation = question.name,
+                             .function = question.function,
+                             .file = question.file,
+                             .variant = variant.name};
             tasks.push_back(task);
         }
     }

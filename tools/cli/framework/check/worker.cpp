@@ -1,118 +1,313 @@
 // SPDX-License-Identifier: MIT
-#include "cli/framework/check/checker.hpp"
+#include "cli/framework/check/worker.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <iostream>
-#include <optional>
+#include <stdexcept>
 #include <system_error>
 
+#include "audit/audit.hpp"
+#include "audit/own_domain.hpp"
 #include "backend/gl/device.hpp"
+#include "base/text.hpp"
+#include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
+#include "module/include.hpp"
+#include "record/answer_json.hpp"
 
 namespace gloam::cli {
+
+// The messages between workers and their parent are one line of JSON each: record::line_of(), and
+// record::from_line(), which throws std::runtime_error with the missing or invalid part.
+template <class Io>
+void members(Io& io, OwnFileOptions& own) {
+    record::each(io, "ranges", own.ranges, "includes", own.includes, "defines", own.defines);
+}
+
+template <class Io>
+void members(Io& io, CheckTask& task) {
+    check::AnswerIdentity& row = task.identity;
+    record::each(io, "equation", row.equation, "function", row.function, "file", row.file, "variant",
+                 row.variant, "inputs", task.run.inputs, "seed", task.run.seed, "coverage", task.coverage,
+                 "path", task.path, "own", task.own);
+}
+
+template <class Io>
+void members(Io& io, FailureBundle& all) {
+    record::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
+                 "c_program", all.c_program, "steps", all.steps, "rules", all.rules, "before", all.before,
+                 "smallest", all.smallest, "error", all.error);
+}
+
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr const char* this_program = "/proc/self/exe";
 constexpr const char* subcommand = "check-worker";
 
-// Sends lines to the parent. Standard output itself is redirected to standard error, because a driver may
-// print.
-class Replies {
-  public:
-    Replies() : file_(fdopen(dup(STDOUT_FILENO), "w")) {
-        if (file_ == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
-            throw std::system_error(errno, std::generic_category(), "no standard output");
-        }
-    }
-    ~Replies() { std::fclose(file_); }
-    Replies(const Replies&) = delete;
-    Replies& operator=(const Replies&) = delete;
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
-    void send(const std::string& line) {
-        std::fputs((line + "\n").c_str(), file_);
-        std::fflush(file_);
-    }
+// The row of a check that has no result.
+check::Answer answer_without_result(const CheckTask& task, const std::exception& error,
+                                    Clock::time_point begin) {
+    check::Answer answer{task.identity};
+    answer.error = error.what();
+    answer.reason = base::reason_of(error);
+    answer.seconds = seconds_since(begin);
+    return answer;
+}
 
-  private:
-    std::FILE* file_;
+// A worker's greeting: its device, or why there is none.
+struct Greeting {
+    record::DeviceSummary device;
+    std::string error;  // empty: there is a device
 };
 
-// Says what devices there are and ends.
-template <class List>
-void list_and_tell(const List& list) {
-    Replies replies;
-    Listing listing;
+template <class Io>
+void members(Io& io, Greeting& greeting) {
+    record::each(io, "device", greeting.device, "error", greeting.error);
+}
+
+// To a worker: a check to run, or one that failed, to be prepared for a report. A check that did not run is
+// not tried again, because that has already cost a worker.
+struct Request {
+    CheckTask task;
+    std::optional<check::Answer> failed = {};
+};
+
+template <class Io>
+void members(Io& io, Request& request) {
+    record::each(io, "task", request.task, "failed", request.failed);
+}
+
+// Opens the device in this process.
+Greeting greeting_of(std::optional<Checker>& checker, const CheckOptions& options) {
     try {
-        for (const backend::DeviceInfo& device : list()) listing.devices.push_back(device);
+        return {.device = checker.emplace(options).device(), .error = {}};
     } catch (const std::exception& error) {
-        listing.error = error.what();
+        return {.device = {}, .error = error.what()};
     }
-    replies.send(record::line_of(listing));
 }
 
-// Lets the Vulkan loader say on standard output what it does, and ends.
-void list_manifests() {
-    if (dup2(STDOUT_FILENO, STDERR_FILENO) >= 0) list_and_tell(gpu::list_devices);
+// The way to the parent. Standard output itself becomes standard error, because a driver may print.
+std::FILE* open_replies() {
+    std::FILE* const replies = fdopen(dup(STDOUT_FILENO), "w");
+    if (replies == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+        throw std::system_error(errno, std::generic_category(), "no standard output");
+    return replies;
 }
 
-void run_worker(const CheckerOptions& options) {
-    Replies replies;
-    std::optional<Checker> checker;
-    Greeting greeting;
+template <class T>
+void send(std::FILE* replies, const T& message) {
+    std::fputs((record::line_of(message) + "\n").c_str(), replies);
+    std::fflush(replies);
+}
+
+// What devices there are.
+Listing listing_of(const std::string& what) {
     try {
-        checker.emplace(options);
-        greeting.device = checker->device();
+        if (what == "vulkan" || what == "manifests") return {.devices = gpu::list_devices()};
+        const auto found = gl::list_devices(what);
+        return {.devices = {found.begin(), found.end()}};
     } catch (const std::exception& error) {
-        greeting.error = error.what();
-    }
-    replies.send(record::line_of(greeting));
-    if (!checker) return;
-    for (std::string line; std::getline(std::cin, line);) {
-        const auto request = record::from_line<WorkerRequest>(line);
-        replies.send(request.failed ? record::line_of(checker->bundle(request.task, *request.failed))
-                                    : record::line_of(checker->run(request.task)));
+        return {.error = error.what()};
     }
 }
 
-}  // namespace
-
-std::vector<std::string> worker_command(const CheckerOptions& options) {
-    std::vector<std::string> command{this_program, subcommand, "--timeout",
-                                     std::to_string(options.timeout.count())};
+std::vector<std::string> worker_command(const CheckOptions& options) {
+    std::vector<std::string> command{this_program, subcommand, "--timeout", fmt::to_string(options.timeout)};
     if (!options.device.empty()) command.push_back("--device=" + options.device);
     if (options.validation) command.emplace_back("--validation");
     return command;
 }
 
-std::vector<std::string> listing_command(const std::string& option) {
-    return {this_program, subcommand, option};
+void answer_requests(const CheckOptions& options, std::FILE* replies) {
+    std::optional<Checker> checker;
+    std::string line;
+    std::getline(std::cin, line);
+    send(replies, greeting_of(checker, options));
+    while (checker && std::getline(std::cin, line)) {
+        const auto request = record::from_line<Request>(line);
+        if (request.failed)
+            send(replies, checker->bundle(request.task, *request.failed));
+        else
+            send(replies, checker->run(request.task));
+    }
+}
+
+bool is_unusable_after(check::Reason reason) {
+    using enum check::Reason;
+    return reason == device_lost || reason == hang || reason == out_of_memory;
+}
+
+}  // namespace
+
+Checker::Checker(const CheckOptions& options) : options_(options), equations_(options.named({})) {
+    lab({.identity = {.variant = "shipped"}});
+}
+
+const check::Lab& Checker::lab(const CheckTask& task) {
+    if (!task.path.empty() && !file_)  // which the command has tried
+        file_ = std::make_shared<const check::OwnFile>(task.path, shader::read_text(task.path),
+                                                       include_roots_of(task.path, task.own.includes),
+                                                       task.own.defines);
+    const std::string& variant = task.identity.variant;
+    if (lab_ && variant == lab_->options().variant.name && lab_->options().file == file_) return *lab_;
+    check::LabOptions options{.device = options_.device,
+                              .validation = options_.validation,
+                              .include_roots = {glsl_directory()},
+                              .cache_directory = cache_directory(),
+                              .variant = shader::variant(variant),
+                              .file = file_,
+                              .timeout = options_.patience()};
+    lab_ = lab_ ? std::make_unique<check::Lab>(std::move(options), lab_->backend())
+                : std::make_unique<check::Lab>(std::move(options));
+    return *lab_;
+}
+
+check::Question Checker::question_of(const CheckTask& task) {
+    const std::string& name = task.identity.equation;
+    if (task.path.empty()) return *std::ranges::find(equations_, name, &check::Question::name);
+    const check::OwnFunctions own = check::own_functions(lab(task).options(), {name});
+    if (own.found.empty())
+        throw std::invalid_argument(fmt::format("{}: {}: {}", file_->name, name, own.left_out.front().why));
+    const check::OwnFunction& function = own.found.front();
+    const check::Ranges ranges = ranges_from(task.own.ranges);
+    check::Question question = check::question_of(*lab_, function, ranges);
+    if (question.must_hold)  // for what it is meant for
+        question.domain = check::ordinary_domain(function.function, check::ordinary_values(function, ranges));
+    return question;
+}
+
+record::DeviceSummary Checker::device() const {
+    const backend::DeviceInfo& info = lab_->info();
+    return {.name = base::one_line(info.name),
+            .driver = base::one_line(info.driver),
+            .type = info.type,
+            .api_version = info.api_version,
+            .float32 = info.float32};
+}
+
+check::Answer Checker::run(const CheckTask& task) {
+    const auto begin = Clock::now();
+    try {
+        const check::Question question = question_of(task);
+        check::Answer answer = check::run(lab(task), question, task.run);
+        if (task.coverage && !question.answers)
+            answer.coverage = measure_coverage(lab(task), question, task.run);
+        answer.seconds = seconds_since(begin);
+        return answer;
+    } catch (const std::exception& error) {
+        return answer_without_result(task, error, begin);
+    }
+}
+
+FailureBundle Checker::bundle(const CheckTask& task, const check::Answer& failed) {
+    try {
+        return bundle_of(lab(task), question_of(task), task, failed);
+    } catch (const std::exception& error) {
+        return {.error = error.what()};
+    }
+}
+
+template <class T>
+T Worker::asked(const std::string& line) {
+    using Heard = base::WorkerProcess::Heard;
+    process_->send(line);  // a worker that cannot receive has ended, which receive() will find
+    std::string answer;
+    base::Patience patience(options_.patience(), [this] { return base::processor_time_of(process_->id()); });
+    Heard heard = process_->receive(answer, patience.next_look());
+    while (heard == Heard::silence && !patience.is_over())
+        heard = process_->receive(answer, patience.next_look());
+    std::optional<base::Failure> failure;
+    if (heard == Heard::end) {
+        failure.emplace("the process " + process_->end(), check::Reason::crash);
+    } else if (heard == Heard::silence) {
+        failure.emplace(fmt::format("not finished after {:g} s, the time limit",
+                                    std::chrono::duration<double>(options_.patience()).count()),
+                        check::Reason::hang);
+    } else {
+        try {
+            return record::from_line<T>(answer);
+        } catch (const std::exception& error) {
+            failure.emplace(fmt::format("the worker's answer makes no sense: {}", error.what()));
+        }
+    }
+    process_.reset();
+    throw *failure;
+}
+
+// Starts the worker, twice if need be: a driver may fail once.
+const record::DeviceSummary& Worker::device() {
+    if (process_ || here_) return device_;
+    Greeting greeting;
+    if (options_.in_process) {
+        greeting = greeting_of(here_, options_);
+    } else {
+        for (int attempts = 2; !process_; --attempts) {
+            try {
+                process_.emplace(worker_command(options_));
+                greeting = asked<Greeting>("");
+            } catch (const std::exception& error) {
+                process_.reset();
+                if (attempts == 1) throw NoWorker(error.what(), base::reason_of(error));
+            }
+        }
+    }
+    if (greeting.error.empty()) return device_ = greeting.device;
+    process_.reset();
+    throw NoWorker(greeting.error);
+}
+
+check::Answer Worker::run(const CheckTask& task) {
+    device();
+    if (here_) return here_->run(task);
+    const auto begin = Clock::now();
+    try {
+        check::Answer row = asked<check::Answer>(record::line_of(Request{task}));
+        if (is_unusable_after(row.reason)) process_.reset();
+        return row;
+    } catch (const base::Failure& failure) {
+        return answer_without_result(task, failure, begin);
+    }
+}
+
+FailureBundle Worker::bundle(const CheckTask& task, const check::Answer& failed) {
+    device();
+    if (here_) return here_->bundle(task, failed);
+    try {
+        return asked<FailureBundle>(record::line_of(Request{task, failed}));
+    } catch (const base::Failure& failure) {
+        return {.error = failure.what()};
+    }
+}
+
+std::vector<std::string> listing_command(const std::string& what) {
+    return {this_program, subcommand, "--list", what};
 }
 
 Command check_worker_command(EquationsNamed* equations) {
-    static CheckerOptions options{.equations = equations};
-    static std::optional<int> timeout;
-    static bool list = false;
-    static bool manifests = false;
-    static std::string executor;
+    static CheckOptions options{.named = equations};
+    static std::string list;
     return {.name = subcommand,
             .options = {{"--device", &options.device},
-                        {"--timeout", &timeout, positive, "milliseconds"},
+                        {"--timeout", &options.timeout, positive, "seconds"},
                         {"--validation", &options.validation},
-                        {"--list", &list, "only list the devices"},
-                        {"--manifests", &manifests, "only let the Vulkan loader say which drivers it finds"},
-                        {"--opengl", &executor, "only list the OpenGL devices of this executor"}},
+                        {"--list", &list, "only list the devices: vulkan, manifests, or an OpenGL executor"}},
             .run = [] {
-                if (timeout) options.timeout = std::chrono::milliseconds(*timeout);
-                if (!executor.empty())
-                    list_and_tell([&] { return gl::list_devices(executor); });
-                else if (manifests)
-                    list_manifests();
-                else if (list)
-                    list_and_tell(gpu::list_devices);
+                if (list == "manifests") dup2(STDOUT_FILENO, STDERR_FILENO);  // there the loader says them
+                std::FILE* const replies = open_replies();
+                if (list.empty())
+                    answer_requests(options, replies);
                 else
-                    run_worker(options);
+                    send(replies, listing_of(list));
                 return 0;
             }};
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/failure.hpp"
+#include "base/process.hpp"
+#include "cli/framework/check.hpp"
+#include "record/failures.hpp"
+#include "record/output.hpp"
+#include "subject/lab.hpp"
+
+namespace gloam::cli {
+
+// A failure, prepared for a report.
+struct FailureBundle {
+    std::string glsl;      // self-contained compute shader; of an OpenGL device, the text that it was given
+    std::string assembly;  // empty, as all to `before`, of an OpenGL device
+    std::vector<std::uint32_t> spirv;
+    std::string amber;
+    std::string c_program = {};           // record::to_c_program()
+    std::vector<std::string> steps = {};  // check::Reproduction
+    std::vector<std::string> rules = {};
+    std::vector<std::uint32_t> before = {};
+    std::optional<check::Sample> smallest;  // the simplest input found to fail
+    std::string error;                      // why the other members are empty; empty: no error
+};
+
+// Prepares a failed check, with the lab's variant. Throws what compiling and running throw.
+[[nodiscard]] FailureBundle bundle_of(const check::Lab& lab, const check::Question& question,
+                                      const CheckTask& task, const check::Answer& failed);
+
+// Writes a failure to DEVICE/EQUATION-VARIANT/{report.txt, shader.comp, shader.spvasm, shader.spv,
+// repro.amber} in the folder. report.txt states which parts are missing and why (see FailureBundle::error).
+void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
+                   const check::Answer& row, const FailureBundle& bundle, record::RunAgain again);
+
+// Runs checks in this process.
+class Checker {
+  public:
+    // Opens the options' device, which is one. Throws like gpu::Device.
+    explicit Checker(const CheckOptions& options);
+
+    [[nodiscard]] record::DeviceSummary device() const;  // in the form of reports
+
+    // Runs a check. It does not throw for errors of the check; the row reports them. After
+    // Reason::device_lost and Reason::hang the device cannot be used any more.
+    [[nodiscard]] check::Answer run(const CheckTask& task);
+
+    // Prepares a failure for a report. It does not throw for errors; FailureBundle::error reports them.
+    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const check::Answer& failed);
+
+  private:
+    const check::Lab& lab(const CheckTask& task);
+    [[nodiscard]] check::Question question_of(const CheckTask& task);
+
+    CheckOptions options_;
+    std::vector<check::Question> equations_;
+    std::shared_ptr<const check::OwnFile> file_;  // of a user: the tasks of a run are about one
+    std::unique_ptr<check::Lab> lab_;
+};
+
+// No worker is available: twice in succession it failed before its greeting, or it has no device
+// (Reason::error).
+class NoWorker : public base::Failure {
+    using Failure::Failure;
+};
+
+// Runs checks in a process of its own, or in this one if the options say so. If the process crashes or stays
+// silent, this check alone has no result, and the next one goes to a new process. For one thread.
+class Worker {
+  public:
+    explicit Worker(const CheckOptions& options) : options_(options) {}
+
+    // Its device. Starts the process if there is none, as all of these do. Throws NoWorker.
+    const record::DeviceSummary& device();
+    // As Checker has them.
+    [[nodiscard]] check::Answer run(const CheckTask& task);
+    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const check::Answer& failed);
+
+  private:
+    // The answer to a line, the first of which asks for the greeting. Throws base::Failure where there is
+    // none; the process has ended then.
+    template <class T>
+    [[nodiscard]] T asked(const std::string& line);
+
+    CheckOptions options_;
+    std::optional<Checker> here_;
+    std::optional<base::WorkerProcess> process_;
+    record::DeviceSummary device_;
+};
+
+// The command line of a process that lists devices (open_device.hpp): "vulkan", those of an OpenGL executor,
+// or "manifests", where the Vulkan loader says which drivers it finds.
+[[nodiscard]] std::vector<std::string> listing_command(const std::string& what);
+
+}  // namespace gloam::cli

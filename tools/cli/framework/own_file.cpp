@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "cli/framework/own_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "base/process.hpp"
+#include "base/text.hpp"
+#include "cli/environment.hpp"
+#include "module/include.hpp"
+
+namespace gloam::cli {
+
+check::Ranges ranges_from(const std::vector<std::string>& texts) {
+    check::Ranges ranges;
+    for (const std::string& text : texts) ranges.insert(check::range_from(text));
+    return ranges;
+}
+
+bool has_shader_ending(const std::string& word) {
+    const std::string ending = base::lower(std::filesystem::path(word).extension().string());
+    const std::set<std::string> known{".glsl", ".comp", ".frag", ".vert",  ".fs", ".vs",
+                                      ".cs",   ".fsh",  ".vsh",  ".glslh", ".inc"};
+    return known.contains(ending);
+}
+
+bool is_shader_file(const std::string& word) {
+    std::error_code none;
+    return has_shader_ending(word) || std::filesystem::is_regular_file(word, none);
+}
+
+std::pair<std::string, std::vector<std::string>> file_and_functions(const std::vector<std::string>& words,
+                                                                    EquationsNamed* equations) {
+    std::string file = path_of_shader(words.front());
+    std::error_code none;
+    if (is_shader_file(file) || std::filesystem::exists(file, none))
+        return {file, {words.begin() + 1, words.end()}};
+    std::vector<std::string> functions;
+    for (const check::Question& equation : equations(words)) {
+        const std::string other = path_of_shader(equation.file);
+        if (functions.empty()) file = other;
+        if (file != other)
+            throw std::invalid_argument(
+                fmt::format("{} and {}: expected equations of one file", file, other));
+        functions.push_back(equation.function);
+    }
+    return {file, functions};
+}
+
+check::Lab lab_of(std::shared_ptr<const check::OwnFile> file, const std::string& device) {
+    return check::Lab({.device = device, .cache_directory = cache_directory(), .file = std::move(file)});
+}
+
+FileFunctions functions_of(const std::filesystem::path& file, const std::vector<std::string>& names,
+                           const OwnFileOptions& options) {
+    const std::string text = shader::read_text(file);
+    const check::Ranges ranges = ranges_from(options.ranges);
+    FileFunctions all = base::tried(file.string(), [&] {
+        const std::filesystem::path path = std::filesystem::absolute(file);
+        FileFunctions read{std::make_shared<const check::OwnFile>(
+                               path, text, include_roots_of(path, options.includes), options.defines),
+                           {}};
+        read.functions =
+            check::own_functions({.cache_directory = cache_directory(), .file = read.file}, names);
+        return read;
+    });
+    std::set<std::string> parameters;
+    for (const check::OwnFunction& own : all.functions.found)
+        for (const shader::Parameter& parameter : own.function.parameters) parameters.insert(parameter.name);
+    for (const auto& range : ranges)
+        if (!parameters.contains(range.first))
+            throw std::invalid_argument(fmt::format("--range {}: no parameter has this name, only: {}",
+                                                    range.first, fmt::join(parameters, ", ")));
+    return all;
+}
+
+std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
+    if (left_out.empty())
+        return "it defines no function but main in GLSL (HLSL is not read), or its #if conditions leave none";
+    if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;
+    return fmt::format("all {} functions were left out", left_out.size());
+}
+
+}  // namespace gloam::cli

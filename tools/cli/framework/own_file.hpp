@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "judge/question.hpp"
+#include "subject/lab.hpp"
+#include "subject/own_function.hpp"
+
+// A user's shader file, for the commands that take one.
+namespace gloam::cli {
+
+// What the command line says of it.
+struct OwnFileOptions {
+    std::vector<std::string> ranges;    // of its functions' parameters: "x=0:1"
+    std::vector<std::string> includes;  // further include roots
+    std::vector<std::string> defines;   // macros that hold before it begins
+};
+
+// Whether a name ends like that of a shader file: .glsl, .frag, .FRAG, .fs ...
+[[nodiscard]] bool has_shader_ending(const std::string& word);
+// Whether a word of the command line is a shader file, not an equation: it ends like one, or there is a file
+// of this name.
+[[nodiscard]] bool is_shader_file(const std::string& word);
+
+// A file and functions, of words that name these, or equations of one file instead. Throws
+// std::invalid_argument for other words.
+[[nodiscard]] std::pair<std::string, std::vector<std::string>> file_and_functions(
+    const std::vector<std::string>& words, EquationsNamed* equations);
+
+// The ranges that --range names. Throws std::invalid_argument for an invalid one.
+[[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
+
+// A user's file with the include roots that the command line adds, read once for all labs, and its functions
+// with these names (check::own_functions()); without names all.
+struct FileFunctions {
+    std::shared_ptr<const check::OwnFile> file;
+    check::OwnFunctions functions;
+};
+
+// Throws std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects;
+// std::invalid_argument for a function that it does not define, and for a range without a parameter of its
+// name.
+[[nodiscard]] FileFunctions functions_of(const std::filesystem::path& file,
+                                         const std::vector<std::string>& names,
+                                         const OwnFileOptions& options);
+
+// A lab for the functions of a file.
+[[nodiscard]] check::Lab lab_of(std::shared_ptr<const check::OwnFile> file,
+                                const std::string& device = std::string(check::interpreter_name));
+
+// Why nothing is left of a file of which these functions were left out.
+[[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
+
+}  // namespace gloam::cli
