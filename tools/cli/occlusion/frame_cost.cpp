@@ -3,11 +3,8 @@
 #include <map>
 
 #include "cli/environment.hpp"
-#include "cli/framework/cost.hpp"
 #include "cli/occlusion/names.hpp"
-#include "cli/occlusion/pass_text.hpp"
 #include "cli/occlusion/settings.hpp"
-#include "effect/plan.hpp"
 #include "module/reflection.hpp"
 #include "module/spirv.hpp"
 

@@ -41,7 +41,8 @@ effect::Preset default_preset_of(const effect::Setting& setting) {
 
 // {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is that
 // of default_preset_of(), lengths for a radius of 1; "most" is null where there is none.
-nlohmann::ordered_json setting_json(const effect::Setting& setting) {
+nlohmann::ordered_json setting_json(const Named& named) {
+    const effect::Setting& setting = effect::setting_named(named.name);
     const effect::Preset preset = default_preset_of(setting);
     const effect::SettingValue value = setting.get(preset.settings);
     nlohmann::ordered_json json{{"name", setting.name},
@@ -59,18 +60,11 @@ nlohmann::ordered_json setting_json(const effect::Setting& setting) {
     return json;
 }
 
-template <class Items>
-std::vector<Named> named(const Items& items) {
-    std::vector<Named> names;
-    for (const auto& item : items) names.push_back({item.name, item.description});
-    return names;
-}
-
-// With a description of each that `describe` gives.
+// describe: a member, or a function, that has the description of an item.
 template <class Items, class Describe>
-std::vector<Named> named(const Items& items, const Describe& describe) {
+std::vector<Named> named(Items&& items, const Describe& describe) {
     std::vector<Named> names;
-    for (const auto& item : items) names.push_back({item.name, describe(item)});
+    for (const auto& item : items) names.push_back({item.name, std::invoke(describe, item)});
     return names;
 }
 
@@ -102,31 +96,18 @@ std::vector<Named> setting_names() {
 }
 
 std::vector<Named> scene_names() {
-    std::vector<scene::ViewInfo> scenes = scene::all_views();
-    std::erase_if(scenes, [](const scene::ViewInfo& view) { return view.kind != "scene"; });
-    return named(scenes);
+    return named(scene::all_views() |
+                     std::views::filter([](const scene::ViewInfo& view) { return view.kind == "scene"; }),
+                 &scene::ViewInfo::description);
 }
 
 // Of `gloam bench views`, with their halves.
 std::vector<Named> view_names() {
-    std::vector<scene::ViewInfo> views = scene::all_views();
-    std::erase_if(views, [](const scene::ViewInfo& view) { return view.half.empty(); });
-    return named(views, [](const scene::ViewInfo& view) {
-        return fmt::format("{} ({} half; {})", view.description, view.half, view.kind);
-    });
-}
-
-using Kinds = std::vector<std::pair<std::string, std::function<std::vector<Named>()>>>;
-
-Kinds all_kinds() {
-    return {{"equations", equation_names},
-            {"methods", [] { return named(effect::methods()); }},
-            {"numbers", [] { return names_of(catalogue::printed_rows()); }},
-            {"presets", preset_names},
-            {"scenes", scene_names},
-            {"settings", setting_names},
-            {"variants", [] { return named(shader::variants()); }},
-            {"views", view_names}};
+    return named(scene::all_views() |
+                     std::views::filter([](const scene::ViewInfo& view) { return !view.half.empty(); }),
+                 [](const scene::ViewInfo& view) {
+                     return fmt::format("{} ({} half; {})", view.description, view.half, view.kind);
+                 });
 }
 
 nlohmann::ordered_json named_json(const Named& named) {
@@ -204,28 +185,41 @@ nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
     return json;
 }
 
-// All that is known of one name. Throws std::invalid_argument for a name that the kind does not have.
-nlohmann::ordered_json one_of(const std::string& kind, const std::vector<Named>& all,
-                              const std::string& name) {
-    if (kind == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
-    const auto named = std::ranges::find(all, name, &Named::name);
-    if (named == all.end())
-        throw std::invalid_argument(fmt::format("{} \"{}\": expected {}", kind, name,
-                                                fmt::join(all | std::views::transform(&Named::name), ", ")));
-    return kind == "settings"  ? setting_json(effect::setting_named(name))
-           : kind == "presets" ? preset_json(*named)
-           : kind == "methods" ? method_json(*named)
-                               : named_json(*named);
+struct Kind {
+    std::string name;
+    std::function<std::vector<Named>()> names;
+    nlohmann::ordered_json (*one)(const Named& named) = named_json;  // all that is known of one
+};
+
+std::vector<Kind> all_kinds() {
+    return {
+        {"equations", equation_names},
+        {"methods", [] { return named(effect::methods(), &effect::MethodInfo::description); }, method_json},
+        {"numbers", [] { return names_of(catalogue::printed_rows()); }},
+        {"presets", preset_names, preset_json},
+        {"scenes", scene_names},
+        {"settings", setting_names, setting_json},
+        {"variants", [] { return named(shader::variants(), &shader::Variant::description); }},
+        {"views", view_names}};
 }
 
-// These names of a kind, or all, with all their properties.
-nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& all,
+// These names of a kind, or all, with all their properties. Throws std::invalid_argument for a name that the
+// kind does not have.
+nlohmann::ordered_json kind_json(const Kind& kind, const std::vector<Named>& all,
                                  const std::vector<std::string>& names) {
-    if (kind == "equations") return equations_json(names);
+    if (kind.name == "equations") return equations_json(names);
     auto json = nlohmann::ordered_json::array();
     for (const Named& named : all)
-        if (names.empty()) json.push_back(one_of(kind, all, named.name));
-    for (const std::string& name : names) json.push_back(one_of(kind, all, name));
+        if (names.empty()) json.push_back(kind.one(named));
+    for (const std::string& name : names) {
+        if (kind.name == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
+        const auto named = std::ranges::find(all, name, &Named::name);
+        if (named == all.end())
+            throw std::invalid_argument(
+                fmt::format("{} \"{}\": expected {}", kind.name, name,
+                            fmt::join(all | std::views::transform(&Named::name), ", ")));
+        json.push_back(kind.one(*named));
+    }
     return json;
 }
 
@@ -244,13 +238,6 @@ void print_one(const nlohmann::ordered_json& one) {
     }
 }
 
-void print_each(const nlohmann::ordered_json& all) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i > 0) fmt::print("\n");
-        print_one(all[i]);
-    }
-}
-
 // One name a line, and its meaning.
 void print_names(const std::vector<Named>& names, const std::string& kind) {
     std::size_t width = 18;
@@ -261,24 +248,26 @@ void print_names(const std::vector<Named>& names, const std::string& kind) {
 
 // One kind, or all of it that the names say; as text, or into the JSON. Of one name its properties are those
 // of the whole document.
-void list_kind(const std::string& kind, const std::vector<Named>& all, const ListOptions& options,
-               nlohmann::ordered_json& json) {
+void list_kind(const Kind& kind, const ListOptions& options, nlohmann::ordered_json& json) {
     const bool named = !options.names.empty();
+    const std::vector<Named> all = kind.names();
     if (!options.json && !named) return print_names(all, options.kind);
     nlohmann::ordered_json found = kind_json(kind, all, options.names);
-    if (!options.json) return print_each(found);
+    for (std::size_t i = 0; i < found.size() && !options.json; ++i) {
+        if (i > 0) fmt::print("\n");
+        print_one(found[i]);
+    }
     if (named && found.size() == 1)
         json.update(found.front());
     else
-        json[kind] = std::move(found);
+        json[kind.name] = std::move(found);
 }
 
 // What is no kind may be a name of equations: `gloam list CS-3.1`.
 ListOptions with_kind(ListOptions options) {
-    const Kinds kinds = all_kinds();
+    const std::vector<Kind> kinds = all_kinds();
     if (options.kind == "numbers" && !options.names.empty()) options.kind = "equations";
-    if (options.kind.empty() || std::ranges::count(kinds, options.kind, &Kinds::value_type::first) > 0)
-        return options;
+    if (options.kind.empty() || std::ranges::count(kinds, options.kind, &Kind::name) > 0) return options;
     options.names.insert(options.names.begin(), options.kind);
     options.kind = "equations";
     try {
@@ -286,7 +275,7 @@ ListOptions with_kind(ListOptions options) {
     } catch (const std::invalid_argument&) {
         throw std::invalid_argument(fmt::format("unknown kind \"{}\": expected {}, or a name of an equation",
                                                 options.names.front(),
-                                                fmt::join(kinds | std::views::keys, ", ")));
+                                                fmt::join(kinds | std::views::transform(&Kind::name), ", ")));
     }
     return options;
 }
@@ -300,10 +289,10 @@ int run_list(const ListOptions& given) {
         return 0;
     }
     nlohmann::ordered_json json{{"gloam", base::version()}};
-    for (const auto& [kind, names] : all_kinds()) {
-        if (!options.kind.empty() && options.kind != kind) continue;
-        if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
-        list_kind(kind, names(), options, json);
+    for (const Kind& kind : all_kinds()) {
+        if (!options.kind.empty() && options.kind != kind.name) continue;
+        if (options.kind.empty() && !options.json) fmt::print("{}\n", kind.name);
+        list_kind(kind, options, json);
     }
     if (options.json) fmt::print("{}\n", json.dump(2));
     return 0;

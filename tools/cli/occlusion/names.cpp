@@ -115,7 +115,7 @@ catalogue::Found found_named(const std::vector<std::string>& names) {
         fmt::format("\"{}\" fits several rows: expected the name of one", found.several));
 }
 
-catalogue::Entries entries_named(const std::vector<std::string>& names) {
+std::vector<check::Question> equations_named(const std::vector<std::string>& names) {
     catalogue::Found found = found_named(names);
     const std::vector<Named> rows = names_of(found.rows);
     if (!found.lacking.empty())
@@ -124,12 +124,8 @@ catalogue::Entries entries_named(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (found.rows[i].has.back().starts_with('('))
             fmt::print(stderr, "{}: {}\n", rows[i].name, rows[i].description);
-    return std::move(found.entries);
-}
-
-std::vector<check::Question> equations_named(const std::vector<std::string>& names) {
     std::vector<check::Question> questions;
-    for (catalogue::Entry& entry : entries_named(names)) questions.push_back(std::move(entry.question));
+    for (catalogue::Entry& entry : found.entries) questions.push_back(std::move(entry.question));
     return questions;
 }
 

@@ -7,6 +7,8 @@
 
 #include "catalogue/catalogue.hpp"
 #include "cli/framework/cost.hpp"
+#include "effect/plan.hpp"
+#include "scene/pass_library.hpp"
 
 namespace gloam::cli {
 
@@ -22,7 +24,6 @@ struct Named {
 
 // The equations among these, those of all commands. Throws like found_named(), and for a row without a
 // function.
-[[nodiscard]] catalogue::Entries entries_named(const std::vector<std::string>& names);
 [[nodiscard]] std::vector<check::Question> equations_named(const std::vector<std::string>& names);
 
 // The same, and passes ("PASS-remap", "PASS-frame-fast") by their names or globs of these.
@@ -36,5 +37,9 @@ struct Named {
 // them.
 [[nodiscard]] PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& set,
                                    std::optional<double> tiles);
+
+// A pass of a plan as one text, with its constants set.
+[[nodiscard]] std::string text_of(const effect::PlannedPass& pass, const scene::PassLibrary& library,
+                                  shader::Language language = shader::Language::vulkan450);
 
 }  // namespace gloam::cli

@@ -14,7 +14,6 @@
 #include "cli/environment.hpp"
 #include "cli/framework/pack.hpp"
 #include "cli/occlusion/names.hpp"
-#include "cli/occlusion/pass_text.hpp"
 #include "cli/occlusion/render.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "effect/methods.hpp"
@@ -28,19 +27,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct EffectPackOptions {
+// The options of files, and more: of the effect's passes, or of its one pass.
+struct PackCommand : PackOptions {
+    bool lines = false;
+    bool effect = false;
+    bool one_pass = false;
+    fs::path npm;  // folder of the package; empty: none
     std::string preset = effect::default_preset;
     std::vector<std::string> set;  // NAME=VALUE
     bool orthographic = false;
     bool visibility = false;       // is what is shown; otherwise occlusion
     bool plain_uniforms = false;   // in the place of a block of OpenGL
     std::string normals = "view";  // scene::encoding_named(), or none: from depth
-    std::string version = "450";   // of the passes: compute shaders, or fragment shaders where there are none
-    std::filesystem::path out;
-    std::uint32_t taps = 8;  // of one pass, for each pixel
+    std::uint32_t taps = 8;        // of one pass, for each pixel
 };
 
-effect::Settings settings_of(const EffectPackOptions& options) {
+effect::Settings settings_of(const PackCommand& options) {
     const std::string expected =
         "preset " + options.preset + ": expected fast, balanced, quality or reference";
     const bool is_known = options.preset.ends_with(".json") ||
@@ -65,7 +67,7 @@ shader::Language language_of(const std::string& version) {
     return *language;
 }
 
-effect::PlanOptions plan_options(const EffectPackOptions& options) {
+effect::PlanOptions plan_options(const PackCommand& options) {
     const bool none = options.normals == "none";
     try {
         return {.orthographic = options.orthographic,
@@ -97,7 +99,7 @@ std::string header_of(const std::string& preset, const effect::Settings& setting
 
 // Writes the passes of a frame and gloam_frame.h with the preset into a folder, all or none. Throws
 // std::invalid_argument for invalid options, std::runtime_error for a folder that cannot be written to.
-void pack_effect(const EffectPackOptions& options) {
+void pack_effect(const PackCommand& options) {
     if (options.out.empty()) throw std::invalid_argument("--effect: give --out, the folder to write");
     const effect::Settings settings = settings_of(options);
     const shader::Language language = language_of(options.version);
@@ -135,7 +137,7 @@ void pack_effect(const EffectPackOptions& options) {
 }
 
 // The same for the effect as one pass and its blur in two, of glsl/passes/one_pass.
-void pack_one_pass(const EffectPackOptions& options) {
+void pack_one_pass(const PackCommand& options) {
     if (options.out.empty()) throw std::invalid_argument("--one-pass: give --out, the folder to write");
     if (options.normals != "none" && options.normals != "view")
         throw std::invalid_argument("--one-pass --normals " + options.normals + ": expected view or none");
@@ -163,9 +165,8 @@ void pack_one_pass(const EffectPackOptions& options) {
 std::string sampling_pass(const fs::path& glsl, const std::string& method) {
     const effect::Settings settings = effect::with_method(effect::Settings{}, method);
     const scene::PassLibrary library(glsl);
-    for (const effect::PlannedPass& pass : plan_of(settings, {}, library).passes)
-        if (pass.name == "ambient_occlusion") return text_of(pass, library);
-    throw std::logic_error("a frame without the pass ambient_occlusion");
+    const effect::Plan plan = plan_of(settings, {}, library);
+    return text_of(*std::ranges::find(plan.passes, "ambient_occlusion", &effect::PlannedPass::name), library);
 }
 
 // The table of all methods: their functions, and the passes of each one's effect.
@@ -192,15 +193,7 @@ std::string method_table(const fs::path& glsl) {
            fmt::format("| together | {} | {} |\n", shader::code_lines(functions), shader::code_lines(passes));
 }
 
-struct PackCommand : PackOptions {
-    bool lines = false;
-    bool effect = false;
-    bool one_pass = false;
-    fs::path npm;  // folder of the package; empty: none
-    EffectPackOptions of_effect;
-};
-
-int pack_npm(const PackCommand& options) {
+void pack_npm(const PackCommand& options) {
     record::OutputFolder folder(options.npm);
     for (const auto& [name, text] :
          site::npm_package({.library = glsl_directory(),
@@ -209,62 +202,50 @@ int pack_npm(const PackCommand& options) {
                             .version = base::version()}))
         folder.write(name, text);
     folder.keep();
-    return 0;
 }
 
-int run_pack(PackCommand& options) {
+void run_pack(const PackCommand& options) {
     if (!options.npm.empty()) return pack_npm(options);
     if (options.effect || options.one_pass) {
         const std::string name = options.effect ? "--effect" : "--one-pass";
-        options.of_effect.out = options.out;
         if (!options.target.empty()) throw std::invalid_argument(name + " takes no --target");
         if (!options.defines.empty()) throw std::invalid_argument(name + " takes no --define");
-        options.of_effect.version = options.version;
-        (options.effect ? pack_effect : pack_one_pass)(options.of_effect);
-        return 0;
+        return options.effect ? pack_effect(options) : pack_one_pass(options);
     }
-    if (options.of_effect.normals != EffectPackOptions{}.normals)
+    if (options.normals != PackCommand{}.normals)
         throw std::invalid_argument("--normals requires --effect or --one-pass");
-    if (options.lines) {
-        if (!options.target.empty())
-            throw std::invalid_argument("--lines counts lines of GLSL: it takes no --target");
-        fmt::print("{}", options.files.empty() ? method_table(glsl_directory()) : line_table(options.files));
-        return 0;
-    }
-    pack_files(options, equations_named);
-    return 0;
+    if (!options.lines) return pack_files(options, equations_named);
+    if (!options.target.empty())
+        throw std::invalid_argument("--lines counts lines of GLSL: it takes no --target");
+    fmt::print("{}", options.files.empty() ? method_table(glsl_directory()) : line_table(options.files));
 }
 
-// Of the effect's passes, or of its one pass.
 std::vector<Option> effect_options(PackCommand& options) {
-    EffectPackOptions& of_effect = options.of_effect;
-    const std::vector<std::string> effect{"--effect"};
     return {
         {"--effect", &options.effect,
          "the passes of the effect, and a C header of what they are given, into the folder --out"},
-        {"--preset", &of_effect.preset, needs("--effect"),
+        {"--preset", &options.preset, needs("--effect"),
          "fast, balanced, quality or reference: gloam list presets"},
-        {"--set", &of_effect.set, needs("--effect", repeated),
+        {"--set", &options.set, needs("--effect", repeated),
          "NAME=VALUE: a setting (gloam list settings); may be repeated"},
-        {"--bent-normals", [&of_effect] { of_effect.set.emplace_back("bent_normals=on"); }, needs("--effect"),
+        {"--bent-normals", [&options] { options.set.emplace_back("bent_normals=on"); }, needs("--effect"),
          "the mean open direction of each pixel, too"},
-        {"--multi-bounce", [&of_effect] { of_effect.set.emplace_back("bounce_albedo=0.5"); },
-         needs("--effect"),
+        {"--multi-bounce", [&options] { options.set.emplace_back("bounce_albedo=0.5"); }, needs("--effect"),
          "with light that bounces among blockers of one albedo, gloam_frame::filter.albedo"},
-        {"--orthographic", &of_effect.orthographic, needs("--effect"),
+        {"--orthographic", &options.orthographic, needs("--effect"),
          "the camera is orthographic; else perspective"},
-        {"--shown", [&of_effect](const std::string& what) { of_effect.visibility = what == "visibility"; },
+        {"--shown", [&options](const std::string& what) { options.visibility = what == "visibility"; },
          needs("--effect", one_of({"occlusion", "visibility"})),
          "occlusion, 1 where blocked, or visibility, 1 where open: what the image shown holds"},
-        {"--uniforms", [&of_effect](const std::string& kind) { of_effect.plain_uniforms = kind == "plain"; },
+        {"--uniforms", [&options](const std::string& kind) { options.plain_uniforms = kind == "plain"; },
          needs("--effect", one_of({"block", "plain"})),
          "of OpenGL: block, or plain: members of a uniform structure `parameters`"},
-        {"--normals", &of_effect.normals,
+        {"--normals", &options.normals,
          "the engine's: view or world space, and behind it -octahedral, -unorm or both; none: from depth"},
         {"--one-pass", &options.one_pass, excludes("--effect"),
          "the effect as one fragment shader and a blur of two, for programs that take no more, into the "
          "folder --out"},
-        {"--taps", &of_effect.taps, needs("--one-pass", one_of({"4", "8", "16"})),
+        {"--taps", &options.taps, needs("--one-pass", one_of({"4", "8", "16"})),
          "of each pixel in one pass"}};
 }
 
@@ -291,7 +272,11 @@ Command pack_command() {
         .name = "pack",
         .about = "one self-contained file of what is used, in GLSL or another language, or the whole effect",
         .options = options_of(options),
-        .run = [] { return run_pack(options); },
+        .run =
+            [] {
+                run_pack(options);
+                return 0;
+            },
         .examples = "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"};
 }
 

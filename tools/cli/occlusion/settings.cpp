@@ -40,13 +40,9 @@ ordered_json json_of(const effect::Settings& settings) {
     return json;
 }
 
-namespace {
-
-// The settings of a preset's file, {"name", "description", "settings": {NAME: value, ...}}, lengths for a
-// radius of 1. Settings that the file does not name are those of `tssao-paper`. Throws std::runtime_error
-// that names the file for text of another form, std::invalid_argument for an unknown setting, a value out of
-// range, or a radius other than 1.
-effect::Settings preset_from(const std::string& file, std::string_view text) {
+effect::Settings preset_settings(const std::string& file) {
+    if (!file.ends_with(".json")) return effect::preset_named(file).settings;
+    const std::string text = base::read_file(file);
     try {
         base::require_bounded_json(text);
     } catch (const std::runtime_error& error) {
@@ -67,13 +63,6 @@ effect::Settings preset_from(const std::string& file, std::string_view text) {
         throw std::invalid_argument(
             fmt::format("preset {}: radius {}, expected 1: --radius scales it", file, settings.radius));
     return settings;
-}
-
-}  // namespace
-
-effect::Settings preset_settings(const std::string& name_or_file) {
-    if (!name_or_file.ends_with(".json")) return effect::preset_named(name_or_file).settings;
-    return preset_from(name_or_file, base::read_file(name_or_file));
 }
 
 std::pair<std::string, std::string> assignment_of(const std::string& text) {

@@ -30,9 +30,11 @@ struct RenderCandidate;
 // them. Throws std::invalid_argument.
 void apply(effect::Settings& settings, const std::string& assignment);
 
-// The settings of a preset by name, or of a file if the name ends with ".json". Throws like
-// effect::preset_named() and base::read_file(); std::runtime_error that names the file for text of another
-// form, std::invalid_argument for what it sets.
+// The settings of a preset by name, or of a file if the name ends with ".json": {"name", "description",
+// "settings": {NAME: value, ...}}, lengths for a radius of 1. Settings that the file does not name are those
+// of `tssao-paper`. Throws like effect::preset_named() and base::read_file(); std::runtime_error that names
+// the file for text of another form, std::invalid_argument for an unknown setting, a value out of range, or a
+// radius other than 1.
 [[nodiscard]] effect::Settings preset_settings(const std::string& name_or_file);
 
 // The settings of a candidate for a view: those of its preset and method, scaled to its radius or the view's,
