@@ -23,19 +23,6 @@
 
 namespace gloam::cli {
 
-gpu::Device open_device(const std::string& name, bool validation) {
-    require_good_drivers();
-    return gpu::Device({.device = name,
-                        .validation = validation ? gpu::Validation::on : gpu::Validation::off,
-                        .cache_directory = cache_directory()});
-}
-
-int validation_status(gpu::Device& device) {
-    const auto messages = device.take_validation_messages();
-    for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
-    return messages.empty() ? 0 : 1;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,7 +85,42 @@ std::string text_of(const BrokenDriver& driver) {
     return fmt::format("Vulkan driver {}: {}", driver.manifest.string(), driver.error);
 }
 
+std::vector<fs::path> asked_for;  // manifests of --driver
+
+void tell_the_loader() {
+    std::vector<fs::path> all = asked_for;
+    const auto swiftshader = gpu::find_swiftshader();
+    const auto is_swiftshader = [&](const fs::path& manifest) {
+        std::error_code none;
+        return fs::equivalent(manifest, *swiftshader, none);
+    };
+    if (swiftshader && !gpu::drivers_are_chosen() && std::ranges::none_of(all, is_swiftshader))
+        all.push_back(*swiftshader);
+    gpu::add_drivers(all);
+    for (fs::path& manifest : asked_for) {
+        manifest = fs::absolute(manifest);
+        const Listing alone = listed("vulkan", only(manifest));
+        if (!alone.devices.empty() || alone.reason != check::Reason::none) continue;  // the command says it
+        throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
+                                             manifest.string(),
+                                             alone.error.empty() ? "it gives none" : alone.error));
+    }
+}
+
 }  // namespace
+
+gpu::Device open_device(const std::string& name, bool validation) {
+    require_good_drivers();
+    return gpu::Device({.device = name,
+                        .validation = validation ? gpu::Validation::on : gpu::Validation::off,
+                        .cache_directory = cache_directory()});
+}
+
+int validation_status(gpu::Device& device) {
+    const auto messages = device.take_validation_messages();
+    for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
+    return messages.empty() ? 0 : 1;
+}
 
 void say_skipped(const BrokenDriver& driver) {
     fmt::print(stderr, "gloam: {}; it is skipped\n", text_of(driver));
@@ -145,32 +167,6 @@ void require_good_drivers() {
     if (found.devices.empty() && !found.broken.empty()) throw std::runtime_error(found.error);
     for (const BrokenDriver& driver : found.broken) say_skipped(driver);
 }
-
-namespace {
-
-std::vector<fs::path> asked_for;  // manifests of --driver
-
-void tell_the_loader() {
-    std::vector<fs::path> all = asked_for;
-    const auto swiftshader = gpu::find_swiftshader();
-    const auto is_swiftshader = [&](const fs::path& manifest) {
-        std::error_code none;
-        return fs::equivalent(manifest, *swiftshader, none);
-    };
-    if (swiftshader && !gpu::drivers_are_chosen() && std::ranges::none_of(all, is_swiftshader))
-        all.push_back(*swiftshader);
-    gpu::add_drivers(all);
-    for (fs::path& manifest : asked_for) {
-        manifest = fs::absolute(manifest);
-        const Listing alone = listed("vulkan", only(manifest));
-        if (!alone.devices.empty() || alone.reason != check::Reason::none) continue;  // the command says it
-        throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
-                                             manifest.string(),
-                                             alone.error.empty() ? "it gives none" : alone.error));
-    }
-}
-
-}  // namespace
 
 const std::vector<fs::path>& drivers_asked_for() {
     return asked_for;

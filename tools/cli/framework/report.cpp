@@ -27,9 +27,8 @@ std::vector<record::ReportFile> read_reports(const std::vector<std::string>& fil
     for (const std::string& file : files) {
         const std::string text = base::read_file(file);
         try {
-            for (record::CheckReport& report : record::reports_from_json(text)) {
+            for (record::CheckReport& report : record::reports_from_json(text))
                 all.push_back({.file = file, .report = std::move(report)});
-            }
         } catch (const std::runtime_error& error) {
             throw std::runtime_error(
                 fmt::format("{} is not what `gloam check --json` writes: {}", file, error.what()));

@@ -139,7 +139,7 @@ class CheckRun {
         }
         take_next(shared);
         base::for_each_index(tasks_.size(), jobs_of(options_, tasks_.size()),
-                             [&](std::size_t number) { run_task(shared, number); });
+                             std::bind_front(&CheckRun::run_task, this, std::ref(shared)));
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
             if (!shared.rows[i]) continue;
             if (i >= shared.reported) take(*shared.rows[i]);

@@ -16,8 +16,8 @@ inline constexpr const char* every_opengl = "gl";
 [[nodiscard]] bool is_of_file(const CheckOptions& options);
 
 // The selected equations or functions in every selected variant; only this shard's share. `outcome` receives
-// what was left out of a file. Throws like functions_of(), and std::invalid_argument
-// for variants that the device does not have.
+// what was left out of a file. Throws like functions_of(), and std::invalid_argument for variants that the
+// device does not have.
 [[nodiscard]] std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome);
 
 // Runs every task on each device that the options select, in worker processes, so that a crash or hang of a

@@ -41,6 +41,11 @@ check::Reproduction encoded(check::Reproduction all) {
     return all;
 }
 
+std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
+    const auto bytes = std::as_bytes(std::span(words));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 }  // namespace
 
 FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, const CheckTask& task,
@@ -74,15 +79,6 @@ FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, 
             device.name == check::interpreter_name ? "" : device.name);
     return bundle;
 }
-
-namespace {
-
-std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
-    const auto bytes = std::as_bytes(std::span(words));
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-}  // namespace
 
 void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
                    const check::Answer& row, const FailureBundle& bundle, record::RunAgain again) {

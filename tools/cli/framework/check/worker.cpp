@@ -128,20 +128,6 @@ std::vector<std::string> worker_command(const CheckOptions& options) {
     return command;
 }
 
-void answer_requests(const CheckOptions& options, std::FILE* replies) {
-    std::optional<Checker> checker;
-    std::string line;
-    std::getline(std::cin, line);
-    send(replies, greeting_of(checker, options));
-    while (checker && std::getline(std::cin, line)) {
-        const auto request = record::from_line<Request>(line);
-        if (request.failed)
-            send(replies, checker->bundle(request.task, *request.failed));
-        else
-            send(replies, checker->run(request.task));
-    }
-}
-
 bool is_unusable_after(check::Reason reason) {
     using enum check::Reason;
     return reason == device_lost || reason == hang || reason == out_of_memory;
@@ -304,10 +290,21 @@ Command check_worker_command(EquationsNamed* equations) {
             .run = [] {
                 if (list == "manifests") dup2(STDOUT_FILENO, STDERR_FILENO);  // there the loader says them
                 std::FILE* const replies = open_replies();
-                if (list.empty())
-                    answer_requests(options, replies);
-                else
+                if (!list.empty()) {
                     send(replies, listing_of(list));
+                    return 0;
+                }
+                std::optional<Checker> checker;
+                std::string line;
+                std::getline(std::cin, line);
+                send(replies, greeting_of(checker, options));
+                while (checker && std::getline(std::cin, line)) {
+                    const auto request = record::from_line<Request>(line);
+                    if (request.failed)
+                        send(replies, checker->bundle(request.task, *request.failed));
+                    else
+                        send(replies, checker->run(request.task));
+                }
                 return 0;
             }};
 }
