@@ -122,7 +122,10 @@ class Declarations {
     std::string of(const catalogue::Entry& entry) {
         const catalogue::Description& d = entry.description;
         const check::Signature& signature = entry.question.signature;
-        for (const shader::Function& function : functions_of(d.file)) {
+        const auto [known, is_new] = files_.try_emplace(d.file);
+        if (is_new)
+            known->second = cache_.functions(check::probe_of(d.file), {.include_roots = {glsl_directory()}});
+        for (const shader::Function& function : known->second) {
             const bool is_it = function.name == d.function && function.result == signature.result &&
                                std::ranges::equal(function.parameters, signature.parameters, {},
                                                   &shader::Parameter::type, &shader::Parameter::type);
@@ -132,13 +135,6 @@ class Declarations {
     }
 
   private:
-    const std::vector<shader::Function>& functions_of(const std::string& file) {
-        const auto [known, is_new] = files_.try_emplace(file);
-        if (is_new)
-            known->second = cache_.functions(check::probe_of(file), {.include_roots = {glsl_directory()}});
-        return known->second;
-    }
-
     shader::SpirvCache cache_ = check::shader_cache({.cache_directory = cache_directory()});
     std::map<std::string, std::vector<shader::Function>> files_;
 };

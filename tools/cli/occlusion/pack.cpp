@@ -100,7 +100,6 @@ std::string header_of(const std::string& preset, const effect::Settings& setting
 // Writes the passes of a frame and gloam_frame.h with the preset into a folder, all or none. Throws
 // std::invalid_argument for invalid options, std::runtime_error for a folder that cannot be written to.
 void pack_effect(const PackCommand& options) {
-    if (options.out.empty()) throw std::invalid_argument("--effect: give --out, the folder to write");
     const effect::Settings settings = settings_of(options);
     const shader::Language language = language_of(options.version);
     const bool compute = shader::usual_stage(language) == shader::Stage::compute;
@@ -138,7 +137,6 @@ void pack_effect(const PackCommand& options) {
 
 // The same for the effect as one pass and its blur in two, of glsl/passes/one_pass.
 void pack_one_pass(const PackCommand& options) {
-    if (options.out.empty()) throw std::invalid_argument("--one-pass: give --out, the folder to write");
     if (options.normals != "none" && options.normals != "view")
         throw std::invalid_argument("--one-pass --normals " + options.normals + ": expected view or none");
     const bool own_version = options.version != "none";
@@ -210,6 +208,7 @@ void run_pack(const PackCommand& options) {
         const std::string name = options.effect ? "--effect" : "--one-pass";
         if (!options.target.empty()) throw std::invalid_argument(name + " takes no --target");
         if (!options.defines.empty()) throw std::invalid_argument(name + " takes no --define");
+        if (options.out.empty()) throw std::invalid_argument(name + ": give --out, the folder to write");
         return options.effect ? pack_effect(options) : pack_one_pass(options);
     }
     if (options.normals != PackCommand{}.normals)

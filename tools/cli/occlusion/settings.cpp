@@ -20,6 +20,22 @@ namespace gloam::cli {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+// sides: the allowed ones, in words.
+gpu::Extent size_within(const std::string& text, std::uint32_t least, std::uint32_t most, const char* sides) {
+    const std::size_t times = std::min(text.find('x'), text.size());
+    const auto side = [&](std::string_view number) {
+        const auto pixels = base::number_from<std::uint32_t>(number);
+        if (times < text.size() && pixels && *pixels >= least && *pixels <= most) return *pixels;
+        throw std::invalid_argument(
+            fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {}, such as 640x360", text, sides));
+    };
+    return {side(text.substr(0, times)), side(text.substr(std::min(times + 1, text.size())))};
+}
+
+}  // namespace
+
 ordered_json json_of(const effect::SettingValue& value) {
     if (const auto* on = std::get_if<bool>(&value)) return *on;
     if (const auto* name = std::get_if<std::string>(&value)) return *name;
@@ -98,22 +114,6 @@ effect::Settings settings_for(const RenderCandidate& candidate, const std::optio
     validate(settings);
     return settings;
 }
-
-namespace {
-
-// sides: the allowed ones, in words.
-gpu::Extent size_within(const std::string& text, std::uint32_t least, std::uint32_t most, const char* sides) {
-    const std::size_t times = std::min(text.find('x'), text.size());
-    const auto side = [&](std::string_view number) {
-        const auto pixels = base::number_from<std::uint32_t>(number);
-        if (times < text.size() && pixels && *pixels >= least && *pixels <= most) return *pixels;
-        throw std::invalid_argument(
-            fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {}, such as 640x360", text, sides));
-    };
-    return {side(text.substr(0, times)), side(text.substr(std::min(times + 1, text.size())))};
-}
-
-}  // namespace
 
 gpu::Extent parse_size(const std::string& text) {
     return size_within(text, 1, std::numeric_limits<std::uint32_t>::max(), "1 or more");

@@ -114,15 +114,13 @@ inline View seen(const Camera& camera, const glm::mat4& first_from_view, dvec3 s
     return view;
 }
 
-// What a pixel shall have; why a decision of it lies within rounding, if one does.
+// What a pixel shall have.
 struct Wanted {
     dvec4 value{0.0};
-    std::string tie = {};
+    bool tied = false;  // a decision lies within rounding
 
     // x: how far a decision is from its border.
-    void decide(double x, double rounding, const char* what) {
-        if (std::abs(x) < rounding) tie = what;
-    }
+    void decide(double x, double rounding) { tied = tied || std::abs(x) < rounding; }
 };
 
 inline bool inside(ivec2 pixel, ivec2 border = ivec2(0)) {
@@ -140,22 +138,22 @@ inline Wanted reprojected(const Case& one, const View& now, const View& before, 
     const dvec2 place = place_of(before.camera, previous);
     Wanted wanted{{0.0, 0.0, 0.0, -previous.z}};
     const dvec2 off = glm::min(place, dvec2(size) - place);
-    wanted.decide(std::min(off.x, off.y), 1e-5, "edge of the image");
+    wanted.decide(std::min(off.x, off.y), 1e-5);  // edge of the image
     if (std::min(off.x, off.y) < 0.0) return wanted;
     const auto shows = [&](ivec2 texel) {
         const double stored = history.at<dvec4>(texel).w;
         const double apart = std::abs(1.0 - -previous.z / stored);
-        wanted.decide(apart - 0.02, 1e-6, "depth at the tolerance");
+        wanted.decide(apart - 0.02, 1e-6);  // depth at the tolerance
         return apart < 0.02;
     };
     const ivec2 nearest(place);
     const dvec2 middle = place - dvec2(nearest) - 0.5;
-    wanted.decide(0.5 - std::max(std::abs(middle.x), std::abs(middle.y)), 1e-5, "border of two texels");
+    wanted.decide(0.5 - std::max(std::abs(middle.x), std::abs(middle.y)), 1e-5);  // border of two texels
     const bool none = history.at<dvec4>(nearest).y == 0.0;
     if (one.taps < 2U && (none || !shows(nearest))) return wanted;
     const dvec2 apart = glm::abs(middle);
-    wanted.decide(std::min(std::abs(apart.x - 1.0 / 256.0), std::abs(apart.y - 1.0 / 256.0)), 1e-5,
-                  "as good as a texel's centre");
+    const dvec2 beyond = glm::abs(apart - 1.0 / 256.0);  // what is as good as a texel's centre
+    wanted.decide(std::min(beyond.x, beyond.y), 1e-5);
     const dvec2 part = glm::mix(apart, dvec2(0.0), glm::lessThan(apart, dvec2(1.0 / 256.0)));
     dvec4 mean(0.0);
     double most = 0.0;
@@ -166,7 +164,7 @@ inline Wanted reprojected(const Case& one, const View& now, const View& before, 
         const dvec2 weights = glm::mix(1.0 - part, part, glm::bvec2(step));
         const double weight = weights.x * weights.y;
         const dvec4 stored = history.at<dvec4>(texel);
-        wanted.decide(weight - most, 1e-4, "heaviest of two texels");
+        wanted.decide(weight - most, 1e-4);  // heaviest of two texels
         if (weight > most) wanted.value.z = stored.z;
         mean += weight * dvec4(dvec2(stored), 1.0, 0.0);
         most = std::max(most, weight);
@@ -206,7 +204,7 @@ inline double change_at(const View& view, ivec2 pixel, ivec2 at, double farthest
     const dvec3 now = place(at) - place(pixel);
     const dvec3 before = view.positions.at<dvec4>(at) - view.positions.at<dvec4>(pixel);
     const dvec3 normal = view.normal.at<dvec4>(pixel);
-    wanted.decide(dot(now, normal), 1e-5, "probe in the plane");
+    wanted.decide(dot(now, normal), 1e-5);  // probe in the plane
     return gloam_probe_change(now, before, normal, farthest);
 }
 
@@ -231,7 +229,7 @@ inline Fresh sampled(const Case& one, const View& view, ivec2 pixel, dvec4 histo
         const dvec2 place = place_of(view.camera, sample);
         const dvec2 off = glm::abs(place - glm::round(place));
         if (inside(ivec2(glm::floor(place))))
-            wanted.decide(std::min(off.x, off.y), 2e-5, "sample at a pixel's edge");
+            wanted.decide(std::min(off.x, off.y), 2e-5);  // sample at a pixel's edge
         const ivec2 at = glm::clamp(ivec2(glm::floor(place)), ivec2(0), size - 1);
         const double buffer = view.depth.at<double>(at);
         if (one.invalidation > 0U && std::isfinite(buffer))
@@ -240,8 +238,8 @@ inline Fresh sampled(const Case& one, const View& view, ivec2 pixel, dvec4 histo
         const double in_front =
             gloam_plane_depth(ray_of(view.camera, at), sample, normal, view.camera.orthographic) - buffer;
         const double least = std::max(double{bias}, double{one.bias_depth} * depth);
-        wanted.decide(in_front - least, 2e-6, "sample at the bias");
-        wanted.decide(in_front - double{range}, 2e-6, "sample at the range");
+        wanted.decide(in_front - least, 2e-6);          // sample at the bias
+        wanted.decide(in_front - double{range}, 2e-6);  // sample at the range
         fresh.blocked += in_front > least && in_front <= double{range} ? 1.0 : 0.0;
         fresh.taken += 1.0;
     }

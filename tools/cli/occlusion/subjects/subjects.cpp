@@ -198,7 +198,7 @@ class Frames {
 
 // Whether a pixel is another than it shall be where a decision lies within rounding.
 bool is_tied(const Image& image, ivec2 pixel, const Wanted& wanted) {
-    if (wanted.tie.empty()) return false;
+    if (!wanted.tied) return false;
     const dvec4 got = image.element.rows == 1 ? dvec4(image.at<double>(pixel)) : image.at<dvec4>(pixel);
     for (int c = 0; c < image.element.rows; ++c)
         if (numeric::absolute_error(got[c], wanted.value[c]) > 1e-6 * std::max(1.0, wanted.value[c]))
