@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/integer.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -21,12 +22,11 @@ double falloff_weight(Falloff falloff, double distance, double radius) {
     return falloff == Falloff::linear ? 1.0 - x : 1.0 - x * x;
 }
 
-constexpr std::uint32_t reversed(std::uint32_t x) {
-    x = (x & 0x55555555U) << 1 | (x >> 1 & 0x55555555U);
-    x = (x & 0x33333333U) << 2 | (x >> 2 & 0x33333333U);
-    x = (x & 0x0f0f0f0fU) << 4 | (x >> 4 & 0x0f0f0f0fU);
-    x = (x & 0x00ff00ffU) << 8 | (x >> 8 & 0x00ff00ffU);
-    return x << 16 | x >> 16;
+// Well-mixed bits of a number, the same on every machine (the finaliser of SplitMix64).
+constexpr std::uint64_t mixed(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+    return x ^ (x >> 31);
 }
 
 // The second coordinate. The first is the index with its bits reversed.
@@ -51,6 +51,24 @@ constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
 
 double unit_open(std::uint32_t bits) {
     return (static_cast<double>(bits) + 0.5) * 0x1p-32;
+}
+
+// The first points of the two-dimensional Sobol' sequence: the 32 bits of their coordinates, least
+// significant first.
+std::vector<glm::uvec2> sobol_points(std::size_t count) {
+    std::vector<glm::uvec2> points;
+    for (std::uint32_t i = 0; i < count; ++i) points.emplace_back(i, glm::bitfieldReverse(sobol_second(i)));
+    return points;
+}
+
+// Such a point in (0, 1)^2 with the scrambling `seed`. Scramblings of different seeds are independent, each
+// point is uniform, and the points of one seed keep the strata of the sequence: nested uniform scrambling
+// (Owen), with the hash of Laine and Karras.
+glm::dvec2 scrambled(const glm::uvec2& point, std::uint64_t seed) {
+    const auto first = static_cast<std::uint32_t>(seed);
+    const auto second = static_cast<std::uint32_t>(seed >> 32);
+    return {unit_open(glm::bitfieldReverse(laine_karras(point.x, first))),
+            unit_open(glm::bitfieldReverse(laine_karras(point.y, second)))};
 }
 
 // Number of independent scramblings; their means give the standard error.
@@ -85,19 +103,6 @@ std::optional<Falloff> falloff_named(std::string_view name) {
     if (name == "linear") return Falloff::linear;
     if (name == "quadratic") return Falloff::quadratic;
     return name == "step" ? std::optional(Falloff::step) : std::nullopt;
-}
-
-std::vector<glm::uvec2> sobol_points(std::size_t count) {
-    std::vector<glm::uvec2> points;
-    for (std::uint32_t i = 0; i < count; ++i) points.emplace_back(i, reversed(sobol_second(i)));
-    return points;
-}
-
-glm::dvec2 scrambled(const glm::uvec2& point, std::uint64_t seed) {
-    const auto first = static_cast<std::uint32_t>(seed);
-    const auto second = static_cast<std::uint32_t>(seed >> 32);
-    return {unit_open(reversed(laine_karras(point.x, first))),
-            unit_open(reversed(laine_karras(point.y, second)))};
 }
 
 void validate(const RaySettings& settings) {

@@ -68,22 +68,6 @@ class RayScene {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// Well-mixed bits of a number, the same on every machine (the finaliser of SplitMix64).
-[[nodiscard]] constexpr std::uint64_t mixed(std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-}
-
-// The first points of the two-dimensional Sobol' sequence: the 32 bits of their coordinates, least
-// significant first.
-[[nodiscard]] std::vector<glm::uvec2> sobol_points(std::size_t count);
-
-// Such a point in (0, 1)^2 with the scrambling `seed`. Scramblings of different seeds are independent, each
-// point is uniform, and the points of one seed keep the strata of the sequence: nested uniform scrambling
-// (Owen), with the hash of Laine and Karras.
-[[nodiscard]] glm::dvec2 scrambled(const glm::uvec2& point, std::uint64_t seed);
-
 // A point whose occlusion is estimated.
 struct Receiver {
     glm::dvec3 position{0};
@@ -129,7 +113,7 @@ class OcclusionTracer {
     [[nodiscard]] double part_mean(const Receiver& receiver, std::uint64_t seed) const;
 
     RaySettings settings_;
-    std::vector<glm::uvec2> points_;  // of sobol_points()
+    std::vector<glm::uvec2> points_;  // of the Sobol' sequence, bits of coordinates least significant first
     RayScene scene_;
 };
 

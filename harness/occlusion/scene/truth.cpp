@@ -101,13 +101,12 @@ std::optional<Receiver> shown_by(const OcclusionTracer& tracer, const PixelPosit
     return receiver;
 }
 
-std::uint64_t count_surface(const GBuffer& view) {
-    return static_cast<std::uint64_t>(std::ranges::count_if(view.depth, is_surface));
-}
-
+// The truth of a view in which nothing blocks.
 TracedTruth open(const GBuffer& view) {
     const std::vector<float> zeros(view.depth.size(), 0.0F);
-    return {.occlusion = zeros, .standard_error = zeros, .pixels = count_surface(view)};
+    return {.occlusion = zeros,
+            .standard_error = zeros,
+            .pixels = static_cast<std::uint64_t>(std::ranges::count_if(view.depth, is_surface))};
 }
 
 // Calls `receiver_of(pixel)` for each pixel with geometry and traces the result.
@@ -115,9 +114,8 @@ template <class ReceiverOf>
 TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const TruthSettings& settings,
                   const ReceiverOf& receiver_of) {
     const std::size_t pixels = view.depth.size();
-    TracedTruth truth{.occlusion = std::vector<float>(pixels, 0.0F),
-                      .standard_error = std::vector<float>(pixels, 0.0F),
-                      .rays = tracer.rays()};
+    TracedTruth truth = open(view);
+    truth.rays = tracer.rays();
     constexpr std::size_t batch = 64;  // pixels of one work item of a thread
     const auto work = [&](std::size_t index) {
         for (std::size_t i = index * batch; i < std::min(pixels, (index + 1) * batch); ++i) {
@@ -128,7 +126,6 @@ TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const Trut
         }
     };
     base::for_each_index((pixels + batch - 1) / batch, settings.threads, work, settings.progress);
-    truth.pixels = count_surface(view);
     return truth;
 }
 
