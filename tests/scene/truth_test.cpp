@@ -10,8 +10,8 @@ GBuffer shot(const Scene& scene, gpu::Extent extent, int frame = 0) {
     return draw(scene, extent, {.frame = frame, .ids = true});
 }
 
-TruthSettings settings(double radius, int rays, unsigned threads = 0) {
-    return {.rays = {.radius = radius, .rays = rays}, .threads = threads};
+TruthSettings settings(double radius, int rays) {
+    return {.rays = {.radius = radius, .rays = rays}};
 }
 
 // Of the geometry and of the depth buffer, in which nothing of it is hidden but what is beside the image: a
@@ -63,19 +63,6 @@ TEST(TruthTest, OfTheFrameBefore) {
         largest_change = std::max(largest_change, std::abs(double{now[i]} - double{before[i]}));
     }
     EXPECT_GT(largest_change, 0.15);
-}
-
-TEST(TruthTest, IsTheSameForAnyNumberOfThreads) {
-    const Scene scene = make_scene("moving");
-    const GBuffer view = shot(scene, {48, 27}, 3);
-    const TracedTruth one = trace_geometry(scene, 3, view, settings(0.4, 64, 1));
-    const TracedTruth depth_one = trace_depth(view, settings(0.4, 64, 1));
-    for (const unsigned threads : {2U, 3U, 7U, 0U}) {
-        const TracedTruth many = trace_geometry(scene, 3, view, settings(0.4, 64, threads));
-        EXPECT_EQ(bits(many.occlusion), bits(one.occlusion));
-        EXPECT_EQ(bits(many.standard_error), bits(one.standard_error));
-        EXPECT_EQ(bits(trace_depth(view, settings(0.4, 64, threads)).occlusion), bits(depth_one.occlusion));
-    }
 }
 
 // Every pixel finds its surface again, and no point is shut in by accident: dots that are blocked all around
@@ -168,61 +155,33 @@ TEST(DepthField, OfNothingIsRefusedAndOfOnePixelIsOpen) {
     }
 }
 
-// The truth of the scene "moving" in a folder of its own.
-class KeptTruth : public InFolder {
-  protected:
-    KeptTruth() { settings_.cache = folder.path() / "truth"; }
+using KeptTruth = InFolder;
 
-    [[nodiscard]] TracedTruth depth() const { return trace_depth(view_, settings_); }
-    [[nodiscard]] std::filesystem::path file() const {
-        return *std::filesystem::directory_iterator(settings_.cache);
-    }
-
-    const Scene scene_ = make_scene("moving");
-    const GBuffer view_ = shot(scene_, {16, 9});
-    TruthSettings settings_ = settings(0.4, 64, 1);
-};
-
+// tests/base has files that are damaged.
 TEST_F(KeptTruth, IsTracedOnce) {
+    const Scene scene = make_scene("moving");
+    const GBuffer view = shot(scene, {16, 9});
+    TruthSettings kept = settings(0.4, 64);
+    kept.cache = folder.path() / "truth";
     int traced = 0;
-    settings_.progress = [&](double part) { traced += part == 1.0 ? 1 : 0; };
-    const TracedTruth first = trace_geometry(scene_, 0, view_, settings_);
-    const TracedTruth again = trace_geometry(scene_, 0, view_, settings_);
+    kept.progress = [&](double part) { traced += part == 1.0 ? 1 : 0; };
+    const TracedTruth first = trace_geometry(scene, 0, view, kept);
+    const TracedTruth again = trace_geometry(scene, 0, view, kept);
     EXPECT_EQ(traced, 1);
     EXPECT_EQ(bits(again.occlusion), bits(first.occlusion));
     EXPECT_EQ(bits(again.standard_error), bits(first.standard_error));
     EXPECT_EQ(again.rays, first.rays);
     EXPECT_EQ(again.pixels, first.pixels);
     // Anything that counts makes it another one.
-    const std::function<void()> changes[] = {[&] { settings_.rays.rays = 128; },
-                                             [&] { settings_.rays.falloff = Falloff::step; },
-                                             [&] { settings_.thickness = 0.3; }};
+    const std::function<void()> changes[] = {[&] { kept.rays.rays = 128; },
+                                             [&] { kept.rays.falloff = Falloff::step; },
+                                             [&] { kept.thickness = 0.3; }};
     for (const auto& change : changes) {
         change();
-        for (int i = 0; i < 2; ++i) (void)depth();
+        for (int i = 0; i < 2; ++i) (void)trace_depth(view, kept);
     }
-    (void)trace_geometry(scene_, 1, view_, settings_);
+    (void)trace_geometry(scene, 1, view, kept);
     EXPECT_EQ(traced, 5);
-}
-
-// Damaged, cut short, or the whole truth of something else under this name.
-TEST_F(KeptTruth, ThatIsDamagedOrExchangedIsTracedAgain) {
-    const TracedTruth first = depth();
-    const std::filesystem::path kept = file();
-    const std::string whole = read_file(kept);
-    std::string damaged = whole;
-    damaged[whole.size() / 2] ^= 1;
-    std::filesystem::rename(kept, path("other"));
-    settings_.rays.radius = 0.2;
-    ASSERT_NE(bits(depth().occlusion), bits(first.occlusion));
-    const std::string other = read_file(file());
-    settings_.rays.radius = 0.4;
-    std::filesystem::remove(file());
-    for (const std::string& bytes : {damaged, whole.substr(0, whole.size() / 2), other}) {
-        std::ofstream(kept, std::ios::binary) << bytes;
-        EXPECT_EQ(bits(depth().occlusion), bits(first.occlusion));
-        EXPECT_EQ(read_file(kept), whole);
-    }
 }
 
 }  // namespace gloam::scene::test::truth_test
