@@ -123,12 +123,4 @@ TEST_F(CompositePass, LightsEachPixel) {
     }
 }
 
-TEST_F(CompositePass, RefusesImagesOfAnotherSize) {
-    const std::vector<glm::vec3> light(6);
-    for (const auto& [extent, occlusions, message] : {std::tuple{gpu::Extent{3, 2}, 4, "4 occlusions"},
-                                                      {gpu::Extent{3, 3}, 0, "6 pixels with ambient light"}})
-        EXPECT_THAT([&] { (void)composite_.lit(extent, light, light, std::vector<float>(occlusions)); },
-                    ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
-}
-
 }  // namespace gloam::effect::directional_test

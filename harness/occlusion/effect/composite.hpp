@@ -20,11 +20,11 @@ class Composite {
 
     // The lit image, linear, rows from the top. `ambient` and `direct`: light of each pixel, linear.
     // `occlusion`: in [0, 1], a value for each pixel; empty: no occlusion. `albedo`: linear, for each pixel,
-    // with which light bounces among blockers (gloam_multi_bounce); empty: it does not. Throws
-    // std::invalid_argument when the sizes disagree with the extent.
+    // with which light bounces among blockers (gloam_multi_bounce); empty: it does not. Each
+    // has as many pixels as the extent.
     [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, std::span<const glm::vec3> ambient,
                                              std::span<const glm::vec3> direct,
-                                             std::span<const float> occlusion,
+                                             const std::vector<float>& occlusion,
                                              const std::vector<glm::vec3>& albedo = {}) const;
 
   private:

@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "effect/internal/require_same_size.hpp"
 #include "numeric/similarity.hpp"
 
 namespace gloam::effect {
@@ -56,7 +55,6 @@ class Projector {
 }  // namespace
 
 Errors errors_of(std::span<const float> occlusion, std::span<const float> truth) {
-    internal::require_same_size("truth", truth.size(), occlusion.size());
     std::vector<double> magnitudes;
     Errors errors;
     double squares = 0.0;
@@ -95,7 +93,6 @@ Truth truth_of(const scene::GBuffer& view, double radius, const TrueOcclusion& t
 }
 
 Truth truth_from(const scene::GBuffer& view, std::span<const float> reference) {
-    internal::require_same_size("reference", reference.size(), view.depth.size());
     Truth truth(reference.begin(), reference.end());
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!std::isfinite(view.depth[i])) truth[i] = unknown;
@@ -125,7 +122,6 @@ Metrics metrics_of(std::span<const float> occlusion, std::span<const float> trut
 }
 
 Truth masked(std::span<const float> truth, const Mask& mask) {
-    internal::require_same_size("mask", mask.size(), truth.size());
     Truth result(truth.begin(), truth.end());
     for (std::size_t i = 0; i < result.size(); ++i)
         if (mask[i] == 0) result[i] = unknown;

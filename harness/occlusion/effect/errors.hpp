@@ -14,7 +14,8 @@
 
 namespace gloam::effect {
 
-// The reference of an image: the true occlusion of each pixel, NaN where it is unknown.
+// The reference of an image: the true occlusion of each pixel, NaN where it is unknown. All images that a
+// function takes have one size.
 using Truth = std::vector<float>;
 
 // Errors of an image over the pixels whose truth is known; all 0 when there are none.
@@ -27,7 +28,7 @@ struct Errors {
     double bias = 0.0;           // mean of image - truth
 };
 
-// Errors of an occlusion image. Throws std::invalid_argument when the sizes disagree.
+// Errors of an occlusion image.
 [[nodiscard]] Errors errors_of(std::span<const float> occlusion, std::span<const float> truth);
 
 // True occlusion at a world-space point, for a radius in world units.
@@ -37,7 +38,7 @@ using TrueOcclusion = std::function<double(const glm::dvec3& world, double radiu
 // comes within a pixel of the image's border, because the image does not show what is outside.
 [[nodiscard]] Truth truth_of(const scene::GBuffer& view, double radius, const TrueOcclusion& true_occlusion);
 
-// A reference image as truth: NaN at the background. Throws std::invalid_argument when the sizes disagree.
+// A reference image as truth: NaN at the background.
 [[nodiscard]] Truth truth_from(const scene::GBuffer& view, std::span<const float> reference);
 
 // numeric::structural_similarity() of an occlusion image and the truth, as visibility.
@@ -63,8 +64,7 @@ struct RemapBin {
     double square = 0.0;      // of the truth, summed
 };
 
-// Adds the pixels of an image with a truth to bins, which divide visibility 0 to 1. Throws
-// std::invalid_argument when the sizes disagree.
+// Adds the pixels of an image with a truth to bins, which divide visibility 0 to 1.
 void add_to_bins(std::span<RemapBin> bins, std::span<const float> occlusion, std::span<const float> truth);
 
 // The remap with the least squared error over the pixels of bins; no remap without a pixel.
@@ -75,8 +75,7 @@ void add_to_bins(std::span<RemapBin> bins, std::span<const float> occlusion, std
 
 // The remap that minimises the root mean square difference of an occlusion image from the truth. It shows how
 // accurate a method is apart from constant factors. The result is deterministic, and its error is never
-// larger than without a remap. If no truth is known, the result is no remap. Throws std::invalid_argument
-// when the sizes disagree.
+// larger than without a remap. If no truth is known, the result is no remap.
 [[nodiscard]] Remap best_remap(std::span<const float> occlusion, std::span<const float> truth);
 
 // The occlusion image after a remap.
@@ -91,11 +90,11 @@ struct Metrics {
     double similarity_after_remap = 1.0;
 };
 
-// Calculates them. Throws std::invalid_argument when the sizes disagree.
+// Calculates them.
 [[nodiscard]] Metrics metrics_of(std::span<const float> occlusion, std::span<const float> truth,
                                  gpu::Extent extent);
 
-// The truth where the mask is set, NaN elsewhere. Throws std::invalid_argument when the sizes disagree.
+// The truth where the mask is set, NaN elsewhere.
 [[nodiscard]] Truth masked(std::span<const float> truth, const Mask& mask);
 
 // Errors by class of pixel, in the order of pixel_class_names.

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "effect/pixel_classes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
-#include "effect/internal/require_same_size.hpp"
 #include "numeric/numbers.hpp"
 #include "scene/gbuffer.hpp"
 
@@ -134,8 +130,6 @@ void transform_line(std::vector<double>& square) {
 
 HistoryMap::HistoryMap(const scene::GBuffer& view, const scene::GBuffer& previous)
     : taps_(view.depth.size()), moved_(view.depth.size(), 0) {
-    internal::require_same_size("the frame before", previous.depth.size(), view.depth.size());
-    internal::require_same_size("normals", view.normal.size(), view.depth.size());
     const Earlier earlier(view, previous);
     const scene::PixelPositions then(previous);
     const auto width = static_cast<long>(view.extent.width);
@@ -174,9 +168,6 @@ double HistoryMap::sample(std::size_t pixel, std::span<const float> previous) co
 std::optional<double> mean_change(const HistoryMap& history, std::span<const float> image,
                                   std::span<const float> previous, std::span<const float> due,
                                   const Mask& mask) {
-    internal::require_same_size("the image before", previous.size(), image.size());
-    if (!due.empty()) internal::require_same_size("the change that is due", due.size(), image.size());
-    if (!mask.empty()) internal::require_same_size("mask", mask.size(), image.size());
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -190,8 +181,6 @@ std::optional<double> mean_change(const HistoryMap& history, std::span<const flo
 
 void PixelClasses::advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history) {
     const std::size_t pixels = view.depth.size();
-    if (history && classes_.size() != pixels)
-        throw std::invalid_argument("pixel classes: the size changed without a cut");
     // Pixels whose surface moved in this frame, or that showed a moving surface in the previous one.
     Mask moved(pixels, 0);
     Mask swept(pixels, 0);
@@ -236,7 +225,6 @@ Mask PixelClasses::mask(PixelClass one) const {
 std::vector<float> distance_to(const Mask& mask, gpu::Extent extent) {
     const std::size_t width = extent.width;
     const std::size_t height = extent.height;
-    if (mask.size() != width * height) throw std::invalid_argument("distance: a mask of another size");
     std::vector<double> square(mask.size());
     for (std::size_t i = 0; i < mask.size(); ++i) square[i] = mask[i] != 0 ? 0.0 : infinity;
     const auto along = [&](std::size_t start, std::size_t stride, std::size_t count) {

@@ -20,8 +20,7 @@ class HistoryMap {
   public:
     // view: its earlier positions come from the first of these that it has: previous_position; its motion,
     // with the depth from the cameras; the cameras alone, where previous_from_current precedes previous_view.
-    // A view without any of them stands still. Both views need normals. Throws std::invalid_argument when the
-    // sizes disagree.
+    // A view without any of them stands still. Both views need normals, and have one size.
     HistoryMap(const scene::GBuffer& view, const scene::GBuffer& previous);
 
     // Whether the pixel's point was seen in the previous frame; false at the background.
@@ -51,8 +50,7 @@ using Mask = std::vector<std::uint8_t>;
 
 // Flicker: the mean magnitude of the change of an image from frame to frame at the same surface points, less
 // the change that is `due` there (empty: none). It is taken over the points that were seen before and, when
-// `mask` is not empty, are set in it; nullopt when there are none. Throws std::invalid_argument when the
-// sizes disagree.
+// `mask` is not empty, are set in it; nullopt when there are none. All images have one size.
 [[nodiscard]] std::optional<double> mean_change(const HistoryMap& history, std::span<const float> image,
                                                 std::span<const float> previous,
                                                 std::span<const float> due = {}, const Mask& mask = {});
@@ -84,7 +82,7 @@ class PixelClasses {
     explicit PixelClasses(const Settings& settings) : settings_(settings) {}
 
     // Takes the next frame. `history`: from the previous frame to this one; nullopt for the first frame and
-    // after a camera cut. Throws std::invalid_argument when the size changes without a cut.
+    // after a camera cut. The size changes with a cut alone.
     void advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history);
 
     [[nodiscard]] PixelClass at(std::size_t pixel) const { return classes_[pixel]; }
@@ -113,7 +111,7 @@ struct HardPlaces {
 [[nodiscard]] HardPlaces hard_places(const scene::GBuffer& view, double radius);
 
 // Distance of each pixel to the nearest set one, in pixels; +infinity when none is set. Exact (Felzenszwalb
-// and Huttenlocher 2012). Throws std::invalid_argument when the sizes disagree.
+// and Huttenlocher 2012).
 [[nodiscard]] std::vector<float> distance_to(const Mask& mask, gpu::Extent extent);
 
 }  // namespace gloam::effect

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "effect/internal/require_same_size.hpp"
-
 namespace gloam::effect {
 namespace {
 
@@ -106,7 +104,6 @@ double Remap::operator()(double visibility) const {
 }
 
 void add_to_bins(std::span<RemapBin> bins, std::span<const float> occlusion, std::span<const float> truth) {
-    internal::require_same_size("truth", truth.size(), occlusion.size());
     const std::size_t count = bins.size();
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!std::isfinite(truth[i])) continue;

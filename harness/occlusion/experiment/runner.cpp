@@ -222,8 +222,9 @@ class SizeRun {
         if (subject.kind != Kind::effect) return std::nullopt;
         const effect::Settings& settings = subject.settings;
         constexpr std::uint32_t pixels = 257;  // of a side of its image
-        if (!closed_form_) closed_form_.emplace(place_.device, place_.passes, pixels);
-        const effect::Estimate measured = closed_form_->measure(view, settings, experiment_.frames);
+        if (!closed_form_) closed_form_.emplace(place_.device, place_.passes, gpu::Extent{pixels, pixels});
+        const effect::Estimate measured =
+            effect::measured(*closed_form_, pixels, view, settings, experiment_.frames);
         const effect::Remap remap = remap_of(settings);
         return PointQuality{.truth = view.occlusion,
                             .occlusion = measured.value,
@@ -275,8 +276,8 @@ class SizeRun {
     Record& record_;
     // What cases share, by what it is made for.
     std::map<std::string, std::shared_ptr<BenchmarkViews>> views_;
-    std::optional<effect::ClosedFormStudy> closed_form_;
-    std::map<bool, ConfigurationStudy> studies_;  // by Subject::hoisted
+    std::optional<effect::AmbientOcclusion> closed_form_;  // of their images
+    std::map<bool, ConfigurationStudy> studies_;           // by Subject::hoisted
     std::map<std::array<std::uint32_t, 5>, PlainRun> loops_;
     std::set<Quantity> measures_;  // of its tables
 };

@@ -26,29 +26,27 @@ Settings accumulated(Settings settings) {
     return settings;
 }
 
-Estimate mean_of(const std::vector<double>& values) {
+// The standard error of the mean of some values.
+double error_of(const std::vector<double>& values) {
     const auto count = static_cast<double>(values.size());
     double mean = 0.0;
     for (const double value : values) mean += value / count;
     double squares = 0.0;
     for (const double value : values) squares += (value - mean) * (value - mean);
-    return {mean, std::sqrt(squares / (count * (count - 1.0)))};
+    return std::sqrt(squares / (count * (count - 1.0)));
 }
 
 }  // namespace
 
-ClosedFormStudy::ClosedFormStudy(const gpu::Device& device, const scene::PassLibrary& passes,
-                                 std::uint32_t pixels)
-    : effect_(device, passes, {pixels, pixels}), pixels_(pixels) {}
-
-Estimate ClosedFormStudy::measure(const scene::ClosedFormView& view, const Settings& settings, int frames) {
+Estimate measured(AmbientOcclusion& effect, std::uint32_t pixels, const scene::ClosedFormView& view,
+                  const Settings& settings, int frames) {
     if (frames < 2) throw std::invalid_argument(fmt::format("{} frames: expected 2 or more", frames));
-    effect_.begin(scene::draw(view, pixels_), accumulated(settings));
+    effect.begin(scene::draw(view, pixels), accumulated(settings));
     std::vector<double> means;
     double sum = 0.0;
     double weight = 0.0;
     for (int i = 0; i < frames; ++i) {
-        const Frame frame = effect_.next();
+        const Frame frame = effect.next();
         const double counted = double{frame.convergence.front()} * double{most_weight};
         const double total = double{frame.occlusion.front()} * counted;
         if (counted > weight) means.push_back((total - sum) / (counted - weight));
@@ -56,7 +54,7 @@ Estimate ClosedFormStudy::measure(const scene::ClosedFormView& view, const Setti
         weight = counted;
     }
     if (means.size() < 2) return {weight > 0.0 ? sum / weight : 0.0, 0.0};
-    return {sum / weight, mean_of(means).error};
+    return {sum / weight, error_of(means)};
 }
 
 }  // namespace gloam::effect

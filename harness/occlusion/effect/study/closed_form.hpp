@@ -14,23 +14,12 @@ struct Estimate {
     double error = 0.0;
 };
 
-// Measures methods on closed-form views with the real passes: with history, without filter, remap and
-// rotation.
-class ClosedFormStudy {
-  public:
-    // pixels: on each side of the image, odd. The device must outlive this object. Throws like
-    // AmbientOcclusion.
-    ClosedFormStudy(const gpu::Device& device, const scene::PassLibrary& passes, std::uint32_t pixels);
-
-    // The occlusion of the view's point: the mean over all frames of 1024 samples, with a standard error from
-    // the spread of the frames' means. Consecutive frames of a low-discrepancy sequence have opposite errors,
-    // so the actual error of the mean is smaller than this estimate. Settings are for a radius of 1. Throws
-    // like AmbientOcclusion, and std::invalid_argument for fewer than two frames.
-    [[nodiscard]] Estimate measure(const scene::ClosedFormView& view, const Settings& settings, int frames);
-
-  private:
-    AmbientOcclusion effect_;
-    std::uint32_t pixels_;
-};
+// The occlusion of a closed-form view's point by the real passes, with history, without filter, remap and
+// rotation: the mean over all frames of 1024 samples, with a standard error from the spread of the frames'
+// means. Consecutive frames of a low-discrepancy sequence have opposite errors, so the actual error of the
+// mean is smaller than this estimate. effect: for images of that many pixels on each side, odd. Settings are
+// for a radius of 1. Throws like AmbientOcclusion, and std::invalid_argument for fewer than two frames.
+[[nodiscard]] Estimate measured(AmbientOcclusion& effect, std::uint32_t pixels,
+                                const scene::ClosedFormView& view, const Settings& settings, int frames);
 
 }  // namespace gloam::effect
