@@ -4,7 +4,6 @@
 
 #include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
-#include "gloam/geometry/background.glsl"
 
 // bilateral smoothing of occlusion (ISSAO-7): `(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s`
 // [ISSAO, eq 7; Tomasi and Manduchi 1998].

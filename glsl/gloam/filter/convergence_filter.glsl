@@ -3,7 +3,6 @@
 #define GLOAM_FILTER_CONVERGENCE_FILTER_GLSL
 
 #include "gloam/filter/weights.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 
 // Smoothing of occlusion that trusts each neighbour as far as it has converged (TSSAO-10), along one axis of the
 // image: run it along x, then along y on the result (not quite the same as in two dimensions, since the weights do

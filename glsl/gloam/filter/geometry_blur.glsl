@@ -4,7 +4,6 @@
 
 #include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
-#include "gloam/geometry/background.glsl"
 
 // Blur that keeps to a surface (CS-BLUR), along one axis of the image: run it along x, then along y on the result.
 // The study uses it for all its methods, from 1 pixel on either side upward.

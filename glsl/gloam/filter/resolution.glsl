@@ -2,9 +2,7 @@
 #ifndef GLOAM_FILTER_RESOLUTION_GLSL
 #define GLOAM_FILTER_RESOLUTION_GLSL
 
-#include "gloam/geometry/background.glsl"
 #include "gloam/geometry/vector.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/ambient.glsl"
 
 // Which pixels an image of half the resolution stands for: its pixel p has what pixel 2 p of the full image has, not

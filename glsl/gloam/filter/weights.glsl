@@ -3,7 +3,6 @@
 #define GLOAM_FILTER_WEIGHTS_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO, eq 10].

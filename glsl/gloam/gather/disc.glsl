@@ -3,11 +3,7 @@
 #define GLOAM_GATHER_DISC_GLSL
 
 #include "gloam/gather/footprint.glsl"
-#include "gloam/geometry/radius.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/sincos.glsl"
 #include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/rotation.glsl"
 
 // Where ISSAO's taps lie: in the circle that covers the image of a disc across the view ray (ISSAO-P), radii uniform

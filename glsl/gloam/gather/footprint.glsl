@@ -3,7 +3,6 @@
 #define GLOAM_GATHER_FOOTPRINT_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // The image of the ball of influence around a shaded point, and the mapping from a tap in it to its pixel and to the
 // surface there. Computed once a pixel; requires gloam_can_gather.

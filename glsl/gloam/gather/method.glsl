@@ -7,16 +7,12 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/count.glsl"
 #include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/slice_sample.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 
 #endif

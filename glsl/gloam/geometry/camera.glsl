@@ -5,7 +5,6 @@
 #include "gloam/geometry/pixel.glsl"
 #include "gloam/geometry/position.glsl"
 #include "gloam/geometry/radius.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // What takes view space to the pixels of an image and back, for either kind of projection.
 struct GloamCamera {

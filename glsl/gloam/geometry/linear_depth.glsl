@@ -3,7 +3,6 @@
 #define GLOAM_GEOMETRY_LINEAR_DEPTH_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // A depth-buffer value b is the projection of the eye-linear depth d = -z. With the projection's elements P22 =
 // P[2][2] and P32 = P[3][2] (column-major), clip z is P22 z + P32 and clip w is -z (perspective) or 1 (orthographic).

@@ -4,7 +4,6 @@
 
 #include "gloam/geometry/background.glsl"
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // How large a world length appears at a depth: half-axes of the image of a disc parallel to the screen. The factor
 // 1/2 takes normalised device coordinates, two units wide, to texture coordinates. Signs of the projection (y down)

@@ -2,9 +2,7 @@
 #ifndef GLOAM_GEOMETRY_REPROJECTION_GLSL
 #define GLOAM_GEOMETRY_REPROJECTION_GLSL
 
-#include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // Where a surface point was in the previous image (TSSAO-RP). Matrices are column-major and act on column vectors;
 // "view" takes world to view space, "model" takes object to world space. Clip points stay homogeneous throughout:

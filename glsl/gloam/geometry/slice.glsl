@@ -3,8 +3,6 @@
 #define GLOAM_GEOMETRY_SLICE_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 
 // The plane through the eye and a direction of the image in which horizons are searched (Jimenez et al. 2016). Angles

@@ -2,10 +2,8 @@
 #ifndef GLOAM_GEOMETRY_SURFACE_GLSL
 #define GLOAM_GEOMETRY_SURFACE_GLSL
 
-#include "gloam/geometry/background.glsl"
 #include "gloam/geometry/vector.glsl"
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // direction of the surface along one image axis (NORMAL-direction): `one-sided difference of smaller |dz|, normalised`
 // [definition; one-sided differences as in Bavoil and Sainz 2009].

@@ -3,7 +3,6 @@
 #define GLOAM_GEOMETRY_VECTOR_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // unit vector along any vector that has a direction (NORMALIZE): `v / |v|; the fallback where v is zero, infinite or
 // NaN` [definition].

@@ -3,7 +3,6 @@
 #define GLOAM_METHODS_BITMASK_GLSL
 
 #include "gloam/gather/method.glsl"
-#include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/gtao.glsl"
 
 // Visibility bitmask (Therrien et al. 2023). A sample covers the sectors of a slice between its front and its back,

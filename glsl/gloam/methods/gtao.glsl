@@ -3,7 +3,6 @@
 #define GLOAM_METHODS_GTAO_GLSL
 
 #include "gloam/gather/method.glsl"
-#include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/gtao.glsl"
 
 // Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye and the closed

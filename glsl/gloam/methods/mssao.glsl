@@ -6,10 +6,7 @@
 #include "gloam/filter/weights.glsl"
 #include "gloam/gather/method.glsl"
 #include "gloam/gather/pixels.glsl"
-#include "gloam/geometry/background.glsl"
-#include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
-#include "gloam/occlusion/estimator.glsl"
 
 // Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): surface points under small discs at several
 // resolutions, each disc twice as wide as the one before. Passes prepare the coarser resolutions

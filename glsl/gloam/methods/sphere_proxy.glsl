@@ -3,8 +3,6 @@
 #define GLOAM_METHODS_SPHERE_PROXY_GLSL
 
 #include "gloam/gather/method.glsl"
-#include "gloam/geometry/vector.glsl"
-#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/occlusion/falloff.glsl"
 #include "gloam/occlusion/hbao.glsl"
 #include "gloam/occlusion/proxies.glsl"

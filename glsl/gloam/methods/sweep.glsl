@@ -3,7 +3,6 @@
 #define GLOAM_METHODS_SWEEP_GLSL
 
 #include "gloam/gather/method.glsl"
-#include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/sweep.glsl"
 
 // The horizon sweep: slices through the eye in which each direction counts with the falloff at the distance of the

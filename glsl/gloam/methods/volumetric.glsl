@@ -4,7 +4,6 @@
 
 #include "gloam/gather/method.glsl"
 #include "gloam/gather/pair.glsl"
-#include "gloam/occlusion/volumetric.glsl"
 
 // Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid part of a ball around the
 // point. A plane gives 1/2, and a = 0.5 of the remap subtracts it. A surface belongs to another object if it lies in

@@ -6,7 +6,6 @@
 #include "gloam/gather/pair.glsl"
 #include "gloam/gather/pixels.glsl"
 #include "gloam/geometry/surface.glsl"
-#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/sampling/depth_mip.glsl"
 
 // Volumetric obscurance by area samples (Loos and Sloan 2010, reconstructed): the ball of volumetric, but a sample is

@@ -3,7 +3,6 @@
 #define GLOAM_NUMERIC_INVERSE_TRIGONOMETRY_GLSL
 
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // arc cosine, cubic approximation (CS-P-acos-cubic): `((-2 pi / 9) x^2 - 5 pi / 18) x + pi / 2` [Mittring 2012; Aalund
 // and Baerentzen 2013].

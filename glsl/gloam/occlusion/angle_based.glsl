@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_ANGLE_BASED_GLSL
 
 #include "gloam/geometry/vector.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/ambient.glsl"
 
 // Angle-based occlusion of opposite pairs of samples, as in Unreal Engine 4 (Mittring 2012; CS-P): the angle between

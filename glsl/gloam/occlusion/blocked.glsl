@@ -2,8 +2,6 @@
 #ifndef GLOAM_OCCLUSION_BLOCKED_GLSL
 #define GLOAM_OCCLUSION_BLOCKED_GLSL
 
-#include "gloam/geometry/background.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 
 // whether the depth buffer blocks a sample point (TSSAO-3-V): `V = 1 if bias < d_s - d_b <= range, else 0` [TSSAO,

@@ -2,8 +2,6 @@
 #ifndef GLOAM_OCCLUSION_CRYTEK_GLSL
 #define GLOAM_OCCLUSION_CRYTEK_GLSL
 
-#include "gloam/geometry/background.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 
 // Crytek's screen-space ambient occlusion (Mittring 2007; CS-3.1): points of a whole ball around the surface against

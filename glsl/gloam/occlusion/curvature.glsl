@@ -2,7 +2,6 @@
 #ifndef GLOAM_OCCLUSION_CURVATURE_GLSL
 #define GLOAM_OCCLUSION_CURVATURE_GLSL
 
-#include "gloam/numeric/arithmetic.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 

@@ -2,11 +2,8 @@
 #ifndef GLOAM_OCCLUSION_DISC_TAPS_GLSL
 #define GLOAM_OCCLUSION_DISC_TAPS_GLSL
 
-#include "gloam/geometry/vector.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/falloff.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 
 // Contribution of the surface patch seen at a tap, after Fox and Compton's crease shading: no visibility test, the
 // patch itself is what blocks.

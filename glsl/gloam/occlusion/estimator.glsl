@@ -2,7 +2,6 @@
 #ifndef GLOAM_OCCLUSION_ESTIMATOR_GLSL
 #define GLOAM_OCCLUSION_ESTIMATOR_GLSL
 
-#include "gloam/geometry/background.glsl"
 #include "gloam/geometry/vector.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 

@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_GATHER_KERNEL_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // The common part of all methods of gloam/methods: their request, their result, and the test that rejects unusable
 // points. After this test nothing overflows, and nothing is NaN except depths of taps, which gloam_tap_sees tests.

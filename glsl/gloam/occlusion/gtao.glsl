@@ -3,9 +3,6 @@
 #define GLOAM_OCCLUSION_GTAO_GLSL
 
 #include "gloam/geometry/slice.glsl"
-#include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye, and between them

@@ -2,10 +2,8 @@
 #ifndef GLOAM_OCCLUSION_HBAO_GLSL
 #define GLOAM_OCCLUSION_HBAO_GLSL
 
-#include "gloam/geometry/background.glsl"
 #include "gloam/geometry/vector.glsl"
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 
 // Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): (1 / 2 pi) times the integral over

@@ -5,7 +5,6 @@
 #include "gloam/geometry/vector.glsl"
 #include "gloam/numeric/arithmetic.glsl"
 #include "gloam/occlusion/estimator.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 
 // A ball that replaces the surface at a tap (Shanmugam and Arikan 2007; mixture sampling, Song 2010). Its radius r is
 // half the width of the tap's pixel in the world: gloam_filter_sigma with half a pixel. Overlapping balls count twice,

@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_SEPARABLE_GLSL
 
 #include "gloam/filter/weights.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 
 // Separable ambient occlusion (Huang et al. 2011): along one direction of a pair first, then along the other; the
 // pair is turned at random from pixel to pixel and a blur hides it. What stands only on the diagonals is missed.

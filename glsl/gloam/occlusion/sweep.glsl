@@ -3,8 +3,6 @@
 #define GLOAM_OCCLUSION_SWEEP_GLSL
 
 #include "gloam/geometry/slice.glsl"
-#include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/occlusion/falloff.glsl"
 
 // The horizon sweep: the occlusion of one side of a slice is the integral of D(r(h)) dI(h) over the angles h between

@@ -4,7 +4,6 @@
 
 #include "gloam/geometry/background.glsl"
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): the solid part of a sphere around the point.
 // Each tap of a disc is a chord of the sphere along the view ray; the depth buffer determines the solid part of the

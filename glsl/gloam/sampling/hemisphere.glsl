@@ -3,10 +3,7 @@
 #define GLOAM_SAMPLING_HEMISPHERE_GLSL
 
 #include "gloam/geometry/vector.glsl"
-#include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/disc.glsl"
-#include "gloam/sampling/halton.glsl"
 
 // point of the half ball: cosine-weighted direction, uniform radius (TSSAO-14): `a = 2 pi zeta_x, r = zeta_y; s = r
 // (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z))` [TSSAO, eq 14 corrected; Ritschel's kernel].

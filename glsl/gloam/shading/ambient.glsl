@@ -3,7 +3,6 @@
 #define GLOAM_SHADING_AMBIENT_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // ambient light that arrives (ISSAO-2): `I_a = I_0 (1 - A_0)` [ISSAO, eq 2, reconstructed].

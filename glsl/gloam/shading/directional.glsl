@@ -3,10 +3,8 @@
 #define GLOAM_SHADING_DIRECTIONAL_GLSL
 
 #include "gloam/geometry/vector.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/occlusion/estimator.glsl"
-#include "gloam/sampling/unit_interval.glsl"
 
 // Bent normal (Klehm et al. 2011): the mean of the directions in which the point is open, from the samples of any
 // estimator that has directions.

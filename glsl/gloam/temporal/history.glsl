@@ -3,7 +3,6 @@
 #define GLOAM_TEMPORAL_HISTORY_GLSL
 
 #include "gloam/geometry/background.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // What a pixel remembers from frame to frame (TSSAO-BUF). Occlusion and weight may be fetched with interpolation; the

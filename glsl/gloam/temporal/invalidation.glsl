@@ -4,7 +4,6 @@
 
 #include "gloam/geometry/background.glsl"
 #include "gloam/numeric/arithmetic.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // change of the distance to a neighbouring point (TSSAO-9): `||s - p| - |s' - p'||` [TSSAO, eq 9].

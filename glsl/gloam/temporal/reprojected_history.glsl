@@ -3,7 +3,6 @@
 #define GLOAM_TEMPORAL_REPROJECTED_HISTORY_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/pixel.glsl"
 #include "gloam/temporal/history.glsl"
 
 // Defined by the user: texel of the history buffer of the previous frame (gloam_history_pack), for a pixel inside it.

@@ -33,8 +33,6 @@ layout(push_constant) uniform Parameters {
 } parameters;
 
 #include "gloam/gather/footprint.glsl"
-#include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/pixel.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/temporal/history.glsl"

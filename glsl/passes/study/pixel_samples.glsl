@@ -3,9 +3,7 @@
 #define GLOAM_PASSES_PIXEL_SAMPLES_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/radius.glsl"
 #include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/count.glsl"
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/temporal/blend.glsl"

@@ -25,7 +25,6 @@ layout(push_constant) uniform Parameters {
     float remap_c;  // contrast
 } parameters;
 
-#include "gloam/geometry/background.glsl"
 #include "gloam/shading/ambient.glsl"
 
 void main() {

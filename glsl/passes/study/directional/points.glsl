@@ -21,10 +21,8 @@ layout(push_constant) uniform Parameters {
 } parameters;
 
 #include "gloam/gather/footprint.glsl"
-#include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/vector.glsl"
 #include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"

@@ -3,7 +3,6 @@
 #define GLOAM_FILTERS_SAO_GLSL
 
 #include "gloam/filter/weights.glsl"
-#include "gloam/geometry/background.glsl"
 
 // The blur of scalable ambient obscurance (McGuire et al. 2012; CS-Q): at most four taps on each side, two pixels
 // apart. The weight decreases linearly with the difference of depth and is 0 from filter_depth on.

@@ -5,8 +5,6 @@
 // normal of the pyramid's texel (gloam/gather/pixels.glsl), zeros for background.
 
 #include "passes/study/preparation/pass.glsl"
-#include "gloam/filter/resolution.glsl"
-#include "gloam/geometry/vector.glsl"
 #include "gloam/methods/mssao.glsl"
 
 struct Surface {
