@@ -49,7 +49,7 @@ class FurtherView : public OnDevice<testing::Test> {
         resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings.own;
         gpu::Image& result = resources.image("raised", extent, gpu::Format::r32f);
         result.upload(occlusion);
-        take_linear(view, resources, executor, {});
+        take_linear(view, resources, executor);
         for (const scene::GBuffer& other : others) {
             resources.image("other_depth", other.extent, gpu::Format::r32f).upload(other.depth);
             resources.image("other_normal", other.extent, gpu::Format::rgba32f)
@@ -66,7 +66,7 @@ class FurtherView : public OnDevice<testing::Test> {
                            .radius = settings.radius,
                            .bias = settings.bias},
                 groups_for(extent));
-            executor.run(pass, resources, {});
+            executor.run(pass, resources);
         }
         return result.download();
     }

@@ -106,7 +106,7 @@ class MotionVectors : public OnDevice<testing::Test> {
         values.set("motion_unit", unit);
         Executor executor(device_, passes_);
         executor.run("positions_from_motion", {.file = "study/positions_from_motion.comp"},
-                     {"depth", "motion", "previous_position"}, values, groups_for(extent), resources, {});
+                     {"depth", "motion", "previous_position"}, values, groups_for(extent), resources);
         return vectors_of(written.download());
     }
 };

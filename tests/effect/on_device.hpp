@@ -49,11 +49,6 @@ inline double largest_difference(const std::vector<float>& left, const std::vect
     return largest;
 }
 
-// What a pass binds there.
-inline const gpu::Image& image_of(const Step& pass, std::size_t binding) {
-    return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(binding)).get();
-}
-
 // Changes settings by words NAME=VALUE, in their order; preset, method and radius as commands name them.
 inline Settings with(Settings settings, const std::string& changes) {
     std::istringstream words(changes);

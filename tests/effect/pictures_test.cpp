@@ -37,12 +37,6 @@ class Pictures : public OnDevice<testing::Test> {
         for (int i = 0; i < frames; ++i) shown.push_back(effect.next().filtered);
         return shown;
     }
-
-    // What is displayed of the last frame of a sequence.
-    [[nodiscard]] std::vector<float> last(const std::vector<scene::GBuffer>& sequence,
-                                          const Settings& settings) const {
-        return run(sequence, settings).back().filtered;
-    }
 };
 
 std::size_t at(int x, int y, gpu::Extent size) {
@@ -154,8 +148,9 @@ TEST_F(Pictures, MovingObjectsLeaveNoGhostAndNoPixelAlone) {
     for (const Preset& preset : presets()) {
         if (!preset.settings.history) continue;
         const Settings settings = settings_of(preset, scene.ao_radius);
-        const std::vector<float> shown = last(moving, settings);
-        const Found ghost = largest_ghost(shown, last(standing, settings), traced, moving.back());
+        const std::vector<float> shown = run(moving, settings).back().filtered;
+        const Found ghost =
+            largest_ghost(shown, run(standing, settings).back().filtered, traced, moving.back());
         RecordProperty("ghost_" + preset.name, fmt::format("{:.3f} at {},{}", ghost.value, ghost.x, ghost.y));
         EXPECT_LT(ghost.value, visible_ghost) << preset.name << ", pixel " << ghost.x << "," << ghost.y;
         if (filters(settings))

@@ -13,11 +13,11 @@ namespace gloam::effect {
 inline constexpr double view_height = 2.0;
 
 // A view by that camera of a surface whose depth under a ray (orthographic: at a place of the image plane) is
-// given; y up. Its normals face the eye. pixel_aspect: width of a pixel, in its height.
+// given; y up. Its normals face the eye.
 inline scene::GBuffer view_of(gpu::Extent extent, const scene::Camera& camera,
-                              const std::function<double(glm::dvec2)>& depth, double pixel_aspect = 1.0) {
+                              const std::function<double(glm::dvec2)>& depth) {
     scene::GBuffer view{.extent = extent};
-    view.camera = scene::make_frame(camera, pixel_aspect * static_cast<double>(extent.width) / extent.height);
+    view.camera = scene::make_frame(camera, static_cast<double>(extent.width) / extent.height);
     for (unsigned y = 0; y < extent.height; ++y) {
         for (unsigned x = 0; x < extent.width; ++x) {
             const glm::dvec2 ndc(2.0 * (x + 0.5) / extent.width - 1.0, 2.0 * (y + 0.5) / extent.height - 1.0);
@@ -28,10 +28,10 @@ inline scene::GBuffer view_of(gpu::Extent extent, const scene::Camera& camera,
     return view;
 }
 inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
-                              const std::function<double(glm::dvec2)>& depth, double pixel_aspect = 1.0) {
+                              const std::function<double(glm::dvec2)>& depth) {
     scene::Camera camera{.view_height = view_height};
     if (orthographic) camera.projection = scene::Projection::orthographic;
-    return view_of(extent, camera, depth, pixel_aspect);
+    return view_of(extent, camera, depth);
 }
 
 // A wall in perspective.
@@ -39,9 +39,9 @@ inline scene::GBuffer wall(gpu::Extent extent, float depth) {
     return view_of(extent, false, [=](glm::dvec2) { return double{depth}; });
 }
 
-// A plane through a point, before the background.
-inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal,
-                            double pixel_aspect = 1.0, glm::dvec3 point = {0, 0, -5}) {
+// A plane through (0, 0, -5), before the background.
+inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal) {
+    constexpr glm::dvec3 point{0, 0, -5};
     const glm::dvec3 n = glm::normalize(normal);
     const auto depth = [&](glm::dvec2 at) {
         const double along = n.x * at.x + n.y * at.y;
@@ -49,15 +49,9 @@ inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 no
             orthographic ? (along - glm::dot(n, point)) / n.z : glm::dot(n, point) / (along - n.z);
         return at_depth > 0.0 ? at_depth : double{infinity};
     };
-    scene::GBuffer view = view_of(extent, orthographic, depth, pixel_aspect);
+    scene::GBuffer view = view_of(extent, orthographic, depth);
     view.normal.assign(view.depth.size(), glm::vec3(n));
     return view;
-}
-
-// A floor from whose middle line the right half rises by 45 degrees.
-inline scene::GBuffer groove(gpu::Extent extent, double pixel_aspect = 1.0) {
-    const auto depth = [](glm::dvec2 at) { return 5.0 - std::max(at.x, 0.0); };
-    return view_of(extent, true, depth, pixel_aspect);
 }
 
 // A wall parallel to the image, orthographic, of 48 x 32 pixels. Its left part may stand nearer.

@@ -44,14 +44,6 @@ std::vector<glm::vec3> sent(const scene::GBuffer& view, const gpu::Image& light,
     return scene::cropped(view, radiance);
 }
 
-void require(const scene::GBuffer& view, const Settings& settings) {
-    validate(settings);
-    if (!view.color.empty() && view.color.size() != view.depth.size()) {
-        throw std::invalid_argument(
-            fmt::format("colours: {} pixels, expected {}", view.color.size(), view.depth.size()));
-    }
-}
-
 }  // namespace
 
 struct Directional::Impl {
@@ -63,8 +55,8 @@ struct Directional::Impl {
 
     // Uploads a view; reconstructs missing normals.
     void take(const scene::GBuffer& view, const Settings& settings) {
-        require(view, settings);
-        take_linear(view, resources, executor, {});
+        validate(settings);
+        take_linear(view, resources, executor);
         resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings.own;
     }
 
@@ -77,7 +69,7 @@ struct Directional::Impl {
         Values values = values_of({view.camera, view.extent, view.border}, settings);
         values.set("interleave", interleave);
         executor.run(name, {.file = "study/" + name + ".comp"}, std::move(bound), values,
-                     groups_for(view.extent), resources, {});
+                     groups_for(view.extent), resources);
     }
 };
 

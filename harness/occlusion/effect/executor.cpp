@@ -253,17 +253,16 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
     return steps;
 }
 
-void Executor::run(const PlannedPass& pass, const Resources& resources, const PassWatcher& watcher) {
-    (void)effect::run(*device_, steps(std::span(&pass, 1), resources), 1, watcher);
+void Executor::run(const PlannedPass& pass, const Resources& resources) {
+    (void)effect::run(*device_, steps(std::span(&pass, 1), resources), 1);
 }
 
 void Executor::run(std::string name, PassSource source, std::vector<std::string> bound, const Values& values,
-                   std::array<std::uint32_t, 3> groups, const Resources& resources,
-                   const PassWatcher& watcher) {
+                   std::array<std::uint32_t, 3> groups, const Resources& resources) {
     run(planned_pass(
             std::move(name), std::move(source), std::move(bound), values,
             [this](const PassSource& one) { return interface_of(one); }, groups),
-        resources, watcher);
+        resources);
 }
 
 void require_guard(const scene::GBuffer& view, const Settings& settings) {
@@ -313,16 +312,14 @@ void upload(const scene::GBuffer& view, bool stores, Resources& resources) {
     if (!view.layers.empty()) image("layers", rgba32f).upload(texels_of(view.layers));
 }
 
-void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor,
-                 const PassWatcher& watcher) {
+void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor) {
     require_centred(view);
     require_sizes(view, view.extent);
     upload(view, false, resources);
     if (!view.normal.empty()) return;
     (void)resources.image("normal", view.extent, gpu::Format::rgba32f);
     executor.run("normals_from_depth", {.file = "study/normals_from_depth.comp"}, {"depth", "normal"},
-                 values_of({view.camera, view.extent, view.border}, {}), groups_for(view.extent), resources,
-                 watcher);
+                 values_of({view.camera, view.extent, view.border}, {}), groups_for(view.extent), resources);
 }
 
 }  // namespace gloam::effect

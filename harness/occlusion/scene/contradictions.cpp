@@ -16,7 +16,7 @@ constexpr std::size_t too_few_pixels = 64;
 
 // The pixels of a frame that show a surface, and their depths, ascending.
 struct Surface {
-    explicit Surface(const GBuffer& view) {
+    explicit Surface(const GBuffer& of) : view(of), positions(of) {
         for (std::size_t i = 0; i < view.depth.size(); ++i) {
             if (!is_surface(view.depth[i])) continue;
             pixels.push_back(i);
@@ -32,6 +32,8 @@ struct Surface {
                static_cast<double>(pixels.size());
     }
 
+    const GBuffer& view;
+    PixelPositions positions;
     std::vector<std::size_t> pixels;
     std::vector<double> depths;
 };
@@ -61,7 +63,8 @@ std::string values_of_no_depth_buffer(const GBuffer& view, const std::vector<flo
         percent(on_near / static_cast<double>(stored.size())), reversed ? "" : "not ");
 }
 
-std::string values_of_no_linear_depth(const GBuffer& view, const Surface& surface) {
+std::string values_of_no_linear_depth(const Surface& surface) {
+    const GBuffer& view = surface.view;
     const std::vector<double>& depths = surface.depths;
     constexpr double typical = 0.9;  // of a depth buffer: most is just below 1, the background is 1
     if (depths.size() == view.depth.size() && depths.back() == 1.0 && depths.front() < 1.0 &&
@@ -82,7 +85,7 @@ std::string values_of_no_linear_depth(const GBuffer& view, const Surface& surfac
 }
 
 // Octahedral normals have no length of their own.
-std::string lengths_that_differ(const GBuffer& view, const Surface& surface, const StoredInputs& as_stored) {
+std::string lengths_that_differ(const Surface& surface, const StoredInputs& as_stored) {
     const Encoding& encoding = as_stored.encoding;
     const auto length = [&](std::size_t i) {
         return glm::length(encoding.unorm ? 2.0F * as_stored.normal[i] - 1.0F : as_stored.normal[i]);
@@ -95,16 +98,16 @@ std::string lengths_that_differ(const GBuffer& view, const Surface& surface, con
     return fmt::format(
         "{} of the normals have another length than 1 ({:.3g} at {}): expected unit vectors, stored as "
         "--normals says",
-        percent(wrong), length(first), pixel_text(view, first));
+        percent(wrong), length(first), pixel_text(surface.view, first));
 }
 
 // The vector between the points of two neighbours, or from the pixel to the one whose depth is nearer to its
 // own. radial: what is stored as depth is the distance to the eye.
-glm::dvec3 along(const GBuffer& view, const PixelPositions& positions, std::size_t i, std::size_t step,
-                 bool radial) {
+glm::dvec3 along(const Surface& surface, std::size_t i, std::size_t step, bool radial) {
+    const GBuffer& view = surface.view;
     const auto point = [&](std::size_t pixel) {
-        const double length = radial ? glm::length(positions.ray(pixel).direction) : 1.0;
-        return positions.at(pixel, double{view.depth[pixel]} / length);
+        const double length = radial ? glm::length(surface.positions.ray(pixel).direction) : 1.0;
+        return surface.positions.at(pixel, double{view.depth[pixel]} / length);
     };
     const float before = std::abs(view.depth[i] - view.depth[i - step]);
     const float behind = std::abs(view.depth[i + step] - view.depth[i]);
@@ -112,11 +115,10 @@ glm::dvec3 along(const GBuffer& view, const PixelPositions& positions, std::size
 }
 
 // The normal that the depth shows, towards the eye.
-glm::dvec3 normal_by_depth(const GBuffer& view, const PixelPositions& positions, std::size_t i,
-                           bool radial = false) {
-    const glm::dvec3 across = glm::cross(along(view, positions, i, view.extent.width, radial),
-                                         along(view, positions, i, 1, radial));
-    const bool away = glm::dot(across, positions.ray(i).direction) > 0.0;  // rows may go up or down
+glm::dvec3 normal_by_depth(const Surface& surface, std::size_t i, bool radial = false) {
+    const glm::dvec3 across =
+        glm::cross(along(surface, i, surface.view.extent.width, radial), along(surface, i, 1, radial));
+    const bool away = glm::dot(across, surface.positions.ray(i).direction) > 0.0;  // rows may go up or down
     return (away ? -1.0 : 1.0) / glm::length(across) * across;
 }
 
@@ -132,19 +134,18 @@ bool has_neighbours(const GBuffer& view, std::size_t i) {
 // Depth that is the distance to the eye bends every surface, at the sides of an image by degrees. Pixels
 // where the two meanings of depth are so far apart are judged: a normal tells one of them that is near to it,
 // and half as far as from the other.
-std::string distances_to_the_eye(const GBuffer& view, const Surface& surface) {
-    const PixelPositions positions(view);
-    if (positions.orthographic()) return "";
+std::string distances_to_the_eye(const Surface& surface) {
+    if (surface.positions.orthographic()) return "";
     constexpr double apart = 0.035;  // 2 degrees
     constexpr double near = 0.175;   // 10 degrees
     std::size_t judged = 0;
     std::size_t linear = 0;
     std::size_t radial = 0;
     for (const std::size_t i : surface.pixels) {
-        const glm::dvec3 normal(view.normal[i]);
-        if (!has_neighbours(view, i) || normal == glm::dvec3(0)) continue;
-        const glm::dvec3 first = normal_by_depth(view, positions, i);
-        const glm::dvec3 second = normal_by_depth(view, positions, i, true);
+        const glm::dvec3 normal(surface.view.normal[i]);
+        if (!has_neighbours(surface.view, i) || normal == glm::dvec3(0)) continue;
+        const glm::dvec3 first = normal_by_depth(surface, i);
+        const glm::dvec3 second = normal_by_depth(surface, i, true);
         if (!(glm::distance(first, second) > apart)) continue;
         ++judged;
         const double to_first = glm::distance(normal, first);
@@ -161,8 +162,9 @@ std::string distances_to_the_eye(const GBuffer& view, const Surface& surface) {
         percent(share));
 }
 
-std::string directions_that_differ(const GBuffer& view, const Surface& surface) {
-    const PixelPositions positions(view);
+std::string directions_that_differ(const Surface& surface) {
+    const GBuffer& view = surface.view;
+    const PixelPositions& positions = surface.positions;
     const auto to_eye = [&](std::size_t i) {
         return positions.orthographic() ? glm::dvec3(0, 0, 1)
                                         : -glm::normalize(positions.at(i, double{view.depth[i]}));
@@ -182,7 +184,7 @@ std::string directions_that_differ(const GBuffer& view, const Surface& surface) 
         if (!has_neighbours(view, i)) continue;
         constexpr double same = 0.866;  // within 30 degrees: bump maps stay within it on most of a surface
         ++judged;
-        if (glm::dot(normal_by_depth(view, positions, i), glm::dvec3(view.normal[i])) > same) ++agree;
+        if (glm::dot(normal_by_depth(surface, i), glm::dvec3(view.normal[i])) > same) ++agree;
     }
     constexpr double least = 0.25;
     const double share = static_cast<double>(agree) / static_cast<double>(std::max<std::size_t>(judged, 1));
@@ -231,10 +233,11 @@ std::string contradiction_of(const GBuffer& view, const StoredInputs& as_stored)
     const Surface surface(view);
     std::string text = buffer ? values_of_no_depth_buffer(view, as_stored.depth) : "";
     if (!text.empty() || surface.pixels.empty()) return text;
-    if (!buffer) text = values_of_no_linear_depth(view, surface);
-    if (text.empty() && !view.normal.empty()) text = lengths_that_differ(view, surface, as_stored);
-    if (text.empty() && !buffer && !view.normal.empty()) text = distances_to_the_eye(view, surface);
-    if (text.empty() && !view.normal.empty()) text = directions_that_differ(view, surface);
+    if (!buffer) text = values_of_no_linear_depth(surface);
+    if (view.normal.empty()) return text;
+    if (text.empty()) text = lengths_that_differ(surface, as_stored);
+    if (text.empty() && !buffer) text = distances_to_the_eye(surface);
+    if (text.empty()) text = directions_that_differ(surface);
     return text;
 }
 
@@ -265,8 +268,7 @@ std::string too_coarse_steps(const GBuffer& view, double radius) {
 std::string radius_out_of_proportion(const GBuffer& view, double radius) {
     const Surface surface(view);
     if (surface.pixels.empty()) return "";
-    const PixelPositions positions(view);
-    if (positions.pixels_of_length(radius, surface.depths.front()) < 1.0) {
+    if (surface.positions.pixels_of_length(radius, surface.depths.front()) < 1.0) {
         return fmt::format(
             "radius {:g}: it is below a pixel at the nearest surface, {:g} away, so nothing is occluded",
             radius, surface.depths.front());

@@ -93,9 +93,9 @@ class Executor {
     [[nodiscard]] const shader::ModuleInterface& interface_of(const PassSource& source);
 
     // Runs a pass once. Throws like steps() and gpu::Commands::submit().
-    void run(const PlannedPass& pass, const Resources& resources, const PassWatcher& watcher);
+    void run(const PlannedPass& pass, const Resources& resources);
     void run(std::string name, PassSource source, std::vector<std::string> bound, const Values& values,
-             std::array<std::uint32_t, 3> groups, const Resources& resources, const PassWatcher& watcher);
+             std::array<std::uint32_t, 3> groups, const Resources& resources);
 
   private:
     struct Module {
@@ -137,7 +137,6 @@ void require_sizes(const scene::GBuffer& view, gpu::Extent extent);
 void upload(const scene::GBuffer& view, bool stores, Resources& resources);
 
 // Uploads linear depth and normals of view space. Missing normals are reconstructed from depth.
-void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor,
-                 const PassWatcher& watcher);
+void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor);
 
 }  // namespace gloam::effect
