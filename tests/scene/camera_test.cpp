@@ -7,6 +7,13 @@ namespace gloam::scene::test::camera_test {
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double aspect = 1.5;
 
+TEST(Camera, ViewTakesTheEyeToTheOriginAndLooksAlongMinusZ) {
+    const glm::dmat4 view(make_frame({.eye = {0, 1, 0}, .target = {3, 1, 0}}, aspect).view);
+    for (const auto& [world, seen] :
+         {std::pair<glm::dvec3, glm::dvec3>({0, 1, 0}, {0, 0, 0}), {{5, 2, 2}, {2, 1, -5}}})
+        EXPECT_LT(glm::distance(glm::dvec3(view * glm::dvec4(world, 1.0)), seen), 1e-6);
+}
+
 // Depths of the nearest plane, of the middle of the depth buffer and of the farthest plane; a corner of the
 // view is right, and up, which is -1 in Vulkan's device coordinates.
 void expect_projection(const Camera& camera, double middle) {
