@@ -28,15 +28,6 @@ std::vector<PassRow> rows_of_inputs() {
              .resources = {"depth", "motion", "positions"}}};
 }
 
-// The pass that takes the samples.
-PassRow row_of_samples() {
-    return {.name = "ambient_occlusion",
-            .when = [](const Moment&) { return 1; },
-            .source = occlusion_source,
-            .resources = {"depth", "normal", "history", "history_after", "positions", "method", "prepared",
-                          "layers", "filtered"}};
-}
-
 std::vector<PassRow> rows_of_samples() {
     return {
         {.name = "reproject",
@@ -50,7 +41,11 @@ std::vector<PassRow> rows_of_samples() {
          .own = {{"level", [](const Moment& m) { return m.preparation->passes[m.step].level; }}},
          .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
          .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
-        row_of_samples()};
+        {.name = "ambient_occlusion",
+         .when = [](const Moment&) { return 1; },
+         .source = occlusion_source,
+         .resources = {"depth", "normal", "history", "history_after", "positions", "method", "prepared",
+                       "layers", "filtered"}}};
 }
 
 // A pass of the filter along one axis.
@@ -60,11 +55,6 @@ PassRow row_of_filter(const char* name, bool along_y, const char* from, const ch
             .source = [](const Moment& m) { return filter_source(m.settings); },
             .resources = {"history_after", to, "normal", from},
             .own = {{"along_y", [along_y](const Moment&) { return along_y; }}}};
-}
-
-std::vector<PassRow> rows_of_filter() {
-    return {row_of_filter("filter_x", false, "filtered", "half_filtered"),
-            row_of_filter("filter_y", true, "half_filtered", "filtered")};
 }
 
 // A pass that remaps an image for display.
@@ -80,7 +70,9 @@ PassRow row_of_remap(const char* name, bool of_history, const char* from, const 
 }
 
 std::vector<PassRow> rows_of_results() {
-    return {row_of_remap("remap", true, "occlusion", "mapped",
+    return {row_of_filter("filter_x", false, "filtered", "half_filtered"),
+            row_of_filter("filter_y", true, "half_filtered", "filtered"),
+            row_of_remap("remap", true, "occlusion", "mapped",
                          [](const Moment& m) {
                              return remaps(m.settings) && (!filters(m.settings) || m.shows_unfiltered);
                          }),
@@ -93,7 +85,7 @@ std::vector<PassRow> rows_of_results() {
 const std::vector<PassRow>& pass_table() {
     static const std::vector<PassRow> table = [] {
         std::vector<PassRow> all;
-        for (const auto& rows : {rows_of_inputs(), rows_of_samples(), rows_of_filter(), rows_of_results()})
+        for (const auto& rows : {rows_of_inputs(), rows_of_samples(), rows_of_results()})
             all.insert(all.end(), rows.begin(), rows.end());
         return all;
     }();

@@ -13,17 +13,7 @@
 namespace gloam::effect {
 namespace {
 
-// The pass's method in the place of the one that its source names.
-PassSource with_method_in(PassSource source, const MethodInfo& method) {
-    source.defines.push_back("METHOD(position, normal, camera, kernel, values) " + call_of(method));
-    source.replaced = {{file_of(methods().front()), file_of(method)}};
-    return source;
-}
-
-std::string filter_include(Filter filter) {
-    if (filter == Filter::none) throw std::invalid_argument("no filter has no pass");
-    Settings settings;
-    settings.filter = filter;
+std::string filter_include(const Settings& settings) {
     return "filters/" + std::get<std::string>(setting_named("filter").get(settings)) + ".glsl";
 }
 
@@ -58,13 +48,16 @@ void Moment::look(const View& now, const View& last) {
 }
 
 PassSource occlusion_source(const Moment& moment) {
-    return with_method_in({.file = "study/ambient_occlusion.comp", .defines = defines_for(moment)},
-                          method_named(moment.settings.method));
+    const MethodInfo& method = method_named(moment.settings.method);
+    PassSource source{.file = "study/ambient_occlusion.comp", .defines = defines_for(moment)};
+    source.defines.push_back("METHOD(position, normal, camera, kernel, values) " + call_of(method));
+    source.replaced = {{file_of(methods().front()), file_of(method)}};  // in the place of that which it names
+    return source;
 }
 
 PassSource filter_source(const Settings& settings) {
     return {.file = "study/spatial_filter.comp",
-            .replaced = {{filter_include(Filter::convergence), filter_include(settings.filter)}}};
+            .replaced = {{filter_include({}), filter_include(settings)}}};
 }
 
 PassSource remap_source(const Settings& settings, bool from_history) {

@@ -10,15 +10,6 @@
 #include "effect/methods.hpp"
 
 namespace gloam::effect {
-namespace {
-
-void validate_frame(const Settings& settings) {
-    if (settings.method != "sweep")
-        throw std::invalid_argument(
-            fmt::format("method {}: expected sweep, the frame's, or passes=study", settings.method));
-}
-
-}  // namespace
 
 bool reads(const Settings& settings, const Setting& setting) {
     return setting.read_by == (settings.passes == Passes::frame ? ReadBy::frame : ReadBy::study) ||
@@ -62,7 +53,9 @@ void validate(const Settings& settings) {
                 fmt::format("{} {}: the passes of this preset do not read it; expected {}", setting.name,
                             text_of(setting.get(settings)), text_of(setting.get(Settings{}))));
     }
-    if (settings.passes == Passes::frame) return validate_frame(settings);
+    if (settings.passes == Passes::frame && settings.method != "sweep")
+        throw std::invalid_argument(
+            fmt::format("method {}: expected sweep, the frame's, or passes=study", settings.method));
     if (settings.own.layers > 1 && !reads(method_named(settings.method), "layers"))
         throw std::invalid_argument(fmt::format("layers {}: expected 1, because {} sees one layer of depth",
                                                 settings.own.layers, settings.method));

@@ -47,56 +47,24 @@ std::vector<ImageRow> images_of(const Moment& m) {
         {"filtered_mapped", remapped && filtered, output}};
 }
 
-// The table for one frame.
-class Evaluation {
-  public:
-    Evaluation(const Moment& moment, const Plan& resources, const InterfaceOf& interface_of)
-        : moment_(moment), values_(values_of(moment)), resources_(resources), interface_of_(interface_of) {}
+// The resource that the table names.
+std::string_view resource_of(std::string_view name, const Moment& moment) {
+    if (name == "stored_depth") return "depth";
+    if (name == "stored_normal") return "normal";
+    if (name == "depth" && moment.converted) return "linear_depth";
+    if (name == "normal" && moment.converted) return "view_normal";
+    if (name == "positions") return "previous_position";
+    if (name == "history") return moment.moves_history() ? "history_reprojected" : "history_before";
+    if (name == "occlusion") return shows_alone(moment.settings) ? "filtered" : "history_after";
+    return name;
+}
 
-    std::vector<PlannedPass> run() {
-        std::vector<PlannedPass> passes;
-        for (const PassRow& row : pass_table()) {
-            const std::size_t times = row.when(moment_);
-            for (moment_.step = 0; moment_.step < times; ++moment_.step) passes.push_back(pass(row));
-        }
-        return passes;
-    }
-
-  private:
-    [[nodiscard]] PlannedPass pass(const PassRow& row) {
-        for (const auto& [name, number] : row.own) values_.set(name, number(moment_));
-        std::vector<std::string> resources;
-        for (const char* resource : row.resources) resources.push_back(present(named(resource)));
-        return planned_pass(row.own_name ? row.own_name(moment_) : row.name, row.source(moment_),
-                            std::move(resources), values_, interface_of_,
-                            row.groups ? row.groups(moment_) : groups_for(moment_.view.extent));
-    }
-
-    // The resource that the table names.
-    [[nodiscard]] std::string named(std::string_view name) const {
-        if (name == "stored_depth") return "depth";
-        if (name == "stored_normal") return "normal";
-        if (name == "depth" && moment_.converted) return "linear_depth";
-        if (name == "normal" && moment_.converted) return "view_normal";
-        if (name == "positions") return "previous_position";
-        if (name == "history") return moment_.moves_history() ? "history_reprojected" : "history_before";
-        if (name == "occlusion") return shows_alone(moment_.settings) ? "filtered" : "history_after";
-        return std::string(name);
-    }
-
-    [[nodiscard]] std::string present(std::string name) const {
-        const auto among = [&](const auto& all) {
-            return std::ranges::any_of(all, [&](const auto& one) { return one.name == name; });
-        };
-        if (among(resources_.images) || among(resources_.buffers)) return name;
-        return nothing_image;
-    }
-
-    Moment moment_;
-    Values values_;  // of all passes, and those of the last pass alone
-    const Plan& resources_;
-    const InterfaceOf& interface_of_;
-};
+bool has(const Plan& plan, std::string_view name) {
+    const auto among = [&](const auto& all) {
+        return std::ranges::any_of(all, [&](const auto& one) { return one.name == name; });
+    };
+    return among(plan.images) || among(plan.buffers);
+}
 
 // The state of the study's frame: the last view, images and histories, and what the next frame runs.
 class StudyPasses : public FramePasses {
@@ -212,9 +180,25 @@ Plan planned_resources(const Moment& moment) {
     return plan;
 }
 
-std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources,
+std::vector<PlannedPass> planned_passes(Moment moment, const Plan& resources,
                                         const InterfaceOf& interface_of) {
-    return Evaluation(moment, resources, interface_of).run();
+    Values values = values_of(moment);  // of all passes, and those of the last pass alone
+    std::vector<PlannedPass> passes;
+    for (const PassRow& row : pass_table()) {
+        const std::size_t times = row.when(moment);
+        for (moment.step = 0; moment.step < times; ++moment.step) {
+            for (const auto& [name, number] : row.own) values.set(name, number(moment));
+            std::vector<std::string> names;
+            for (const char* resource : row.resources) {
+                const std::string_view name = resource_of(resource, moment);
+                names.emplace_back(has(resources, name) ? name : nothing_image);
+            }
+            passes.push_back(planned_pass(row.own_name ? row.own_name(moment) : row.name, row.source(moment),
+                                          std::move(names), values, interface_of,
+                                          row.groups ? row.groups(moment) : groups_for(moment.view.extent)));
+        }
+    }
+    return passes;
 }
 
 std::unique_ptr<FramePasses> study_passes(const gpu::Device& device, const scene::PassLibrary& passes,

@@ -57,7 +57,7 @@ struct Moment {
 
 // The shaders, with their definitions.
 [[nodiscard]] PassSource occlusion_source(const Moment& moment);
-// Throws std::invalid_argument for Filter::none.
+// settings: with a filter.
 [[nodiscard]] PassSource filter_source(const Settings& settings);
 // from_history: it reads the history; otherwise an image of one channel.
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history);

@@ -23,7 +23,7 @@ namespace gloam::effect {
 // `depth`, for example, is the depth that the passes read, and `history` the one that the samples enter. Both
 // sets of parameters are those of this frame. interface_of: of the module of a source; its push constants and
 // specialization constants are set by their names. Throws std::logic_error for a name without a value.
-[[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources,
+[[nodiscard]] std::vector<PlannedPass> planned_passes(Moment moment, const Plan& resources,
                                                       const InterfaceOf& interface_of);
 
 // A view in the place of the engine's.
