@@ -157,7 +157,7 @@ TEST(DepthField, OfNothingIsRefusedAndOfOnePixelIsOpen) {
 
 using KeptTruth = InFolder;
 
-// tests/base has files that are damaged.
+// tests/module has kept files that are damaged.
 TEST_F(KeptTruth, IsTracedOnce) {
     const Scene scene = make_scene("moving");
     const GBuffer view = shot(scene, {16, 9});
