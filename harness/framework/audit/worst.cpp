@@ -29,7 +29,7 @@ void evaluate(const Session& session, const Domain& domain, Answer& answer,
 
 SearchResult search(const Lab& lab, const Question& question, const RunOptions& options) {
     using internal::Moves;
-    const Verdict verdict = options.verdict.value_or(question.verdict_in(lab.options().variant));
+    const Verdict verdict = question.verdict_in(lab.options().variant);
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
     SearchResult found{.answer = empty_answer(question, verdict)};
     for (const auto& [scenario, share] : question.shares(options.inputs)) {

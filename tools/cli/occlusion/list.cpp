@@ -181,13 +181,14 @@ nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
     return json;
 }
 
-struct Kind {
+// What `gloam list` prints one name a line: its word on the command line.
+struct ListedKind {
     std::string name;
     std::function<std::vector<Named>()> names;
     nlohmann::ordered_json (*one)(const Named& named) = named_json;  // all that is known of one
 };
 
-std::vector<Kind> all_kinds() {
+std::vector<ListedKind> all_kinds() {
     return {
         {"equations", equation_names},
         {"methods", [] { return named(effect::methods(), &effect::MethodInfo::description); }, method_json},
@@ -201,7 +202,7 @@ std::vector<Kind> all_kinds() {
 
 // These names of a kind, or all, with all their properties. Throws std::invalid_argument for a name that the
 // kind does not have.
-nlohmann::ordered_json kind_json(const Kind& kind, const std::vector<Named>& all,
+nlohmann::ordered_json kind_json(const ListedKind& kind, const std::vector<Named>& all,
                                  const std::vector<std::string>& names) {
     if (kind.name == "equations") return equations_json(names);
     auto json = nlohmann::ordered_json::array();
@@ -244,7 +245,7 @@ void print_names(const std::vector<Named>& names, const std::string& kind) {
 
 // One kind, or all of it that the names say; as text, or into the JSON. Of one name its properties are those
 // of the whole document.
-void list_kind(const Kind& kind, const ListOptions& options, nlohmann::ordered_json& json) {
+void list_kind(const ListedKind& kind, const ListOptions& options, nlohmann::ordered_json& json) {
     const bool named = !options.names.empty();
     const std::vector<Named> all = kind.names();
     if (!options.json && !named) return print_names(all, options.kind);
@@ -261,17 +262,18 @@ void list_kind(const Kind& kind, const ListOptions& options, nlohmann::ordered_j
 
 // What is no kind may be a name of equations: `gloam list CS-3.1`.
 ListOptions with_kind(ListOptions options) {
-    const std::vector<Kind> kinds = all_kinds();
+    const std::vector<ListedKind> kinds = all_kinds();
     if (options.kind == "numbers" && !options.names.empty()) options.kind = "equations";
-    if (options.kind.empty() || std::ranges::count(kinds, options.kind, &Kind::name) > 0) return options;
+    if (options.kind.empty() || std::ranges::count(kinds, options.kind, &ListedKind::name) > 0)
+        return options;
     options.names.insert(options.names.begin(), options.kind);
     options.kind = "equations";
     try {
         (void)catalogue::find(catalogue::all_entries(glsl_directory()), {options.names.front()});
     } catch (const std::invalid_argument&) {
-        throw std::invalid_argument(fmt::format("unknown kind \"{}\": expected {}, or a name of an equation",
-                                                options.names.front(),
-                                                fmt::join(kinds | std::views::transform(&Kind::name), ", ")));
+        throw std::invalid_argument(
+            fmt::format("unknown kind \"{}\": expected {}, or a name of an equation", options.names.front(),
+                        fmt::join(kinds | std::views::transform(&ListedKind::name), ", ")));
     }
     return options;
 }
@@ -285,7 +287,7 @@ int run_list(const ListOptions& given) {
         return 0;
     }
     nlohmann::ordered_json json{{"gloam", base::version()}};
-    for (const Kind& kind : all_kinds()) {
+    for (const ListedKind& kind : all_kinds()) {
         if (!options.kind.empty() && options.kind != kind.name) continue;
         if (options.kind.empty() && !options.json) fmt::print("{}\n", kind.name);
         list_kind(kind, options, json);
