@@ -23,29 +23,17 @@ class Error : public base::Failure {
     using base::Failure::Failure;
 };
 
-// The device cannot be used any more.
-class DeviceLost : public Error {
+template <base::Reason of>
+class ErrorFor : public Error {
   public:
-    explicit DeviceLost(const std::string& message) : Error(message, base::Reason::device_lost) {}
+    explicit ErrorFor(const std::string& message) : Error(message, of) {}
 };
 
-// A submission did not finish in time; the device runs it still.
-class Hang : public Error {
-  public:
-    explicit Hang(const std::string& message) : Error(message, base::Reason::hang) {}
-};
-
-// Of the device, or of the host in its service.
-class OutOfMemory : public Error {
-  public:
-    explicit OutOfMemory(const std::string& message) : Error(message, base::Reason::out_of_memory) {}
-};
-
-// The device, or its version of GLSL, lacks what the function needs.
-class Unsupported : public Error {
-  public:
-    explicit Unsupported(const std::string& message) : Error(message, base::Reason::unsupported) {}
-};
+using DeviceLost = ErrorFor<base::Reason::device_lost>;  // it cannot be used any more
+using Hang = ErrorFor<base::Reason::hang>;               // a submission did not end in time, and runs still
+using OutOfMemory = ErrorFor<base::Reason::out_of_memory>;  // of the device, or of the host in its service
+using Unsupported =
+    ErrorFor<base::Reason::unsupported>;  // the device, or its GLSL, lacks what a function needs
 
 // A run whose outputs are unreliable: the kernel did not complete for every input, wrote outside its memory,
 // or cannot be interpreted.

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -22,12 +23,8 @@ enum class SampledShape : std::uint32_t { two, layers, three, cube, cube_layers 
 // compares.
 enum class SampledTexel : std::uint32_t { real, integer, natural, depth };
 enum class Wrap : std::uint32_t { repeat, mirrored, edge, border };  // of every coordinate; border: zeros
-enum class Compare : std::uint32_t {
-    less_equal,
-    greater_equal,
-    less,
-    greater
-};  // the reference with a depth
+// Of the reference with a depth.
+enum class Compare : std::uint32_t { less_equal, greater_equal, less, greater };
 
 // What an interface calls a value of such an enumeration: `names` is in its order.
 template <class Name, std::size_t count, class Value>
@@ -91,15 +88,7 @@ inline constexpr std::size_t texel_words = 4;
 [[nodiscard]] inline SampledHeader sampled_header(std::span<const std::uint32_t> words) {
     SampledHeader header;
     if (words.size() >= sampled_header_words)
-        header = {words[0],
-                  words[1],
-                  words[2],
-                  words[3],
-                  static_cast<SampledShape>(words[4]),
-                  static_cast<SampledTexel>(words[5]),
-                  words[6],
-                  static_cast<Wrap>(words[7]),
-                  static_cast<Compare>(words[8])};
+        std::memcpy(static_cast<void*>(&header), words.data(), sizeof header);
     if (words.size() != sampled_header_words + texels_before(header, header.levels) * texel_words)
         throw std::invalid_argument("a sampled image whose size and texels disagree");
     if (is_cube(header.shape) && (header.width != header.height || header.depth % cube_faces != 0))

@@ -2,9 +2,6 @@
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "base/half.hpp"
-#include "shaders/fill_comp.h"
-#include "shaders/image_comp.h"
-#include "shaders/level_comp.h"
 
 namespace gloam::gpu::test::buffer_test {
 
@@ -12,8 +9,7 @@ using BufferTest = GpuTest;
 
 TEST_F(BufferTest, TheDeviceSeesAllOfIt) {
     constexpr std::uint32_t count = 1'000'003;
-    const ComputePipeline fill(
-        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    const ComputePipeline fill = pipeline_of(device(), fill_shader, 8);
     Buffer buffer(device(), count * sizeof(float));
     std::ranges::fill(buffer.as<float>(), -1.0f);
     run(device(), fill, {buffer}, {(count + 63) / 64, 1, 1}, bytes_of(std::array{3.0f, 0.5f}));
@@ -96,16 +92,12 @@ TEST_F(ImageTest, FloatsKeepTheirBits) {
 // Row 0 is the row with y = 0 in the shader, and uploads, dispatches and downloads see each other's writes.
 TEST_F(ImageTest, ShadersSeeTheSamePixels) {
     constexpr Extent extent{13, 9};
-    const ComputePipeline pipeline(
-        device(),
-        {.spirv = image_comp,
-         .bindings = {BindingKind::storage_image, BindingKind::storage_image, BindingKind::storage_buffer}});
     Image from(device(), extent, Format::r32f);
     Image to(device(), extent, Format::rgba32f);
     Buffer buffer(device(), std::size_t{extent.width} * extent.height * 16);
     const auto texels = distinct_texels(extent, Format::r32f);
     from.upload(texels);
-    run(device(), pipeline, {from, to, buffer}, {2, 2, 1});
+    run(device(), copying(device()), {from, to, buffer}, {2, 2, 1});
     std::vector<float> expected;
     for (std::uint32_t i = 0; i < extent.width * extent.height; ++i) {
         expected.insert(expected.end(), {texels[i], static_cast<float>(i % extent.width),
@@ -116,12 +108,22 @@ TEST_F(ImageTest, ShadersSeeTheSamePixels) {
     EXPECT_EQ(std::vector(copied.begin(), copied.end()), expected);
 }
 
+// The last texel of a level becomes the level's number; of the level before, the texel beyond the edge is
+// read.
 TEST_F(ImageTest, ShadersWriteALevelAndSampleAll) {
-    const ComputePipeline pipeline(
-        device(),
-        {.spirv = level_comp,
-         .bindings = {BindingKind::storage_image, BindingKind::sampled_image, BindingKind::storage_buffer},
-         .push_constant_bytes = 4});
+    const ComputePipeline pipeline =
+        pipeline_of(device(), R"(
+layout(local_size_x = 1) in;
+layout(binding = 0, r32f) uniform writeonly image2D to;
+layout(binding = 1) uniform sampler2D from;
+layout(std430, binding = 2) writeonly buffer Values { float values[]; };
+layout(push_constant) uniform Parameters { int level; };
+void main() {
+    imageStore(to, imageSize(to) - 1, vec4(float(level)));
+    if (level > 0) values[level - 1] = textureLod(from, vec2(1.5), float(level - 1)).x;
+}
+)",
+                    4, {BindingKind::storage_image, BindingKind::sampled_image, BindingKind::storage_buffer});
     const Image image(device(), {12, 9}, Format::r32f, 4);
     const Buffer values(device(), 3 * sizeof(float));
     for (std::uint32_t level = 0; level < image.levels(); ++level)

@@ -1,19 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "backend/vulkan/gpu_test.hpp"
-#include "shaders/chain_comp.h"
-#include "shaders/fill_comp.h"
-#include "shaders/outside_comp.h"
-#include "shaders/slow_comp.h"
-#include "shaders/specialize_comp.h"
 
 namespace gloam::gpu::test::compute_test {
 
 using ComputeTest = GpuTest;
 
-std::vector<std::uint32_t> specialize(const Device& device, std::vector<SpecializationConstant> constants) {
-    const ComputePipeline pipeline(device, {.spirv = specialize_comp,
-                                            .bindings = {BindingKind::storage_buffer},
-                                            .constants = std::move(constants)});
+// A shader's specialization constants, and the number of its work groups.
+std::vector<std::uint32_t> specialize(const Device& device,
+                                      const std::vector<SpecializationConstant>& constants) {
+    const ComputePipeline pipeline = pipeline_of(device, R"(
+layout(local_size_x_id = 7) in;
+layout(constant_id = 0) const float a_float = 1.5;
+layout(constant_id = 3) const uint a_uint = 2u;
+layout(constant_id = 4) const int an_int = 3;
+layout(constant_id = 5) const bool a_bool = false;
+layout(std430, binding = 0) buffer Values { uint values[]; };
+void main() {
+    if (gl_GlobalInvocationID.x == 0u) {
+        values[0] = floatBitsToUint(a_float);
+        values[1] = a_uint;
+        values[2] = uint(an_int);
+        values[3] = a_bool ? 1u : 0u;
+        values[4] = gl_WorkGroupSize.x;
+    }
+    atomicAdd(values[5], 1u);
+}
+)",
+                                                 0, {BindingKind::storage_buffer}, constants);
     Buffer buffer(device, 6 * sizeof(std::uint32_t));
     std::ranges::fill(buffer.as<std::uint32_t>(), 0u);
     run(device, pipeline, {buffer}, {2, 3, 5});
@@ -35,8 +48,7 @@ TEST_F(ComputeTest, SpecializationConstantsAreSetById) {
 }
 
 TEST_F(ComputeTest, EachDispatchHasItsOwnPushConstants) {
-    const ComputePipeline fill(
-        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    const ComputePipeline fill = pipeline_of(device(), fill_shader, 8);
     std::vector<Buffer> buffers;
     for (int i = 0; i < 3; ++i) buffers.emplace_back(device(), 65 * sizeof(float));
     Commands commands(device());
@@ -51,14 +63,22 @@ TEST_F(ComputeTest, EachDispatchHasItsOwnPushConstants) {
     }
 }
 
-// Each of many dispatches needs the whole result of the one before; also more descriptor sets than one pool
-// has.
+// Every result of a dispatch depends on a neighbour's of the one before, so that any missing wait shows; also
+// more descriptor sets than one pool has.
 TEST_F(ComputeTest, EachDispatchSeesTheOneBefore) {
     constexpr std::size_t count = 5000;
     constexpr int steps = 301;
-    const ComputePipeline chain(
-        device(),
-        {.spirv = chain_comp, .bindings = {BindingKind::storage_buffer, BindingKind::storage_buffer}});
+    const ComputePipeline chain = pipeline_of(device(), R"(
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer From { uint from[]; };
+layout(std430, binding = 1) writeonly buffer To { uint to[]; };
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    uint n = uint(from.length());
+    if (i < n) to[i] = 3u * from[i] + from[(i + n / 2u + 1u) % n];
+}
+)",
+                                              0, {BindingKind::storage_buffer, BindingKind::storage_buffer});
     std::array buffers{Buffer(device(), count * 4), Buffer(device(), count * 4)};
     std::vector<std::uint32_t> expected(count);
     std::iota(expected.begin(), expected.end(), 1u);
@@ -81,9 +101,17 @@ TEST_F(ComputeTest, EachDispatchSeesTheOneBefore) {
 // robustBufferAccess: what a faulty shader writes outside its buffer must hit neither the process nor another
 // buffer.
 TEST_F(ComputeTest, AccessOutsideABufferIsHarmless) {
-    const ComputePipeline outside(
-        device(),
-        {.spirv = outside_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4});
+    const ComputePipeline outside = pipeline_of(device(), R"(
+layout(local_size_x = 1) in;
+layout(std430, binding = 0) buffer Values { uint values[]; };
+layout(push_constant) uniform Constants { uint index; };
+void main() {
+    values[index] = 0xffffffffu;
+    values[1] = values[index + 1u];
+    values[0] = 1u;
+}
+)",
+                                                4);
     std::vector<Buffer> buffers;
     for (int i = 0; i < 3; ++i) {
         buffers.emplace_back(device(), 16);
@@ -113,8 +141,7 @@ class TimestampTest : public GpuTest {
 };
 
 TEST_F(TimestampTest, ReadTheWorkBetweenThem) {
-    const ComputePipeline slow(
-        device(), {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4});
+    const ComputePipeline slow = pipeline_of(device(), slow_shader, 4);
     Buffer buffer(device(), 4);
     constexpr std::uint32_t steps = 60'000;
     Commands commands(device());

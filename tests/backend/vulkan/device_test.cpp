@@ -2,7 +2,6 @@
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/internal/instance.hpp"
-#include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test::device_test {
 
@@ -57,8 +56,7 @@ bool any_mentions(const std::vector<std::string>& messages, const std::string& t
 }
 
 TEST_F(ValidationTest, SeesAShaderThatDisagreesWithItsBindings) {
-    const ComputePipeline wrong(
-        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_image}, .push_constant_bytes = 8});
+    const ComputePipeline wrong = pipeline_of(device(), fill_shader, 8, {BindingKind::storage_image});
     const auto messages = device().take_validation_messages();
     ASSERT_FALSE(messages.empty());
     EXPECT_TRUE(any_mentions(messages, "VUID-VkComputePipelineCreateInfo-layout")) << messages.front();
@@ -87,8 +85,8 @@ class DriversTest : public testing::Test {
 };
 
 TEST_F(DriversTest, SwiftShaderIsFoundInTheFirstFolderThatHasAllOfIt) {
-    const std::array folders{folder.path() / "none", folder.path() / "manifest only",
-                             folder.path() / "browser", folder.path() / "other"};
+    const std::vector folders{folder.path() / "none", folder.path() / "manifest only",
+                              folder.path() / "browser", folder.path() / "other"};
     folder.write("manifest only/vk_swiftshader_icd.json", good_manifest);
     EXPECT_EQ(find_swiftshader(folders), std::nullopt);
     for (const char* name : {"browser", "other"}) {
@@ -96,7 +94,7 @@ TEST_F(DriversTest, SwiftShaderIsFoundInTheFirstFolderThatHasAllOfIt) {
         folder.write(fs::path(name) / "libvk_swiftshader.so", "");
     }
     EXPECT_EQ(find_swiftshader(folders), folder.path() / "browser" / "vk_swiftshader_icd.json");
-    EXPECT_EQ(find_swiftshader(std::span<const fs::path>()), std::nullopt);
+    EXPECT_EQ(find_swiftshader(std::vector<fs::path>()), std::nullopt);
 }
 
 TEST_F(DriversTest, DriversComeBesidesThoseOfTheSystem) {

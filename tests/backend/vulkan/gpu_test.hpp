@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/vulkan/commands.hpp"
+#include "module/compile.hpp"
 #include "support/environment.hpp"
 #include "support/files.hpp"
 
@@ -40,6 +41,63 @@ template <class T>
     requires std::is_trivially_copyable_v<T>
 std::span<const std::byte> bytes_of(const T& value) {
     return std::as_bytes(std::span(&value, 1));
+}
+
+// The module of a shader without its #version line.
+inline shader::Spirv compiled(const std::string& text, shader::Stage stage = shader::Stage::compute) {
+    return shader::compile({"test", "#version 450\n" + text}, {.stage = stage});
+}
+
+// A pipeline of a compute shader, without its #version line.
+inline ComputePipeline pipeline_of(const Device& device, const std::string& text,
+                                   std::uint32_t push_constant_bytes = 0,
+                                   std::vector<BindingKind> bindings = {BindingKind::storage_buffer},
+                                   std::vector<SpecializationConstant> constants = {}) {
+    return {device, {compiled(text), std::move(bindings), push_constant_bytes, std::move(constants)}};
+}
+
+// values[i] = first + i * step.
+inline constexpr const char* fill_shader = R"(
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) writeonly buffer Values { float values[]; };
+layout(push_constant) uniform Constants { float first; float step; };
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i < uint(values.length())) values[i] = first + float(i) * step;
+}
+)";
+
+// Chains of dependent steps (a linear congruential generator) that no compiler can shorten; one a work group.
+// At most 65535 steps: lavapipe ends an invocation's loops there without a word.
+inline constexpr const char* slow_shader = R"(
+layout(local_size_x = 1) in;
+layout(std430, binding = 0) buffer Values { uint sum; };
+layout(push_constant) uniform Constants { uint steps; };
+void main() {
+    uint x = gl_WorkGroupID.x + gl_WorkGroupID.y + 1u;
+    for (uint i = 0u; i < steps; ++i) x = (x ^ i) * 1664525u + 1013904223u;
+    atomicAdd(sum, x);
+}
+)";
+
+// to(p) = (from(p), x, y, 1), and the same into a buffer row by row.
+inline ComputePipeline copying(const Device& device) {
+    constexpr const char* text = R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0, r32f) uniform readonly image2D from;
+layout(binding = 1, rgba32f) uniform writeonly image2D to;
+layout(std430, binding = 2) writeonly buffer Values { vec4 values[]; };
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(from);
+    if (pixel.x >= size.x || pixel.y >= size.y) return;
+    vec4 value = vec4(imageLoad(from, pixel).r, vec2(pixel), 1.0);
+    imageStore(to, pixel, value);
+    values[pixel.y * size.x + pixel.x] = value;
+}
+)";
+    return pipeline_of(device, text, 0,
+                       {BindingKind::storage_image, BindingKind::storage_image, BindingKind::storage_buffer});
 }
 
 // Runs a pipeline once, alone.

@@ -6,8 +6,6 @@
 
 #include "backend/vulkan/gpu_test.hpp"
 #include "base/process.hpp"
-#include "shaders/fill_comp.h"
-#include "shaders/slow_comp.h"
 
 namespace gloam::gpu::test::mismatch_test {
 
@@ -17,8 +15,7 @@ using namespace std::chrono_literals;
 using MismatchTest = GpuTest;
 
 TEST_F(MismatchTest, GroupCounts) {
-    const ComputePipeline fill(
-        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    const ComputePipeline fill = pipeline_of(device(), fill_shader, 8);
     Buffer buffer(device(), 64);
     const std::vector<Resource> resources{buffer};
     Commands commands(device());
@@ -40,23 +37,19 @@ TEST_F(MismatchTest, PipelinesThatCannotBe) {
     expect_error<std::invalid_argument>([&] { make({.spirv = {}}); }, {"not a SPIR-V module", "0 words"});
     expect_error<std::invalid_argument>([&] { make({.spirv = garbage}); },
                                         {"not a SPIR-V module", "0x12345678"});
-    expect_error<std::invalid_argument>([&] { make({.spirv = fill_comp, .push_constant_bytes = 6}); },
+    const shader::Spirv fill = compiled(fill_shader);
+    expect_error<std::invalid_argument>([&] { make({.spirv = fill, .push_constant_bytes = 6}); },
                                         {"6 bytes"});
-    expect_error<std::invalid_argument>([&] { make({.spirv = fill_comp, .push_constant_bytes = 1u << 20}); },
+    expect_error<std::invalid_argument>([&] { make({.spirv = fill, .push_constant_bytes = 1u << 20}); },
                                         {"1048576 bytes"});
     const std::vector<BindingKind> many(2'000'000, BindingKind::storage_buffer);
-    expect_error<std::invalid_argument>([&] { make({.spirv = fill_comp, .bindings = many}); },
+    expect_error<std::invalid_argument>([&] { make({.spirv = fill, .bindings = many}); },
                                         {"2000000 storage buffer bindings"});
 }
 
 constexpr auto timeout = 200ms;
 constexpr std::uint32_t steps = 60'000;
 using Groups = std::array<std::uint32_t, 3>;
-
-ComputePipeline slow_pipeline(const Device& device) {
-    return {device,
-            {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4}};
-}
 
 // Number of work groups that keep this device busy for a few seconds, at any speed. If the driver computes on
 // the processor, processor time is measured, because on a busy machine elapsed time does not measure the
@@ -68,7 +61,7 @@ Groups long_work() {
         return on_processor ? base::processor_time_of(getpid())
                             : std::chrono::nanoseconds(Clock::now().time_since_epoch());
     };
-    const auto pipeline = slow_pipeline(device);
+    const auto pipeline = pipeline_of(device, slow_shader, 4);
     const Buffer buffer(device, 4);
     run(device, pipeline, {buffer}, {1, 1, 1}, bytes_of(steps));  // a driver may compile only now
     for (Groups groups{64, 1, 1};; groups[1] *= 2) {
@@ -109,7 +102,7 @@ class TimeoutTest : public GpuTest {
 TEST_F(TimeoutTest, ThrowsAndRecoversWhenTheWorkIsDone) {
     const auto groups = long_work();
     open({.timeout = timeout});
-    const auto pipeline = slow_pipeline(device());
+    const auto pipeline = pipeline_of(device(), slow_shader, 4);
     Buffer buffer(device(), 4);
     const auto start = Clock::now();
     const auto message = message_of_hang(device(), pipeline, buffer, groups);
@@ -138,7 +131,7 @@ TEST_F(TimeoutTest, ThrowsAndRecoversWhenTheWorkIsDone) {
                        .validation = Validation::on,
                        .timeout = timeout,
                        .on_validation_message = [&](const std::string& message) { report += message; }});
-        const auto pipeline = slow_pipeline(device);
+        const auto pipeline = pipeline_of(device, slow_shader, 4);
         const Buffer buffer(device, 4);
         report += message_of_hang(device, pipeline, buffer, groups);
         start = Clock::now();

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-
 #include "backend/vulkan/gpu_test.hpp"
-#include "shaders/image_comp.h"
-#include "shaders/slow_comp.h"
-#include "shaders/triangle_frag.h"
-#include "shaders/triangle_vert.h"
 
 namespace gloam::gpu::test::raster_test {
 
@@ -15,9 +10,22 @@ class RasterTest : public GpuTest {
   protected:
     // Fragments of the top left half add a value to an image of one channel.
     RasterPipeline adding() {
+        const shader::Spirv vertex = compiled(R"(
+void main() { gl_Position = vec4(2.0 * vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1) - 1.0, 0.0, 1.0); }
+)",
+                                              shader::Stage::vertex);
+        const shader::Spirv fragment = compiled(R"(
+layout(binding = 0, r32f) uniform image2D values;
+layout(push_constant) uniform Constants { float value; };
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    imageStore(values, pixel, imageLoad(values, pixel) + value);
+}
+)",
+                                                shader::Stage::fragment);
         return {device(),
-                {.vertex_spirv = triangle_vert,
-                 .fragment_spirv = triangle_frag,
+                {.vertex_spirv = vertex,
+                 .fragment_spirv = fragment,
                  .push_constant_bytes = sizeof(float),
                  .bindings = {BindingKind::storage_image}}};
     }
@@ -34,9 +42,7 @@ bool in_top_left(std::size_t pixel) {
 // Render, read in a dispatch, render again over it: each sees the one before, and each pixel is met once.
 TEST_F(RasterTest, EachPixelOfTheTriangleOnceAndInOrder) {
     const RasterPipeline raster = adding();
-    const ComputePipeline copy(device(), {.spirv = image_comp,
-                                          .bindings = {BindingKind::storage_image, BindingKind::storage_image,
-                                                       BindingKind::storage_buffer}});
+    const ComputePipeline copy = copying(device());
     Image value(device(), extent, Format::r32f);
     value.upload(std::vector<float>(pixels, 1.0f));
     const Image out(device(), extent, Format::rgba32f);
@@ -62,8 +68,7 @@ TEST_F(RasterTest, TimesOfLaterDispatchesAreTheirOwn) {
     Commands before(device());
     render(before, raster, extent, std::vector<Resource>{value}, bytes_of(0.0f));
     before.submit();
-    const ComputePipeline slow(
-        device(), {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4});
+    const ComputePipeline slow = pipeline_of(device(), slow_shader, 4);
     const Buffer buffer(device(), 4);
     const std::vector<Resource> resources{buffer};
     double share =

@@ -95,15 +95,16 @@ EGLContext create(const Display& display, const DeviceName& name) {
     return context;
 }
 
+// `whose`: for a message.
 template <class Function>
-void load(const Egl& egl, Function& function, const char* name) {
+void load(const Egl& egl, Function& function, const char* name, const std::string& whose) {
     function = reinterpret_cast<Function>(egl.GetProcAddress(name));
-    if (function == nullptr) throw Unavailable(fmt::format("the driver of OpenGL has no {}", name));
+    if (function == nullptr) throw Unavailable(fmt::format("{} has no {}", whose, name));
 }
 
 Functions functions_of(const Egl& egl, const Version& version) {
     Functions functions;
-#define GLOAM_GL_LOAD(name) load(egl, functions.name, "gl" #name);
+#define GLOAM_GL_LOAD(name) load(egl, functions.name, "gl" #name, "the driver of OpenGL");
     GLOAM_GL_FUNCTIONS(GLOAM_GL_LOAD)
     if (has_compute(version)) {
         GLOAM_GL_COMPUTE_FUNCTIONS(GLOAM_GL_LOAD)
@@ -114,22 +115,14 @@ Functions functions_of(const Egl& egl, const Version& version) {
 
 }  // namespace
 
-template <class Function>
-void Egl::load(Function& function, const char* name) {
-    function = reinterpret_cast<Function>(GetProcAddress(name));
-    if (function == nullptr)
-        throw Unavailable(fmt::format("OpenGL devices are not available: {} has no {}", library_name, name));
-}
-
 Egl::Egl() : library_(open_library()) {
+    const std::string whose = fmt::format("OpenGL devices are not available: {}", library_name);
     GetProcAddress = reinterpret_cast<decltype(GetProcAddress)>(::dlsym(library_.get(), "eglGetProcAddress"));
-    if (GetProcAddress == nullptr)
-        throw Unavailable(
-            fmt::format("OpenGL devices are not available: {} is no EGL library", library_name));
-#define GLOAM_EGL_LOAD(name) load(name, "egl" #name);
+    if (GetProcAddress == nullptr) throw Unavailable(whose + " is no EGL library");
+#define GLOAM_EGL_LOAD(name) load(*this, name, "egl" #name, whose);
     GLOAM_EGL_FUNCTIONS(GLOAM_EGL_LOAD)
 #undef GLOAM_EGL_LOAD
-    load(GetPlatformDisplayEXT, "eglGetPlatformDisplayEXT");
+    load(*this, GetPlatformDisplayEXT, "eglGetPlatformDisplayEXT", whose);
 }
 
 std::shared_ptr<Display> Display::open(const std::string& executor) {
@@ -229,7 +222,6 @@ DeviceInfo describe(const Context& context, const DeviceName& name) {
     info.api_version = to_string(name.version);
     info.glsl = glsl_of(name.version);
     info.max_image_size = limit(context, GL_MAX_TEXTURE_SIZE);
-    info.max_draw_buffers = limit(context, GL_MAX_DRAW_BUFFERS);
     if (has_compute(name.version)) {
         GLint64 bytes = 0;
         context.functions.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);

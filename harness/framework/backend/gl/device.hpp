@@ -73,7 +73,6 @@ struct Context;  // EGL and OpenGL handles; defined inside this room only
 struct DeviceInfo : backend::DeviceInfo {
     DeviceName id;
     std::string renderer;                  // "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::uint32_t max_draw_buffers = 0;    // targets of one draw
     std::uint32_t max_storage_blocks = 0;  // storage buffers of a compute shader; 0: it has none
 };
 

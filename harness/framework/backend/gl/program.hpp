@@ -60,7 +60,7 @@ struct Draw {
     std::vector<std::pair<std::string, Word>> uniforms;
     std::size_t width = 1;
     std::size_t height = 1;
-    std::size_t targets = 1;  // at most DeviceInfo::max_draw_buffers, of which every version has four
+    std::size_t targets = 1;  // at most four
 };
 
 // Runs it and waits for its end. Returns the words of each target: width x height x 4, the bottom row first.

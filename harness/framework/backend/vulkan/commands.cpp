@@ -21,7 +21,7 @@ vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::Pipelin
                                                        .pName = "main",
                                                        .pSpecializationInfo = &specialization.info},
                                              .layout = *layout};
-    return {context.device, context.cache.handle(), info};
+    return {context.device, context.cache, info};
 }
 
 ComputePipeline::Handles create(Context& context, const ComputeProgram& program) {

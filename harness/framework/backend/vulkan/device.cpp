@@ -8,6 +8,7 @@
 
 #include "backend/vulkan/internal/context.hpp"
 #include "backend/vulkan/internal/instance.hpp"
+#include "base/cached_file.hpp"
 #include "base/process.hpp"
 
 namespace gloam::gpu {
@@ -68,6 +69,15 @@ vk::SamplerCreateInfo sampler_info(vk::Filter filter) {
             .maxLod = VK_LOD_CLAMP_NONE};
 }
 
+// SwiftShader returns the data that it was given behind one more header, so its file would grow with every
+// use.
+bool is_news(std::string_view data, std::string_view cached) {
+    if (data == cached) return false;
+    const bool one_header_more =
+        !cached.empty() && data.size() == cached.size() + sizeof(VkPipelineCacheHeaderVersionOne);
+    return !(one_header_more && data.ends_with(cached));
+}
+
 std::optional<std::uint32_t> find_type(const vk::PhysicalDeviceMemoryProperties& memory,
                                        std::uint32_t allowed, vk::MemoryPropertyFlags wish) {
     for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
@@ -114,11 +124,23 @@ Device::Impl::Impl(const DeviceOptions& options)
       fence(device, vk::FenceCreateInfo{}),
       sampler(device, sampler_info(vk::Filter::eNearest)),
       linear(device, sampler_info(vk::Filter::eLinear)),
-      cache(device, physical.properties, options.cache_directory, physical.info.identity),
+      cache_file(options.cache_directory.empty()
+                     ? std::filesystem::path()
+                     : options.cache_directory / ("pipelines-" + physical.info.identity + ".bin")),
+      cached(base::read_cached(cache_file, base::hash_of(physical.info.identity)).value_or("")),
+      cache(device,
+            vk::PipelineCacheCreateInfo{.initialDataSize = cached.size(), .pInitialData = cached.data()}),
       timeout(options.timeout) {}
 
 Device::Impl::~Impl() {
-    cache.save();
+    if (cache_file.empty()) return;
+    try {
+        const auto data = cache.getData();
+        const std::string_view bytes(reinterpret_cast<const char*>(data.data()), data.size());
+        if (is_news(bytes, cached))
+            base::write_cached(cache_file, base::hash_of(physical.info.identity), bytes);
+    } catch (...) {  // the next process compiles again
+    }
 }
 
 vk::raii::CommandBuffers begun(const Context& context) {

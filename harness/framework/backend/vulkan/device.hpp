@@ -75,8 +75,7 @@ class Device : public backend::Backend {
 
 // SwiftShader's manifest in the first of these folders that contains it together with its library.
 [[nodiscard]] std::optional<std::filesystem::path> find_swiftshader(
-    std::span<const std::filesystem::path> folders);
-[[nodiscard]] std::optional<std::filesystem::path> find_swiftshader();
+    const std::vector<std::filesystem::path>& folders = swiftshader_folders());
 
 // Whether the environment selects the drivers: VK_DRIVER_FILES, VK_ICD_FILENAMES or VK_ADD_DRIVER_FILES is
 // set, even if empty.

@@ -78,16 +78,11 @@ std::vector<fs::path> swiftshader_folders() {
             "/snap/chromium/current/usr/lib/chromium-browser"};
 }
 
-std::optional<fs::path> find_swiftshader(std::span<const fs::path> folders) {
-    for (const fs::path& folder : folders) {
+std::optional<fs::path> find_swiftshader(const std::vector<fs::path>& folders) {
+    for (const fs::path& folder : folders)
         if (is_file(folder / swiftshader_manifest) && is_file(folder / swiftshader_library))
             return folder / swiftshader_manifest;
-    }
     return std::nullopt;
-}
-
-std::optional<fs::path> find_swiftshader() {
-    return find_swiftshader(swiftshader_folders());
 }
 
 bool drivers_are_chosen() {

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "backend/shader_cache.hpp"
 #include "base/cached_file.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace gloam::gpu {
@@ -110,10 +110,8 @@ std::size_t default_device(std::span<const DeviceInfo> devices) {
 }
 
 std::optional<std::size_t> by_index(std::span<const DeviceInfo> devices, std::string_view digits) {
-    std::size_t index = 0;
-    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-    if (parsed.ec != std::errc{} || index >= devices.size()) return std::nullopt;
-    return index;
+    const auto index = base::number_from<std::size_t>(digits);
+    return index && *index < devices.size() ? index : std::nullopt;
 }
 
 std::optional<std::size_t> by_name(std::span<const DeviceInfo> devices, std::string_view part) {

@@ -81,64 +81,53 @@ class VulkanKernel : public backend::Kernel {
     }
 
     void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
-        with_typed_errors([&] { dispatch(count, canary, memory); });
+        with_typed_errors([&] { submit(count, canary, memory); });
     }
 
   private:
-    void dispatch(std::size_t count, Word canary, backend::KernelMemory& memory) const {
+    void submit(std::size_t count, Word canary, backend::KernelMemory& memory) const {
         auto faults = std::bit_cast<std::array<Word, sizeof memory.faults / sizeof(Word)>>(memory.faults);
-        std::vector<Buffer> buffers;
+        std::deque<std::variant<Buffer, SampledImage, Image>> made;
+        std::vector<Resource> resources;
+        const auto add = [&](auto resource) {
+            using Type = decltype(resource);
+            resources.push_back(std::cref(std::get<Type>(made.emplace_back(std::move(resource)))));
+        };
         for (const std::span<const Word> words :
              {memory.inputs, std::span<const Word>(memory.outputs), std::span<const Word>(faults)})
-            buffers.push_back(uploaded(device_, words));
-        std::vector<SampledImage> images;
-        std::deque<Image> layers;
+            add(uploaded(device_, words));
         for (std::size_t i = 0; i < images_.size(); ++i) {
-            const std::span<const Word> words = memory.images[i];
-            if (images_[i].sampled) images.emplace_back(device_, words);
-            buffers.push_back(uploaded(device_, images_[i].sampled ? words.first(1) : words));
+            const auto& [sampled, layered] = images_[i];
+            if (sampled)
+                add(SampledImage(device_, memory.images[i]));
+            else if (layered.empty())
+                add(uploaded(device_, memory.images[i]));
+            else
+                add(Image(device_, {layer_size_[0], layer_size_[1]}, format_from(layered).value(), 1,
+                          static_cast<std::uint32_t>(count)));
         }
-
         const std::size_t inputs = team_.kind == backend::Team::Kind::alone ? backend::kernel_group_size : 1;
         const std::size_t groups = (count + inputs - 1) / inputs;
         const std::size_t most = is_quad() ? quad_columns : device_.info().max_group_count[0];
-        const std::size_t columns = std::min(groups, most);
-        const std::size_t rows = (groups + columns - 1) / columns;
+        const auto columns = static_cast<Word>(std::min(groups, most));
+        const auto rows = static_cast<Word>((groups + columns - 1) / columns);
         const backend::KernelRun run{.count = static_cast<Word>(count),
                                      .row_length = static_cast<Word>(columns * inputs),
                                      .canary = canary};
-        std::vector<Resource> resources(buffers.begin(), buffers.end());
-        for (std::size_t i = 0, next = 0; i < images_.size(); ++i) {
-            if (images_[i].sampled)
-                resources[backend::KernelBinding::first_image + i] = std::cref(images[next++]);
-            if (images_[i].layered.empty()) continue;
-            layers.emplace_back(device_, Extent{layer_size_[0], layer_size_[1]},
-                                format_from(images_[i].layered).value(), 1,
-                                static_cast<std::uint32_t>(count));
-            resources[backend::KernelBinding::first_image + i] = std::cref(layers.back());
-        }
-        submit(static_cast<Word>(columns), static_cast<Word>(rows), run, resources);
-
-        download(buffers[backend::KernelBinding::outputs], memory.outputs);
-        download(buffers[backend::KernelBinding::faults], faults);
-        memory.faults = std::bit_cast<backend::KernelFaults>(faults);
-    }
-
-    void submit(Word columns, Word rows, const backend::KernelRun& run,
-                std::span<const Resource> resources) const {
-        const std::span<const std::byte> parameters = std::as_bytes(std::span(&run, 1));
+        const auto parameters = std::as_bytes(std::span(&run, 1));
         Commands commands(device_);
-        if (const auto* compute = std::get_if<ComputePipeline>(&pipeline_)) {
+        // Of quads a triangle that is half of the image, and so large that no edge of it divides one: where
+        // an edge does, the invocations outside read 0 from buffers on llvmpipe. A side has 2 * 2 pixels a
+        // quad.
+        if (const auto* compute = std::get_if<ComputePipeline>(&pipeline_))
             commands.dispatch(*compute, resources, {columns, rows, 1}, parameters);
-            commands.submit();
-            return;
-        }
-        // A triangle that is half of the image, and so large that no edge of it divides a quad: where an edge
-        // does, the invocations outside read 0 from buffers on llvmpipe.
-        constexpr Word pixels = 2 * 2;  // of an image's side, for each quad
-        render(commands, std::get<RasterPipeline>(pipeline_), {pixels * columns, pixels * rows}, resources,
-               parameters);
+        else
+            render(commands, std::get<RasterPipeline>(pipeline_), {4 * columns, 4 * rows}, resources,
+                   parameters);
         commands.submit();
+        download(std::get<Buffer>(made[backend::KernelBinding::outputs]), memory.outputs);
+        download(std::get<Buffer>(made[backend::KernelBinding::faults]), faults);
+        memory.faults = std::bit_cast<backend::KernelFaults>(faults);
     }
 
     [[nodiscard]] bool is_quad() const { return team_.kind == backend::Team::Kind::quad; }

@@ -41,7 +41,7 @@ vk::raii::Pipeline make_pipeline(const Context& context, const RasterProgram& pr
     const FixedState fixed;
     const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = fixed.dynamic.size(),
                                                      .pDynamicStates = fixed.dynamic.data()};
-    return {context.device, context.cache.handle(),
+    return {context.device, context.cache,
             vk::GraphicsPipelineCreateInfo{.stageCount = stages.size(),
                                            .pStages = stages.data(),
                                            .pVertexInputState = &fixed.input,

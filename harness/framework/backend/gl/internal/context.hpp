@@ -28,9 +28,6 @@ class Egl {
     PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplayEXT = nullptr;
 
   private:
-    template <class Function>
-    void load(Function& function, const char* name);
-
     std::shared_ptr<void> library_;
 };
 

@@ -3,17 +3,18 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/internal/instance.hpp"
-#include "backend/vulkan/internal/pipeline_cache.hpp"
 #include "backend/vulkan/internal/vulkan.hpp"
 #include "base/hidden.hpp"
 
@@ -65,7 +66,11 @@ struct Device::Impl {
     vk::raii::Fence fence;
     vk::raii::Sampler sampler;  // of all sampled images but SampledImage and LinearImage
     vk::raii::Sampler linear;
-    PipelineCache cache;
+    // The driver's compiled pipelines are kept in a file for each device identity. A damaged file, or one of
+    // another driver, is never passed to the driver: it counts as empty and is replaced.
+    std::filesystem::path cache_file;  // empty: no cache
+    std::string cached;                // what it held
+    vk::raii::PipelineCache cache;
     std::chrono::milliseconds timeout;
 
   private:
