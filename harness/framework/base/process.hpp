@@ -21,7 +21,7 @@ struct ProcessLimits {
     std::uint64_t memory_bytes = 0;  // address space; 0: only this process's own limit
     std::chrono::seconds cpu{0};     // of processor time; 0: no limit
     std::chrono::milliseconds patience{60'000};
-    std::size_t output_bytes = std::size_t{1} << 28;
+    std::size_t output_bytes = std::size_t{1} << 28;  // of standard output, and of standard error
     bool group = false;                      // it leads a group of processes, all of which end with it
     std::vector<std::string> environment{};  // "NAME=value", besides this process's own
 };
@@ -43,10 +43,9 @@ struct ProcessResult {
 // "ended by signal 11 (SEGV: Segmentation fault)" or "ended with status 3", from a status of waitpid().
 [[nodiscard]] std::string how_it_ended(int wait_status);
 
-// Runs a program to its end, without a shell. `input`: for its standard input. command[0]: a path, or a name
-// to find in PATH. The program never outlives this call. Throws std::system_error if it cannot be started.
-[[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command, std::string_view input,
-                                        const ProcessLimits& limits);
+// Runs a program to its end, without a shell and without input. command[0]: a path, or a name to find in
+// PATH. The program never outlives this call. Throws std::system_error if it cannot be started.
+[[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command, const ProcessLimits& limits);
 
 // A program that answers lines with lines. Its standard input and output are connected to this process; its
 // standard error goes to an unnamed file. It is killed with the object, and when the thread that started it

@@ -90,7 +90,7 @@ Spirv run_program(const std::string& step, const StepInput& input) {
     base::ProcessResult result;
     try {
         result = base::run_process(
-            command, {}, {.memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time});
+            command, {.memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time});
     } catch (const std::system_error& error) {
         throw StepUnavailable(fmt::format("{} cannot be started: {}", command.front(), error.what()));
     }
@@ -115,7 +115,7 @@ Spirv taken_unchecked(const std::string& step, const StepInput& input) {
 Words known_passes() {
     base::ProcessResult help;
     try {
-        help = base::run_process({std::string(optimizer), "--help"}, {}, {});
+        help = base::run_process({std::string(optimizer), "--help"}, {});
     } catch (const std::system_error& error) {
         throw std::invalid_argument(
             fmt::format("spirv-opt, whose help names its passes, cannot be started: {}", error.what()));

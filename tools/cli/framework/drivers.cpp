@@ -42,10 +42,9 @@ std::chrono::duration<double> time_to_load() {
 
 Listing listed(const std::string& what, std::vector<std::string> environment = {}) {
     const std::chrono::duration<double> patience = time_to_load();
-    const base::ProcessResult result =
-        base::run_process(listing_command(what), "",
-                          {.patience = std::chrono::ceil<std::chrono::milliseconds>(patience),
-                           .environment = std::move(environment)});
+    const base::ProcessResult result = base::run_process(
+        listing_command(what), {.patience = std::chrono::ceil<std::chrono::milliseconds>(patience),
+                                .environment = std::move(environment)});
     if (result.end == base::ProcessResult::End::time)
         return {.error = fmt::format("does not load within {:g} s", patience.count()),
                 .reason = check::Reason::hang};
@@ -66,7 +65,7 @@ std::vector<std::string> only(const std::string& manifests) {
 // The manifests of the drivers that the Vulkan loader would load, in its order, as it says itself.
 std::vector<fs::path> driver_manifests() {
     const std::string log =
-        base::run_process(listing_command("manifests"), "",
+        base::run_process(listing_command("manifests"),
                           {.environment = {"VK_LOADER_DEBUG=driver", "VK_LOADER_DRIVERS_DISABLE=*"}})
             .output;
     std::istringstream lines(log.substr(std::min(log.size(), log.find("Found the following files:"))));

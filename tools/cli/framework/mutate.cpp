@@ -289,7 +289,7 @@ class Trials {
         const auto begin = Clock::now();
         // For a program that is to read this copy, see shader::overlaid(); and which file has changed.
         base::ProcessResult result = base::run_process(
-            command_.command, "",
+            command_.command,
             {.patience = patience,
              .group = true,
              .environment = {"GLOAM_SHADERS=" + copy->string(), "GLOAM_SHADERS_OF=" + root_.string(),

@@ -19,8 +19,6 @@ using Clock = std::chrono::steady_clock;
 // A process inside a hung driver may be beyond any signal.
 inline constexpr std::chrono::seconds time_to_die{10};
 
-inline constexpr std::size_t last_bytes = 1000;  // that are kept of standard error
-
 // A forked child that is killed with this object, and when the thread that made it ends.
 class ChildProcess {
   public:
