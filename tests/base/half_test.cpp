@@ -33,13 +33,12 @@ TEST(Half, RoundsToNearestEven) {
         const auto upper = static_cast<std::uint16_t>(lower + 1);
         const auto middle = static_cast<float>((value(lower) + value(upper)) / 2);
         ASSERT_EQ(static_cast<double>(middle), (value(lower) + value(upper)) / 2);
-        const std::uint16_t even = (lower & 1u) == 0 ? lower : upper;
-        const auto minus = [](std::uint16_t half) { return static_cast<std::uint16_t>(half | 0x8000u); };
-        ASSERT_EQ(to_half(middle), even) << middle;
-        ASSERT_EQ(to_half(-middle), minus(even)) << middle;
-        ASSERT_EQ(to_half(std::nextafter(middle, 0.0f)), lower) << middle;
-        ASSERT_EQ(to_half(-std::nextafter(middle, 0.0f)), minus(lower)) << middle;
-        ASSERT_EQ(to_half(std::nextafter(middle, 1e30f)), upper) << middle;
+        for (const auto& [at, half] : {std::pair{middle, (lower & 1u) == 0 ? lower : upper},
+                                       {std::nextafter(middle, 0.0f), lower},
+                                       {std::nextafter(middle, 1e30f), upper}}) {
+            ASSERT_EQ(to_half(at), half) << at;
+            ASSERT_EQ(to_half(-at), half | 0x8000) << at;
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
+#include <fstream>
 #include <new>
 
 #include "base/files.hpp"
@@ -24,12 +24,9 @@ constexpr char out_of_memory = 'm';
 
 // Bytes of address space of this process.
 std::uint64_t own_memory() {
-    unsigned long pages = 0;
-    std::FILE* file = std::fopen("/proc/self/statm", "re");
-    if (file == nullptr) return 0;
-    const int read = std::fscanf(file, "%lu", &pages);
-    std::fclose(file);
-    return read == 1 ? std::uint64_t{pages} * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 // The result or the failure of the work, in one text.

@@ -2,6 +2,7 @@
 #include "base/cached_file.hpp"
 
 #define XXH_INLINE_ALL
+#include <fmt/format.h>
 #include <xxhash.h>
 
 #include <fstream>
@@ -26,11 +27,7 @@ struct Header {
 static_assert(std::is_trivially_copyable_v<Header> && std::has_unique_object_representations_v<Header>);
 
 Header header_of(const Hash& key, std::string_view payload) {
-    Header header;
-    header.key = key;
-    header.length = payload.size();
-    header.checksum = hash_of(payload);
-    return header;
+    return {.key = key, .length = payload.size(), .checksum = hash_of(payload)};
 }
 
 }  // namespace
@@ -41,11 +38,7 @@ Hash hash_of(std::string_view bytes) {
 }
 
 std::string to_hex(const Hash& hash) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string text;
-    for (const std::uint64_t word : hash)
-        for (int shift = 60; shift >= 0; shift -= 4) text += digits[(word >> shift) & 0xfu];
-    return text;
+    return fmt::format("{:016x}{:016x}", hash[0], hash[1]);
 }
 
 void Fingerprint::add(std::string_view field) {

@@ -17,10 +17,7 @@
 namespace gloam::base {
 
 FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
-    if (this != &other) {
-        reset();
-        number_ = other.release();
-    }
+    std::swap(number_, other.number_);
     return *this;
 }
 
@@ -85,15 +82,11 @@ std::string new_word() {
 
 // Creates a file with an unpredictable name.
 std::pair<fs::path, FileDescriptor> new_neighbour_of(const fs::path& path) {
-    constexpr int attempts = 8;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        // Not derived from `path`, because its name may already have the maximal length.
-        fs::path name = path.parent_path() / fmt::format(".gloam-{}.part", new_word());
-        FileDescriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-        if (file.is_open()) return {std::move(name), beyond_standard(std::move(file))};
-        if (errno != EEXIST) fail_to_write(path, errno);
-    }
-    fail_to_write(path, EEXIST);
+    // Not derived from `path`, because its name may already have the maximal length.
+    fs::path name = path.parent_path() / fmt::format(".gloam-{}.part", new_word());
+    FileDescriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!file.is_open()) fail_to_write(path, errno);
+    return {std::move(name), beyond_standard(std::move(file))};
 }
 
 // A folder, and those around it that are missing.

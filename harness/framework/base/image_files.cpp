@@ -3,6 +3,7 @@
 
 #include <stb_image_write.h>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -23,6 +24,7 @@ namespace gloam::base {
 namespace {
 
 using Triple = std::array<double, 3>;
+using Color = std::array<std::uint8_t, 3>;
 
 // Linear sRGB of a colour in Oklab (Ottosson 2020).
 Triple linear_from_oklab(double lightness, double a, double b) {
@@ -70,11 +72,6 @@ void append_bytes(void* out, void* data, int size) {
     static_cast<std::string*>(out)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
-void append_little_endian(std::string& out, float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>(bits >> shift & 0xFFU);
-}
-
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_with_file(const fs::path& file, const std::string& what) {
@@ -92,9 +89,8 @@ std::pair<FloatImage, bool> read_header(std::ifstream& stream, const fs::path& f
     const int channels = kind == "Pf" ? 1 : (kind == "PF" ? 3 : 0);
     if (channels == 0) fail_with_file(file, "not a PFM: expected it to begin with Pf or PF");
     const auto is_side = [](std::int64_t side) { return side >= 1 && side <= 1 << 20; };
-    if (!stream || !is_side(width) || !is_side(height) || !(scale < 0.0 || scale > 0.0)) {
+    if (!stream || !is_side(width) || !is_side(height) || !(scale < 0.0 || scale > 0.0))
         fail_with_file(file, "not a PFM: expected width, height and a scale that is not 0 behind " + kind);
-    }
     stream.get();
     return {{.width = static_cast<std::uint32_t>(width),
              .height = static_cast<std::uint32_t>(height),
@@ -107,10 +103,9 @@ void require_bytes(std::ifstream& stream, const fs::path& file, std::size_t want
     const auto here = stream.tellg();
     stream.seekg(0, std::ios::end);
     const auto there = static_cast<std::size_t>(stream.tellg() - here);
-    if (there != wanted) {
+    if (there != wanted)
         fail_with_file(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
                                  std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
-    }
     stream.seekg(here);
 }
 
@@ -124,17 +119,16 @@ void swap_bytes(std::vector<float>& texels) {
 }  // namespace
 
 std::string to_pfm(std::span<const float> texels, std::uint32_t width, std::uint32_t height, int channels) {
-    if (channels != 1 && channels != 3) {
+    static_assert(std::endian::native == std::endian::little);
+    if (channels != 1 && channels != 3)
         throw std::invalid_argument("a PFM has 1 or 3 channels, not " + std::to_string(channels));
-    }
     require_texels(texels.size(), width, height, channels);
     std::string file = channels == 1 ? "Pf\n" : "PF\n";
     file += std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
     const std::size_t row = std::size_t{width} * static_cast<std::size_t>(channels);
     file.reserve(file.size() + 4 * texels.size());
-    for (std::size_t y = height; y-- > 0;) {
-        for (const float value : texels.subspan(y * row, row)) append_little_endian(file, value);
-    }
+    for (std::size_t y = height; y-- > 0;)
+        file.append(reinterpret_cast<const char*>(&texels[y * row]), row * sizeof(float));
     return file;
 }
 
@@ -183,12 +177,11 @@ FloatImage read_pfm(const fs::path& file) {
     const std::size_t row = std::size_t{image.width} * static_cast<std::size_t>(image.channels);
     require_bytes(stream, file, row * image.height * sizeof(float));
     image.texels.resize(row * image.height);
-    for (std::size_t y = image.height; y-- > 0;) {  // rows come from the bottom
+    for (std::size_t y = image.height; y-- > 0;)  // rows come from the bottom
         stream.read(reinterpret_cast<char*>(image.texels.data() + y * row),
                     static_cast<std::streamsize>(row * sizeof(float)));
-    }
     if (!stream) fail_with_file(file, "cannot be read to its end");
-    if (little_endian != (std::endian::native == std::endian::little)) swap_bytes(image.texels);
+    if (!little_endian) swap_bytes(image.texels);
     return std::move(image);
 }
 

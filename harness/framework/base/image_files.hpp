@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -23,10 +22,7 @@ struct FloatImage {
 // it is missing, not a PFM, truncated, or longer than its header says.
 [[nodiscard]] FloatImage read_pfm(const std::filesystem::path& file);
 
-// sRGB, 8 bits.
-using Color = std::array<std::uint8_t, 3>;
-
-// Three bytes for each pixel, as to_png() takes them.
+// sRGB of 8 bits, three bytes for each pixel, as to_png() takes them.
 using RgbBytes = std::vector<std::uint8_t>;
 
 // Magnitudes of errors as a heat map: 0 is nearly black, then come violet and red; `full` (> 0) and more is

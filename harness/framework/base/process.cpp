@@ -114,13 +114,9 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : id_(std::exchange(other.id_, -1)), parent_(other.parent_) {}
 
 ChildProcess::~ChildProcess() {
-    if (id_ <= 0 || !is_ours()) return;
+    if (id_ <= 0 || parent_ != getpid()) return;
     kill();
     if (has_ended_by(Clock::now() + time_to_die)) (void)wait();
-}
-
-bool ChildProcess::is_ours() const {
-    return parent_ == getpid();
 }
 
 void ChildProcess::kill() const {

@@ -33,10 +33,6 @@ std::size_t character_size(std::string_view text) {
     return first == 0xc2U && byte(1) < 0xa0U ? 0 : size;
 }
 
-bool is_plain(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-}
-
 // The end of a string that begins at `at` with its quote: behind the quote that ends it.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
     for (++at; at < text.size() && text[at] != '"'; ++at)
@@ -96,9 +92,10 @@ bool is_name(std::string_view text) {
 
 std::string file_name_of(std::string_view text) {
     constexpr std::size_t longest = 100;
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
     std::string name;
     for (const char c : text) {
-        const bool stays = is_plain(c) || (c == '.' && !name.empty());
+        const bool stays = plain.find(c) != std::string_view::npos || (c == '.' && !name.empty());
         name += stays ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     if (name.size() > longest)
@@ -121,23 +118,25 @@ std::string base64(std::span<const unsigned char> bytes) {
     return text;
 }
 
-void require_bounded_json(std::string_view text, const JsonBounds& bounds) {
-    if (text.size() > bounds.bytes)
+void require_bounded_json(std::string_view text) {
+    constexpr std::size_t most_bytes = std::size_t{64} << 20;
+    constexpr std::size_t deepest = 64;
+    constexpr std::size_t most_members = 1000;
+    if (text.size() > most_bytes)
         throw std::runtime_error(
-            fmt::format("{} bytes of JSON, expected at most {}", text.size(), bounds.bytes));
+            fmt::format("{} bytes of JSON, expected at most {}", text.size(), most_bytes));
     std::vector<std::size_t> names;  // colons seen, in each array or object that is open
     for (std::size_t at = 0; at < text.size(); ++at) {
         const char c = text[at];
         if (c == '"') {
             at = end_of_string(text, at) - 1;
         } else if (c == '[' || c == '{') {
-            if (names.size() == bounds.depth)
-                exceed(text, at, fmt::format("nested more than {} deep", bounds.depth));
+            if (names.size() == deepest) exceed(text, at, fmt::format("nested more than {} deep", deepest));
             names.push_back(0);
         } else if ((c == ']' || c == '}') && !names.empty()) {
             names.pop_back();
-        } else if (c == ':' && !names.empty() && ++names.back() > bounds.members) {
-            exceed(text, at, fmt::format("an object of more than {} members", bounds.members));
+        } else if (c == ':' && !names.empty() && ++names.back() > most_members) {
+            exceed(text, at, fmt::format("an object of more than {} members", most_members));
         }
     }
 }

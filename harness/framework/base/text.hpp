@@ -36,16 +36,10 @@ namespace gloam::base {
 // Bytes as base64 (RFC 4648, section 4), with padding.
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
 
-// Bounds of a JSON text for parsers. Parsers recurse into nested values, and search each name of an object
-// among the names before it.
-struct JsonBounds {
-    std::size_t bytes = std::size_t{64} << 20;
-    std::size_t depth = 64;      // arrays and objects within each other
-    std::size_t members = 1000;  // of one object
-};
-
+// Bounds of a JSON text for parsers, which recurse into nested values, and search each name of an object
+// among the names before it: 64 MiB, 64 arrays and objects within each other, 1000 members of one object.
 // Throws std::runtime_error with the bound that a text exceeds, and the line. It does not test whether the
 // text is valid JSON; a parser finds no deeper nesting than this function.
-void require_bounded_json(std::string_view text, const JsonBounds& bounds = {});
+void require_bounded_json(std::string_view text);
 
 }  // namespace gloam::base

@@ -22,54 +22,35 @@ std::vector<Range> shares_of(std::size_t count, std::size_t most) {
     return shares;
 }
 
-namespace {
-
-// Shared by the threads of one call.
-struct Queue {
-    std::size_t count;
-    const std::function<void(std::size_t)>& work;
+void for_each_index(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
+                    const std::function<void(double)>& progress) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> failed{false};
     std::mutex mutex;
     std::exception_ptr failure;
-
-    // Does the next item. Returns false if none is left.
-    bool step() {
-        const std::size_t index = next++;
-        if (index >= count || failed) return false;
-        try {
-            work(index);
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!failure) failure = std::current_exception();
-            failed = true;
-        }
-        return true;
-    }
-};
-
-}  // namespace
-
-void for_each_index(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
-                    const std::function<void(double)>& progress) {
-    Queue queue{.count = count, .work = work};
-    const std::size_t wanted = threads > 0 ? threads : processors();
     double told = 0.0;
-    {
-        std::vector<std::jthread> others;
-        for (std::size_t i = 1; i < std::min(wanted, count); ++i) {
-            others.emplace_back([&queue] {
-                while (queue.step()) {
-                }
-            });
-        }
-        while (queue.step()) {
-            const auto begun = static_cast<double>(std::min<std::size_t>(queue.next, count));
-            told = begun / static_cast<double>(count);
+    // Does items until none is left, or one has failed.
+    const auto run = [&](bool tells) {
+        for (std::size_t index = next++; index < count && !failed; index = next++) {
+            try {
+                work(index);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                if (!failure) failure = std::current_exception();
+                failed = true;
+            }
+            if (!tells) continue;
+            told = static_cast<double>(std::min<std::size_t>(next, count)) / static_cast<double>(count);
             if (progress) progress(told);
         }
+    };
+    {
+        const std::size_t wanted = threads > 0 ? threads : processors();
+        std::vector<std::jthread> others;
+        for (std::size_t i = 1; i < std::min(wanted, count); ++i) others.emplace_back(run, false);
+        run(true);
     }
-    if (queue.failure) std::rethrow_exception(queue.failure);
+    if (failure) std::rethrow_exception(failure);
     if (progress && told < 1.0) progress(1.0);  // the other threads may have taken every item
 }
 

@@ -60,7 +60,7 @@ class JsonReader {
 };
 
 // Parses a text. Throws std::runtime_error with the line and column of invalid JSON, or with the bound of
-// base::JsonBounds that the text exceeds.
+// base::require_bounded_json() that the text exceeds.
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
 
 }  // namespace gloam::record

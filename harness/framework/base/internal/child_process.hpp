@@ -31,10 +31,6 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    // Whether this process made it. A process that was forked later has a copy of this object, but not the
-    // child.
-    [[nodiscard]] bool is_ours() const;
-
     void kill() const;
 
     // Waits for its end. Returns the status from waitpid().
@@ -46,7 +42,7 @@ class ChildProcess {
 
   private:
     pid_t id_ = -1;
-    pid_t parent_ = -1;
+    pid_t parent_ = -1;  // a process that was forked later has a copy of this object, but not the child
 };
 
 // Starts a program with these standard streams. command[0]: a path, or a name to find in PATH. Throws
