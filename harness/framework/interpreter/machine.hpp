@@ -203,25 +203,13 @@ class Machine {
     void set_sampling(std::uint64_t seed);
 
     // Limit of instructions in one run; a run with more throws Error (too_many_steps).
-    void set_limit(std::uint64_t steps) { limit_ = steps; }
+    void set_limit(std::uint64_t steps);
     // Instructions of all runs so far.
-    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+    [[nodiscard]] std::uint64_t steps() const;
 
   private:
-    void prepare();
-    void set_built_ins(const Invocation& invocation, std::span<Value<Number>> slots);
-    template <class Tell>
-    void execute(Tell&& tell);
-    template <class Tell>
-    void step(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uint8_t& format);
-    template <class Tell>
-    void execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uint8_t& format);
-
     Program program_;
     base::Hidden<internal::State<Number>> state_;
-    std::uint64_t limit_ = 50'000'000;
-    std::uint64_t steps_ = 0;
-    Order order_ = Order::forward;
 };
 
 }  // namespace gloam::interpreter

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include <glm/gtc/packing.hpp>
-
 #include "interpreter/internal/conversions.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
@@ -43,21 +41,13 @@ numeric::Interval exponent_of(const numeric::Interval& x) {
 
 namespace internal {
 
-Word half_bits(float x) {
-    return glm::packHalf1x16(scalars::quantize_to_half(x));
-}
-
-float half_value(Word bits) {
-    return glm::unpackHalf1x16(static_cast<glm::uint16>(bits));
-}
-
 // One of the possible halfs. Their bits increase with their magnitude; a subnormal may be flushed to zero.
 Word HalfBits::operator()(const numeric::Interval& x) const {
     constexpr int most = 64;
     constexpr int sign = 0x8000;
     if (x.may_be_nan() || x.bounds().empty()) throw numeric::Paths::Undetermined{};
     const auto ordinal = [](double value) {
-        const auto bits = static_cast<int>(half_bits(static_cast<float>(value)));
+        const auto bits = static_cast<int>(base::to_half(static_cast<float>(value)));
         return (bits & sign) != 0 ? -(bits & ~sign) : bits;
     };
     const int low = ordinal(numeric::float16.round_down(x.low()));

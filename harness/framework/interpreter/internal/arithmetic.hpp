@@ -36,22 +36,6 @@ template <class N, class... Operands>
     return result;
 }
 
-// An operation on these operands, component by component.
-template <class N, class F, auto... Operands>
-void on_numbers(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k) {
-        const std::array<N, sizeof...(Operands)> all{s.number(i, i.*Operands + k)...};
-        const auto result = [&](const auto&... x) { return assumed(i, apply(F{}, x...), x...); };
-        s.set(i, i.result + k, std::apply(result, all));
-    }
-}
-template <class N, class F>
-inline constexpr auto unary = on_numbers<N, F, &Instruction::a>;
-template <class N, class F>
-inline constexpr auto binary = on_numbers<N, F, &Instruction::a, &Instruction::b>;
-template <class N, class F>
-inline constexpr auto ternary = on_numbers<N, F, &Instruction::a, &Instruction::b, &Instruction::c>;
-
 // The value of a number; NaN of an interval, whose operations tell by themselves what is undefined.
 template <class N>
 [[nodiscard]] double known_value(const N& x) {
@@ -110,25 +94,36 @@ template <class N>
     return contracted<Multiply>(i, x, y);
 }
 
-template <class N, class F>
-void arithmetic(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k) {
-        const N x = s.number(i, i.a + k);
-        const N y = s.number(i, i.b + k * i.stride);
-        if constexpr (std::is_same_v<F, Multiply>) {
-            s.set(i, i.result + k, assumed(i, product(i, x, y), x, y));
-        } else {
-            s.set(i, i.result + k, assumed(i, contracted<F>(i, x, y), x, y));
-        }
+// The operations to which NoContraction applies.
+template <class F>
+inline constexpr bool may_contract = std::is_same_v<F, Add> || std::is_same_v<F, Subtract> ||
+                                     std::is_same_v<F, Divide> || std::is_same_v<F, Negate>;
+template <class F, class N, class... More>
+[[nodiscard]] auto result_of(const Instruction& i, const N& x, const More&... more) {
+    if constexpr (std::is_same_v<F, Multiply>) {
+        return product(i, x, more...);
+    } else if constexpr (may_contract<F>) {
+        return contracted<F>(i, x, more...);
+    } else {
+        return apply(F{}, x, more...);
     }
 }
 
-template <class N>
-void negate(State<N>& s, const Instruction& i) {
+// An operation on these operands, component by component; the second may be one scalar for all.
+template <class N, class F, auto... Operands>
+void on_numbers(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
-        const N x = s.number(i, i.a + k);
-        s.set(i, i.result + k, assumed(i, contracted<Negate>(i, x), x));
+        const std::array<N, sizeof...(Operands)> all{
+            s.number(i, i.*Operands + (Operands == &Instruction::b ? k * i.stride : k))...};
+        const auto result = [&](const auto&... x) { return assumed(i, result_of<F>(i, x...), x...); };
+        s.set(i, i.result + k, std::apply(result, all));
     }
 }
+template <class N, class F>
+inline constexpr auto unary = on_numbers<N, F, &Instruction::a>;
+template <class N, class F>
+inline constexpr auto binary = on_numbers<N, F, &Instruction::a, &Instruction::b>;
+template <class N, class F>
+inline constexpr auto ternary = on_numbers<N, F, &Instruction::a, &Instruction::b, &Instruction::c>;
 
 }  // namespace gloam::interpreter::internal

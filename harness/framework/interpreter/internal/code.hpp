@@ -67,12 +67,11 @@ enum QuadPick : std::uint32_t { row = 0, second = 1, other_line = 2, column = 4 
 
 namespace flags {
 inline constexpr std::uint8_t no_contraction = 1;
-inline constexpr std::uint8_t relaxed = 2;          // may be done in half precision
-inline constexpr std::uint8_t half = 4;             // 16-bit floats
-inline constexpr std::uint8_t is_signed = 8;        // integers
-inline constexpr std::uint8_t result_is_used = 16;  // of an atomic operation
-inline constexpr std::uint8_t reads_first = 32;     // all operands before the first result
-inline constexpr std::uint8_t derivative = 64;      // a part of one, though the operation is arithmetic
+inline constexpr std::uint8_t relaxed = 2;         // may be done in half precision
+inline constexpr std::uint8_t half = 4;            // 16-bit floats
+inline constexpr std::uint8_t result_is_used = 8;  // of an atomic operation
+inline constexpr std::uint8_t reads_first = 16;    // all operands before the first result
+inline constexpr std::uint8_t derivative = 32;     // a part of one, though the operation is arithmetic
 }  // namespace flags
 
 struct Instruction {

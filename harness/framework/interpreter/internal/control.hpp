@@ -134,7 +134,7 @@ template <class N>
     const Value<N> word = s.read(pointer, offset);
     if ((offset & 1U) == 0 || word.is_undefined()) return word;
     const Word half = word.bits() >> (((pointer.offset + offset) & 2U) * 8U) & 0xffffU;
-    return Value<N>::of_float(std::bit_cast<Word>(half_value(half)));
+    return Value<N>::of_float(float_of_half(half));
 }
 
 template <class N>

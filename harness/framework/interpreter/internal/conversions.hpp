@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/half.hpp"
 #include "interpreter/internal/integers.hpp"
 #include "interpreter/internal/vectors.hpp"
 #include "numeric/paths.hpp"
@@ -193,14 +194,15 @@ void unpack(State<N>& s, const Instruction& i) {
     }
 }
 
-// Conversion between a half's bits and its value.
-[[nodiscard]] Word half_bits(float x);
-[[nodiscard]] float half_value(Word bits);
+// The bits of a float with the value of the half that has these bits.
+[[nodiscard]] inline Word float_of_half(Word bits) {
+    return std::bit_cast<Word>(base::from_half(static_cast<std::uint16_t>(bits)));
+}
 
 struct HalfBits {
     template <class N>
     Word operator()(const N& x) const {
-        return half_bits(static_cast<float>(x));
+        return base::to_half(static_cast<float>(x));
     }
     Word operator()(const numeric::Interval& x) const;
 };
@@ -218,7 +220,7 @@ template <class N>
 void do_unpack_halves(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Word bits = s.bits(i.a + k / 2) >> (16U * (k % 2)) & 0xffffU;
-        s.slots[i.result + k] = Value<N>::of_float(std::bit_cast<Word>(half_value(bits)));
+        s.slots[i.result + k] = Value<N>::of_float(float_of_half(bits));
     }
 }
 
@@ -235,10 +237,8 @@ void pack_half(State<N>& s, const Instruction& i) {
 template <class N>
 void unpack_half(State<N>& s, const Instruction& i) {
     const Word packed = s.bits(i.a);
-    for (std::uint32_t k = 0; k < 2; ++k) {
-        const float value = half_value(packed >> (16U * k) & 0xffffU);
-        s.set(i, i.result + k, number_from_bits<N>(std::bit_cast<Word>(value)));
-    }
+    for (std::uint32_t k = 0; k < 2; ++k)
+        s.set(i, i.result + k, number_from_bits<N>(float_of_half(packed >> (16U * k) & 0xffffU)));
 }
 
 // One of two numbers, whichever a driver takes.

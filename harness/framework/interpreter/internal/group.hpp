@@ -341,20 +341,19 @@ void pass_barrier(State<N>& s, const std::vector<std::uint32_t>& lanes, const In
     }
 }
 
-// Lets lanes that wait go on. Returns those, which have executed the instruction before their next one; none
-// where all have ended. `at`: receives the instruction, for faults.
+// Lets lanes that wait go on: they execute the instruction before their next one. False where all have ended.
 template <class N>
-std::vector<std::uint32_t> meet(State<N>& s, std::uint32_t& at) {
-    std::vector<std::uint32_t> lanes = next_meeting(s);
-    if (lanes.empty()) return lanes;
-    at = s.lanes[lanes.front()].next - 1;
-    const Instruction& i = s.code.instructions[at];
+bool meet(State<N>& s) {
+    const std::vector<std::uint32_t> lanes = next_meeting(s);
+    if (lanes.empty()) return false;
+    s.at = s.lanes[lanes.front()].next - 1;
+    const Instruction& i = s.code.instructions[s.at];
     if (i.op == barrier) {
         pass_barrier(s, lanes, i);
     } else {
         Meeting<N>(s, lanes).hold();
     }
-    return lanes;
+    return true;
 }
 
 }  // namespace gloam::interpreter::internal

@@ -26,15 +26,9 @@ inline constexpr Word magnitude_mask = 0x7fffffffU;  // of a float: all but its 
 [[nodiscard]] constexpr Word mask_of(Word width) {
     return width >= word_bits ? ~Word{0} : (Word{1} << width) - 1U;
 }
-[[nodiscard]] constexpr Word quotient(Word x, Word y) {
-    return y == 0 ? ~Word{0} : x / y;
-}
 [[nodiscard]] constexpr Word signed_quotient(Word x, Word y) {
     if (y == 0) return ~Word{0};
     return y == ~Word{0} ? Word{0} - x : static_cast<Word>(as_int(x) / as_int(y));
-}
-[[nodiscard]] constexpr Word remainder_of(Word x, Word y) {
-    return y == 0 ? ~Word{0} : x % y;
 }
 [[nodiscard]] constexpr Word signed_remainder(Word x, Word y) {
     if (y == 0) return ~Word{0};

@@ -100,12 +100,10 @@ std::uint8_t Lowering::flags_of(Id result, Id type) const {
     const Type& scalar = module_.types.scalar_of(type);
     const Decorations decorations = module_.declared.decorations_of(result);
     std::uint8_t all = 0;
-    if (scalar.kind == Type::Kind::real) {
-        if (decorations.no_contraction) all |= flags::no_contraction;
-        if (decorations.relaxed) all |= flags::relaxed;
-        if (scalar.width == 16) all |= flags::half;
-    }
-    if (scalar.kind == Type::Kind::integer && scalar.is_signed) all |= flags::is_signed;
+    if (scalar.kind != Type::Kind::real) return all;
+    if (decorations.no_contraction) all |= flags::no_contraction;
+    if (decorations.relaxed) all |= flags::relaxed;
+    if (scalar.width == 16) all |= flags::half;
     return all;
 }
 
@@ -290,8 +288,7 @@ void Lowering::lower(const shader::Instruction& i) {
     if (lower_control(i) || lower_memory(i) || lower_composite(i) || lower_matrix(i) || lower_atomic(i) ||
         lower_image(i) || lower_sampling(i) || lower_group(i))
         return;
-    if (i.opcode == SpvOpExtInst) return lower_extended(i);
-    lower_componentwise(i);
+    lower_operation(i);
 }
 
 }  // namespace gloam::interpreter::internal

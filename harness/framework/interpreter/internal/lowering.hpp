@@ -81,14 +81,12 @@ class Lowering {
     void lower_derivative(const shader::Instruction& i);
     void lower_collective(const shader::Instruction& i);
     void list_offsets(const PointerInfo& pointer, Instruction& instruction);
-    void lower_componentwise(const shader::Instruction& i);
+    void lower_operation(const shader::Instruction& i);
     void lower_bits(const shader::Instruction& i);
-    void lower_extended(const shader::Instruction& i);
     void lower_call(const shader::Instruction& i);
     void lower_access_chain(const shader::Instruction& i);
     void lower_local_variable(const shader::Instruction& i);
     void lower_shuffle(const shader::Instruction& i);
-    void lower_construct(const shader::Instruction& i);
     void lower_switch(const shader::Instruction& i);
     void load(Slot result, const PointerInfo& from, std::uint8_t flags);
     void store(const PointerInfo& to, Slot value);
@@ -108,7 +106,6 @@ class Lowering {
     [[nodiscard]] std::uint8_t flags_of(Id result, Id type) const;
     // Whether an instruction of the function names the result of another one.
     [[nodiscard]] bool is_used(Id result) const;
-    [[nodiscard]] bool is_relaxed(Id id) const { return module_.declared.decorations_of(id).relaxed; }
     void remember_place(const shader::Instruction& i);
     [[noreturn]] void fail(Error::Kind kind, const std::string& message) const;
 

@@ -268,7 +268,11 @@ bool Lowering::lower_control(const shader::Instruction& i) {
         }
         case SpvOpSelectionMerge:
         case SpvOpLoopMerge:
-            if (module_.meets()) lower_construct(i);
+            if (module_.meets()) {
+                const std::uint32_t behind = edge_to(i.word(1));
+                const std::uint32_t continues = i.opcode == SpvOpLoopMerge ? edge_to(i.word(2)) + 1 : 0;
+                emit(construct, 0, 0, 0, continues).extra = behind;
+            }
             return true;
         case SpvOpBranch: {
             const std::uint32_t edge = edge_to(i.word(1));
@@ -308,12 +312,6 @@ bool Lowering::lower_control(const shader::Instruction& i) {
         default:
             return false;
     }
-}
-
-void Lowering::lower_construct(const shader::Instruction& i) {
-    const std::uint32_t behind = edge_to(i.word(1));
-    const std::uint32_t continues = i.opcode == SpvOpLoopMerge ? edge_to(i.word(2)) + 1 : 0;
-    emit(construct, 0, 0, 0, continues).extra = behind;
 }
 
 void Lowering::lower_switch(const shader::Instruction& i) {

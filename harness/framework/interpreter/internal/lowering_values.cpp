@@ -189,52 +189,38 @@ bool Lowering::lower_matrix(const shader::Instruction& i) {
     }
 }
 
-void Lowering::lower_componentwise(const shader::Instruction& i) {
-    const auto opcode = static_cast<std::uint16_t>(i.opcode);
-    const Known* known = known_operation(opcode);
-    if (known == nullptr || i.words.size() < known->arity + 3U)
-        fail(Error::Kind::unknown_instruction,
-             fmt::format("{} is not known to the interpreter", name_of(opcode)));
-    const Id operand_type = type_of(i.word(3));
-    const std::uint32_t count = module_.types.slots(known->has_count_of_operand() ? operand_type : i.word(1));
-    const Type& scalar = module_.types.scalar_of(operand_type);
-    const Type& to = module_.types.scalar_of(i.word(1));
-    std::array<Slot, 4> operands{};
-    for (std::size_t k = 0; k < known->arity; ++k) operands.at(k) = slot_of(i.word(k + 3));
-    Instruction& instruction = emit(opcode, count, slot_of(i.word(2)), operands[0], operands[1], operands[2]);
-    instruction.extra = operands[3];
-    instruction.flags = flags_of(i.word(2), i.word(1));
-    if (known->reads_all_first()) instruction.flags |= flags::reads_first;
-    if (opcode == SpvOpVectorTimesScalar || opcode == SpvOpMatrixTimesScalar) instruction.stride = 0;
-    if (to.kind == Type::Kind::boolean && scalar.kind == Type::Kind::real) {
-        for (std::size_t k = 0; k < known->arity; ++k)
-            if (is_relaxed(i.word(k + 3))) instruction.flags |= flags::relaxed;
-    }
-    if (known->form == Form::arithmetic && (instruction.flags & flags::no_contraction) == 0)
-        code_.may_be_rearranged = true;
-}
-
-void Lowering::lower_extended(const shader::Instruction& i) {
-    if (!module_.declared.extended_sets.contains(i.word(3)) || i.word(4) >= GLSLstd450Count)
+// An operation of SPIR-V or of GLSL.std.450 on numbers.
+void Lowering::lower_operation(const shader::Instruction& i) {
+    const bool is_extended = i.opcode == SpvOpExtInst;
+    if (is_extended && (!module_.declared.extended_sets.contains(i.word(3)) || i.word(4) >= GLSLstd450Count))
         fail(Error::Kind::unknown_instruction,
              "an extended instruction that is not of GLSL.std.450 (debugPrintfEXT)");
-    const auto opcode = static_cast<std::uint16_t>(extended + i.word(4));
+    const std::size_t first = is_extended ? 5 : 3;
+    const auto opcode = static_cast<std::uint16_t>(is_extended ? extended + i.word(4) : i.opcode);
     const Known* known = known_operation(opcode);
-    if (known == nullptr || i.words.size() < known->arity + 5U)
+    if (known == nullptr || i.words.size() < known->arity + first)
         fail(Error::Kind::unknown_instruction,
              fmt::format("{} is not known to the interpreter", name_of(opcode)));
-    std::array<Slot, 3> operands{};
     const bool by_pointer = writes_through_pointer(opcode);
+    std::array<Slot, 4> operands{};
     for (std::size_t k = 0; k < (by_pointer ? 1U : known->arity); ++k)
-        operands.at(k) = slot_of(i.word(k + 5));
-    const std::uint32_t count =
-        module_.types.slots(known->has_count_of_operand() ? type_of(i.word(5)) : i.word(1));
+        operands.at(k) = slot_of(i.word(first + k));
+    const Id operand_type = type_of(i.word(first));
+    const Type& to = module_.types.at(i.word(1));
+    const std::uint32_t count = module_.types.slots(known->has_count_of_operand() ? operand_type : i.word(1));
     const Slot result = by_pointer ? new_slots(2 * count) : slot_of(i.word(2));
     Instruction& instruction = emit(opcode, count, result, operands[0], operands[1], operands[2]);
-    instruction.flags = flags_of(i.word(2), i.word(1));
-    if (module_.types.at(i.word(1)).kind == Type::Kind::structure || by_pointer)
-        instruction.flags = flags_of(i.word(2), type_of(i.word(5)));
+    instruction.extra = operands[3];
+    const bool to_two = to.kind == Type::Kind::structure || by_pointer;
+    instruction.flags = flags_of(i.word(2), to_two ? operand_type : i.word(1));
     if (known->reads_all_first()) instruction.flags |= flags::reads_first;
+    if (opcode == SpvOpVectorTimesScalar || opcode == SpvOpMatrixTimesScalar) instruction.stride = 0;
+    const bool compares = module_.types.scalar_of(i.word(1)).kind == Type::Kind::boolean &&
+                          module_.types.scalar_of(operand_type).kind == Type::Kind::real;
+    for (std::size_t k = 0; compares && k < known->arity; ++k)
+        if (module_.declared.decorations_of(i.word(first + k)).relaxed) instruction.flags |= flags::relaxed;
+    if (known->form == Form::arithmetic && (instruction.flags & flags::no_contraction) == 0)
+        code_.may_be_rearranged = true;
     if (!by_pointer) return;
     emit(copy, count, slot_of(i.word(2)), result);
     store(pointer_of(i.word(6)), result + count);

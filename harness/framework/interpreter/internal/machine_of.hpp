@@ -101,6 +101,16 @@ Machine<N>::Machine(const Program& program)
 
 namespace internal {
 
+template <class N>
+void set_built_ins(const Code& code, const Invocation& at, std::span<Value<N>> slots) {
+    for (const BuiltIn& built_in : code.built_ins)
+        for (std::uint32_t k = 0; k < built_in.count; ++k) {
+            const Word word = built_in_word(at, built_in.built_in, k);
+            slots[built_in.slot + k] =
+                built_in.built_in == SpvBuiltInFragCoord ? Value<N>::of_float(word) : Value<N>::of_bits(word);
+        }
+}
+
 // Calls act(resource, its contents) for each resource at a binding.
 template <class N, class Act>
 void for_each_at(State<N>& s, std::uint32_t set, std::uint32_t binding, const Act& act) {
@@ -144,20 +154,10 @@ void Machine<N>::bind_push_constants(std::span<const Word> words) {
 }
 
 template <class N>
-void Machine<N>::set_built_ins(const Invocation& at, std::span<Value<N>> slots) {
-    for (const internal::BuiltIn& built_in : state_->code.built_ins)
-        for (std::uint32_t k = 0; k < built_in.count; ++k) {
-            const Word word = internal::built_in_word(at, built_in.built_in, k);
-            slots[built_in.slot + k] =
-                built_in.built_in == SpvBuiltInFragCoord ? Value<N>::of_float(word) : Value<N>::of_bits(word);
-        }
-}
-
-template <class N>
 void Machine<N>::set_invocation(const Invocation& invocation) {
     state_->lanes.clear();
     state_->races.reset();
-    set_built_ins(invocation, state_->slots);
+    internal::set_built_ins<N>(state_->code, invocation, state_->slots);
 }
 
 template <class N>
@@ -173,109 +173,115 @@ void Machine<N>::set_group(const Invocation& first, Order order) {
         state_->races.emplace(state_->code, static_cast<std::uint32_t>(count), first.subgroup_size);
     }
     state_->subgroup_size = first.subgroup_size;
-    order_ = order;
+    state_->order = order;
     Invocation at = first;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
         at.local = {lane % size[0], lane / size[0] % size[1], lane / size[0] / size[1]};
-        set_built_ins(at, state_->lanes[lane].slots);
+        internal::set_built_ins<N>(state_->code, at, state_->lanes[lane].slots);
     }
 }
 
+namespace internal {
+
 template <class N>
-void Machine<N>::prepare() {
-    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
-        internal::Backing<N>& backing = state_->backings[r];
-        const bool shared = state_->code.resources[r].shared_words > 0;
+void prepare(State<N>& s) {
+    for (std::size_t r = 0; r < s.backings.size(); ++r) {
+        Backing<N>& backing = s.backings[r];
+        const bool shared = s.code.resources[r].shared_words > 0;
         for (const std::uint32_t word : backing.dirty)
             backing.values[word] = shared ? Value<N>() : Value<N>::of_bits(backing.words[word]);
         backing.dirty.clear();
     }
-    state_->next = 0;
-    state_->cost = 0;
-    state_->running = true;
-    state_->waits = false;
-    state_->undefinedness = {};
-    for (internal::Lane<N>& lane : state_->lanes) {
+    s.next = 0;
+    s.cost = 0;
+    s.at = 0;
+    s.end = s.steps + s.limit;
+    s.running = true;
+    s.waits = false;
+    s.undefinedness = {};
+    for (Lane<N>& lane : s.lanes) {
         lane.next = 0;
         lane.way = {};
         lane.fenced = 0;
-        lane.progress = internal::Lane<N>::Progress::runs;
+        lane.progress = Lane<N>::Progress::runs;
     }
-    if (state_->races) state_->races->begin();
+    if (s.races) s.races->begin();
+    s.format = 0;
+    if constexpr (has_intervals<N>) numeric::Paths::set_format(numeric::float32);
+    if (s.sampling) numeric::Paths::draw_wholes(*s.sampling);
 }
+
+// Hears of each instruction, after it.
+using Tell = std::function<void(const Instruction&)>;
 
 // Runs an invocation until it ends or waits.
 template <class N>
-template <class Tell>
-void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uint8_t& format) {
-    internal::State<N>& s = *state_;
-    const internal::Instruction* const code = s.code.instructions.data();
-    for (; s.running; ++steps_) {
-        steps_ += std::exchange(s.cost, 0);
-        if (steps_ >= end)
-            throw internal::Fault{Error::Kind::too_many_steps,
-                                  fmt::format("more than {} instructions", limit_)};
-        at = s.next++;
-        const internal::Instruction& i = code[at];
-        if constexpr (internal::has_intervals<N>) {
-            constexpr std::uint8_t all = internal::flags::relaxed | internal::flags::half;
+void step(State<N>& s, const Tell& tell) {
+    const Instruction* const code = s.code.instructions.data();
+    for (; s.running; ++s.steps) {
+        s.steps += std::exchange(s.cost, 0);
+        if (s.steps >= s.end)
+            throw Fault{Error::Kind::too_many_steps, fmt::format("more than {} instructions", s.limit)};
+        s.at = s.next++;
+        const Instruction& i = code[s.at];
+        if constexpr (has_intervals<N>) {
+            constexpr std::uint8_t all = flags::relaxed | flags::half;
             const auto wanted = static_cast<std::uint8_t>(i.flags & all);
-            if (wanted != format) numeric::Paths::set_format(internal::format_of(wanted));
-            format = wanted;
+            if (wanted != s.format) numeric::Paths::set_format(format_of(wanted));
+            s.format = wanted;
         }
-        s.handlers[at](s, i);
+        s.handlers[s.at](s, i);
         if (s.undefinedness.touched) s.forget_touched();
-        tell(i);
+        if (tell) tell(i);
     }
 }
 
 template <class N>
-template <class Tell>
-void Machine<N>::execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uint8_t& format) {
-    internal::State<N>& s = *state_;
+void execute_group(State<N>& s, const Tell& tell) {
     const auto count = static_cast<std::uint32_t>(s.lanes.size());
-    // A fault must not leave an invocation's values in the place of the group's.
-    const auto in_lane = [&](std::uint32_t lane, auto&& run) {
-        internal::enter(s, lane);
-        try {
-            run();
-        } catch (...) {
-            internal::leave(s);
-            throw;
-        }
-        internal::leave(s);
-    };
     do {
         for (std::uint32_t k = 0; k < count; ++k) {
-            const std::uint32_t lane = order_ == Order::forward ? k : count - 1 - k;
-            if (s.lanes[lane].progress == internal::Lane<N>::Progress::runs)
-                in_lane(lane, [&] { step(tell, at, end, format); });
+            const std::uint32_t lane = s.order == Order::forward ? k : count - 1 - k;
+            if (s.lanes[lane].progress != Lane<N>::Progress::runs) continue;
+            enter(s, lane);
+            try {
+                step(s, tell);
+            } catch (...) {
+                leave(s);  // a fault must not leave an invocation's values in the place of the group's
+                throw;
+            }
+            leave(s);
         }
-    } while (!internal::meet(s, at).empty());
+    } while (meet(s));
 }
 
 template <class N>
-template <class Tell>
-void Machine<N>::execute(Tell&& tell) {
-    prepare();
-    internal::State<N>& s = *state_;
-    std::uint32_t at = 0;
-    std::uint8_t format = 0;
-    const std::uint64_t end = steps_ + limit_;
-    if constexpr (internal::has_intervals<N>) numeric::Paths::set_format(numeric::float32);
-    if (s.sampling) numeric::Paths::draw_wholes(*s.sampling);
+void execute(State<N>& s, const Tell& tell = {}) {
+    prepare(s);
     try {
-        if (!s.lanes.empty()) return execute_group(tell, at, end, format);
+        if (!s.lanes.empty()) return execute_group(s, tell);
         do {
             s.running = true;
-            step(tell, at, end, format);
-            if (s.waits && s.code.instructions[at].op != internal::barrier)
-                throw internal::Fault{Error::Kind::unknown_instruction,
-                                      "an operation of several invocations, and there is one"};
+            step(s, tell);
+            if (s.waits && s.code.instructions[s.at].op != barrier)
+                throw Fault{Error::Kind::unknown_instruction,
+                            "an operation of several invocations, and there is one"};
         } while (std::exchange(s.waits, false));
-    } catch (const internal::Fault& fault) {
-        throw Error(fault.kind, fault.message, s.code.places[s.code.instructions[at].place]);
+    } catch (const Fault& fault) {
+        throw Error(fault.kind, fault.message, s.code.places[s.code.instructions[s.at].place]);
     }
+}
+
+}  // namespace internal
+
+template <class N>
+void Machine<N>::set_limit(std::uint64_t steps) {
+    state_->limit = steps;
+}
+
+template <class N>
+std::uint64_t Machine<N>::steps() const {
+    return state_->steps;
 }
 
 template <class N>
@@ -285,12 +291,12 @@ void Machine<N>::set_sampling(std::uint64_t seed) {
 
 template <class N>
 void Machine<N>::run() {
-    execute([](const internal::Instruction&) {});
+    internal::execute(*state_);
 }
 
 template <class N>
 void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
-    execute([&](const internal::Instruction& i) {
+    internal::execute(*state_, [&](const internal::Instruction& i) {
         // Others move existing values, or wait.
         if (i.op >= internal::copy && i.op != internal::image_sample) return;
         tell({.place = state_->code.places[i.place],
@@ -302,7 +308,7 @@ void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
 
 template <class N>
 void Machine<N>::run(Coverage& coverage) {
-    execute([&](const internal::Instruction& i) {
+    internal::execute(*state_, [&](const internal::Instruction& i) {
         const auto at = static_cast<std::size_t>(&i - state_->code.instructions.data());
         if (i.op != internal::select) return coverage.add(at, state_->next);
         for (std::uint32_t k = 0; k < (i.stride == 0 ? 1 : i.count); ++k)

@@ -2,6 +2,8 @@
 #include "interpreter/internal/module.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
 #include <bit>
 
 #include "interpreter/internal/conversions.hpp"
@@ -22,10 +24,6 @@ std::uint32_t bounded(std::uint64_t slots) {
 
 [[noreturn]] void malformed(const std::string& message) {
     throw Error(Error::Kind::malformed, message);
-}
-
-bool is_half(const Type& type) {
-    return type.kind == Type::Kind::real && type.width == 16;
 }
 
 std::vector<shader::Instruction> split(const shader::Spirv& words) {
@@ -93,23 +91,12 @@ std::uint32_t dimensions_of(const Type& image) {
 }
 
 std::uint32_t channels_of(const Type& image) {
-    switch (image.format) {
-        case SpvImageFormatR32f:
-        case SpvImageFormatR32i:
-        case SpvImageFormatR32ui:
-        case SpvImageFormatR16f:
-        case SpvImageFormatR16ui:
-        case SpvImageFormatR8:
-            return 1;
-        case SpvImageFormatRg32f:
-        case SpvImageFormatRg32i:
-        case SpvImageFormatRg32ui:
-        case SpvImageFormatRg16f:
-        case SpvImageFormatRg16ui:
-            return 2;
-        default:
-            return 4;
-    }
+    constexpr std::array<std::uint32_t, 6> one{SpvImageFormatR32f, SpvImageFormatR32i,  SpvImageFormatR32ui,
+                                               SpvImageFormatR16f, SpvImageFormatR16ui, SpvImageFormatR8};
+    constexpr std::array<std::uint32_t, 5> two{SpvImageFormatRg32f, SpvImageFormatRg32i, SpvImageFormatRg32ui,
+                                               SpvImageFormatRg16f, SpvImageFormatRg16ui};
+    if (std::ranges::find(one, image.format) != one.end()) return 1;
+    return std::ranges::find(two, image.format) != two.end() ? 2 : 4;
 }
 
 void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scalar_stride, std::uint32_t base,
@@ -234,8 +221,9 @@ void Module::read_constant(const shader::Instruction& i) {
             break;
         case SpvOpConstant:
         case SpvOpSpecConstant:
-            value.bits = {is_half(types.at(value.type)) ? std::bit_cast<Word>(half_value(i.word(3) & 0xffffU))
-                                                        : i.word(3)};
+            value.bits = {types.at(value.type).kind == Type::Kind::real && types.at(value.type).width == 16
+                              ? float_of_half(i.word(3) & 0xffffU)
+                              : i.word(3)};
             break;
         case SpvOpConstantComposite:
         case SpvOpSpecConstantComposite:

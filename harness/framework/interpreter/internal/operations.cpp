@@ -64,43 +64,35 @@ std::string where_text(const Place& place) {
 }
 
 std::string cause_of(const Code& code, const Instruction& instruction) {
-    switch (instruction.op) {
-        case undefine: {
-            const std::string& name = code.variables.at(instruction.extra);
-            return name.empty() ? "a value was never written or returned"
-                                : fmt::format("\"{}\" was never written", name);
-        }
-        case SpvOpUDiv:
-            return "an integer is divided by 0";
-        case SpvOpSDiv:
-            return "an integer is divided by 0, or -2147483648 by -1";
-        case SpvOpUMod:
-            return "% by 0";
-        case SpvOpSRem:
-        case SpvOpSMod:
-            return "% by 0, or of a negative number";
-        case SpvOpShiftLeftLogical:
-        case SpvOpShiftRightLogical:
-        case SpvOpShiftRightArithmetic:
-            return "a shift by less than 0 or by more than 31";
-        case SpvOpBitFieldInsert:
-        case SpvOpBitFieldSExtract:
-        case SpvOpBitFieldUExtract:
-            return "bits outside the 32 of a word";
-        case SpvOpConvertFToS:
-            return "int() of NaN or of a number beyond an int";
-        case SpvOpConvertFToU:
-            return "uint() of NaN, of a negative number or of one beyond a uint";
-        case extended + GLSLstd450FClamp:
-        case extended + GLSLstd450UClamp:
-        case extended + GLSLstd450SClamp:
-        case extended + GLSLstd450NClamp:
-            return "clamp() with its lower end above the upper one";
-        case extended + GLSLstd450Ldexp:
-            return "ldexp() with an exponent or a product beyond the type";
-        default:
-            return name_of(instruction.op) + " has no defined result";
+    constexpr const char* shift = "a shift by less than 0 or by more than 31";
+    constexpr const char* field = "bits outside the 32 of a word";
+    constexpr const char* clamp = "clamp() with its lower end above the upper one";
+    static const std::map<std::uint16_t, const char*> causes{
+        {SpvOpUDiv, "an integer is divided by 0"},
+        {SpvOpSDiv, "an integer is divided by 0, or -2147483648 by -1"},
+        {SpvOpUMod, "% by 0"},
+        {SpvOpSRem, "% by 0, or of a negative number"},
+        {SpvOpSMod, "% by 0, or of a negative number"},
+        {SpvOpShiftLeftLogical, shift},
+        {SpvOpShiftRightLogical, shift},
+        {SpvOpShiftRightArithmetic, shift},
+        {SpvOpBitFieldInsert, field},
+        {SpvOpBitFieldSExtract, field},
+        {SpvOpBitFieldUExtract, field},
+        {SpvOpConvertFToS, "int() of NaN or of a number beyond an int"},
+        {SpvOpConvertFToU, "uint() of NaN, of a negative number or of one beyond a uint"},
+        {extended + GLSLstd450FClamp, clamp},
+        {extended + GLSLstd450UClamp, clamp},
+        {extended + GLSLstd450SClamp, clamp},
+        {extended + GLSLstd450NClamp, clamp},
+        {extended + GLSLstd450Ldexp, "ldexp() with an exponent or a product beyond the type"}};
+    if (instruction.op == undefine) {
+        const std::string& name = code.variables.at(instruction.extra);
+        return name.empty() ? "a value was never written or returned"
+                            : fmt::format("\"{}\" was never written", name);
     }
+    const auto cause = causes.find(instruction.op);
+    return cause == causes.end() ? name_of(instruction.op) + " has no defined result" : cause->second;
 }
 
 bool writes_through_pointer(std::uint16_t opcode) {

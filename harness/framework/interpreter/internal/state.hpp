@@ -212,6 +212,12 @@ struct State {
     std::vector<Word> shared;                 // as many words as the largest shared variable has
     std::optional<numeric::Random> sampling;  // see Machine::set_sampling()
     std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
+    std::uint32_t at = 0;                     // the instruction that runs
+    std::uint64_t steps = 0;                  // instructions of all runs so far
+    std::uint64_t limit = 50'000'000;         // of one run
+    std::uint64_t end = 0;                    // of the steps of this run
+    std::uint8_t format = 0;                  // the flags of numeric::Paths's format
+    Order order = Order::forward;             // of the lanes
 
     mutable Undefinedness undefinedness;
 

@@ -190,37 +190,24 @@ void face_forward(State<N>& s, const Instruction& i) {
 inline constexpr std::size_t most_elements = 16;
 using Elements = std::array<double, most_elements>;
 
-template <glm::length_t D, class T>
-[[nodiscard]] glm::mat<D, D, T> matrix_of(const Elements& all) {
+// The inverse, or the determinant alone.
+template <class T, glm::length_t D>
+[[nodiscard]] Elements calculated(const Elements& all, bool inverse) {
     glm::mat<D, D, T> m;
     for (glm::length_t k = 0; k < D * D; ++k)
         m[k / D][k % D] = static_cast<T>(all.at(static_cast<std::size_t>(k)));
-    return m;
+    if (!inverse) return {static_cast<double>(glm::determinant(m))};
+    m = glm::inverse(m);
+    Elements result{};
+    for (glm::length_t k = 0; k < D * D; ++k)
+        result.at(static_cast<std::size_t>(k)) = static_cast<double>(m[k / D][k % D]);
+    return result;
 }
-
 template <class T>
-struct Determinant {
-    template <glm::length_t D>
-    static Elements of(const Elements& all) {
-        return {static_cast<double>(glm::determinant(matrix_of<D, T>(all)))};
-    }
-};
-
-template <class T>
-struct Inverse {
-    template <glm::length_t D>
-    static Elements of(const Elements& all) {
-        const glm::mat<D, D, T> m = glm::inverse(matrix_of<D, T>(all));
-        Elements result{};
-        for (glm::length_t k = 0; k < D * D; ++k)
-            result.at(static_cast<std::size_t>(k)) = static_cast<double>(m[k / D][k % D]);
-        return result;
-    }
-};
-
-template <class F>
-[[nodiscard]] Elements of_matrix(const Elements& all, std::uint32_t count) {
-    return count == 4 ? F::template of<2>(all) : count == 9 ? F::template of<3>(all) : F::template of<4>(all);
+[[nodiscard]] Elements calculated(const Elements& all, std::uint32_t count, bool inverse) {
+    return count == 4   ? calculated<T, 2>(all, inverse)
+           : count == 9 ? calculated<T, 3>(all, inverse)
+                        : calculated<T, 4>(all, inverse);
 }
 
 template <class N>
@@ -243,8 +230,8 @@ template <class N>
     return numeric::Interval::within(std::min(x, y), std::max(x, y));
 }
 
-template <template <class> class F, class N>
-void of_matrix(State<N>& s, const Instruction& i, std::uint32_t results) {
+template <class N>
+void of_matrix(State<N>& s, const Instruction& i, bool inverse) {
     Elements operands{};
     Elements rounded{};
     for (std::uint32_t k = 0; k < i.count; ++k) {
@@ -252,10 +239,11 @@ void of_matrix(State<N>& s, const Instruction& i, std::uint32_t results) {
         operands.at(k) = exact_of(x);
         if constexpr (std::is_same_v<N, Explained>) rounded.at(k) = x.value;
     }
-    const Elements exact = of_matrix<F<double>>(operands, i.count);
+    const Elements exact = calculated<double>(operands, i.count, inverse);
+    const std::uint32_t results = inverse ? i.count : 1;
     if constexpr (std::is_same_v<N, Explained>) {
-        const Elements values = of_matrix<F<float>>(rounded, i.count);
-        const Elements reached = of_matrix<F<double>>(rounded, i.count);
+        const Elements values = calculated<float>(rounded, i.count, inverse);
+        const Elements reached = calculated<double>(rounded, i.count, inverse);
         for (std::uint32_t k = 0; k < results; ++k)
             s.set(i, i.result + k,
                   N{.value = values.at(k),
