@@ -14,35 +14,24 @@
 #include "module/internal/include_folders.hpp"
 #include "source/lines.hpp"
 
-namespace gloam::shader::internal {
-namespace {
-
-constexpr const char* list_variable = "GLOAM_DEPENDENCIES_OUTPUT";
-
-bool lists(const char* list, const std::string& wanted) {
-    std::ifstream stream(list);
-    for (std::string line; std::getline(stream, line);)
-        if (line == wanted) return true;
-    return false;
-}
-
-}  // namespace
-
-void note_dependency(const std::filesystem::path& file) {
-    const char* list = std::getenv(list_variable);
-    if (list == nullptr) return;
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::canonical(file, error);
-    if (error || lists(list, absolute.string())) return;
-    std::ofstream(list, std::ios::app) << absolute.string() + '\n';
-}
-
-}  // namespace gloam::shader::internal
-
 namespace gloam::shader {
 namespace {
 
 using Path = std::filesystem::path;
+
+// Appends the absolute path of a read file to the list in the file that the environment variable
+// GLOAM_DEPENDENCIES_OUTPUT names, one path a line, unless it is listed already. Does nothing if the variable
+// is not set or the list cannot be written: a list of dependencies must not stop a compilation.
+void note_dependency(const Path& file) {
+    const char* list = std::getenv("GLOAM_DEPENDENCIES_OUTPUT");
+    if (list == nullptr) return;
+    std::error_code error;
+    const Path absolute = std::filesystem::canonical(file, error);
+    std::ifstream listed(list);
+    for (std::string line; std::getline(listed, line);)
+        if (line == absolute.string()) return;
+    if (!error) std::ofstream(list, std::ios::app) << absolute.string() + '\n';
+}
 
 // The files to which an include name can refer, in the order in which they are tried.
 std::vector<Path> candidates(std::string_view name, const Path& from, const std::vector<Path>& roots) {
@@ -163,7 +152,7 @@ std::string read_text(const Path& file) {
     std::string text = base::read_file(overlaid(file));
     if (text.find('\0') != std::string::npos)
         throw std::runtime_error(file.string() + ": contains a NUL byte, expected a text in UTF-8");
-    internal::note_dependency(file);
+    note_dependency(file);
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
 }

@@ -129,31 +129,27 @@ constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
                                BuiltIn{"NumWorkGroups", "uvec3", Access::uniform, true},
                                BuiltIn{"GlobalInvocationID", "uvec3"}};
 
-// Stages without derivatives, where samplers read level 0.
-bool has_no_quads(const std::string& file) {
-    const std::optional<Stage> stage = stage_of_file(file);
-    return stage && *stage != Stage::fragment;
-}
-
 // What a function calls or mentions that needs other invocations.
 Needs needs_of(const std::set<std::string>& mentioned, bool shares, const std::string& file) {
     const auto mentions = [&](auto matches) { return std::ranges::any_of(mentioned, matches); };
+    static const std::set<std::string_view> of_group{"barrier", "memoryBarrierShared", "groupMemoryBarrier",
+                                                     "gl_WorkGroupSize", "gl_NumSubgroups"};
+    static const std::set<std::string_view> of_quad{
+        "dFdx", "dFdy", "fwidth", "discard", "demote", "helperInvocationEXT", "terminateInvocation"};
+    static const std::set<std::string_view> implicit{
+        "texture", "textureProj", "textureOffset", "textureProjOffset", "textureQueryLod", "textureClampARB"};
     const bool group = shares || mentions([](const std::string& name) {
-                           return name == "barrier" || name == "memoryBarrierShared" ||
-                                  name == "groupMemoryBarrier" || name.starts_with("subgroup") ||
-                                  name.starts_with("gl_LocalInvocation") || name == "gl_WorkGroupSize" ||
-                                  name.starts_with("gl_Subgroup") || name == "gl_NumSubgroups";
+                           return of_group.contains(name) || name.starts_with("subgroup") ||
+                                  name.starts_with("gl_LocalInvocation") || name.starts_with("gl_Subgroup");
                        });
     if (group) return Needs::group;
-    const bool quad = mentions([&file](std::string_view name) {
+    // Stages without derivatives, where samplers read level 0.
+    const std::optional<Stage> stage = stage_of_file(file);
+    const bool has_quads = !stage || *stage == Stage::fragment;
+    const bool quad = mentions([&](std::string_view name) {
         for (const std::string_view kind : {"Fine", "Coarse"})
             if (name.ends_with(kind)) name.remove_suffix(kind.size());
-        const bool derives = name == "dFdx" || name == "dFdy" || name == "fwidth" || name == "discard" ||
-                             name == "demote" || name == "helperInvocationEXT" ||
-                             name == "terminateInvocation";
-        return derives || (!has_no_quads(file) && (name == "texture" || name == "textureProj" ||
-                                                   name == "textureOffset" || name == "textureProjOffset" ||
-                                                   name == "textureQueryLod" || name == "textureClampARB"));
+        return of_quad.contains(name) || (has_quads && implicit.contains(name));
     });
     return quad ? Needs::quad : Needs::nobody;
 }
@@ -236,21 +232,9 @@ bool is_own_built_in(const Declaration& one) {
     });
 }
 
-// A function and what it uses.
-std::vector<const Declaration*> kept_for(const std::string& function, const Outline& outline,
-                                         std::size_t given) {
-    internal::Selection selection(outline, given);
-    selection.want({function});
-    std::vector<const Declaration*> kept;
-    for (std::size_t i = 0; i < outline.declarations.size(); ++i) {
-        const Declaration& one = outline.declarations[i];
-        if (selection.keeps(i) && one.kind != Kind::comment && !one.defines("main")) kept.push_back(&one);
-    }
-    return kept;
-}
-
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
-    const std::vector<const Declaration*> kept = kept_for(function, outline, active.given);
+    std::vector<const Declaration*> kept = internal::kept_for(outline, function);
+    std::erase_if(kept, [](const Declaration* one) { return one->defines("main"); });
     const Macros macros = macros_of(outline);
     Excerpt excerpt{.function = function};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";

@@ -80,14 +80,10 @@ std::string written(const Outline& outline, const std::vector<const Declaration*
 
 Packed packed(const internal::ActiveText& texts, const PackRequest& request) {
     const Outline outline = internal::outline(texts);
-    internal::Selection selection(outline, texts.given);
-    const std::vector<std::string> wanted = request.functions.empty() ? selection.usual() : request.functions;
-    selection.want(wanted);
-    if (wanted.empty()) selection.want_all_given();
-    const std::vector<const Declaration*> kept = selection.ordered();
-    const bool has_main = std::ranges::find(wanted, "main") != wanted.end();
-    const std::string head = has_main ? "" : internal::calling_comment(kept, wanted);
-    return {written(outline, kept, request, head), has_main};
+    const internal::Kept kept = internal::kept_in_order(outline, texts.given, request.functions);
+    const bool has_main = std::ranges::find(kept.wanted, "main") != kept.wanted.end();
+    const std::string head = has_main ? "" : internal::calling_comment(kept);
+    return {written(outline, kept.declarations, request, head), has_main};
 }
 
 std::string code_of(std::string_view text) {

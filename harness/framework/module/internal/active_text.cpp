@@ -2,9 +2,9 @@
 #include "module/internal/front_end.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <exception>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -20,15 +20,6 @@ constexpr std::string_view mark = "gloam_active_text_at_";
 std::string mark_of(std::size_t file, std::size_t line) {
     return std::string(mark) + std::to_string(file) + "_" + std::to_string(line) + "_";
 }
-
-template <std::size_t N>
-bool is_one_of(const std::string& word, const std::array<std::string_view, N>& words) {
-    return std::ranges::find(words, word) != words.end();
-}
-
-constexpr std::array<std::string_view, 7> conditions{"if",   "ifdef", "ifndef", "elif",
-                                                     "else", "endif", "error"};
-constexpr std::array<std::string_view, 2> macros{"define", "undef"};
 
 // "450", "330 core", "300 es" and their like.
 bool is_version(std::string_view text) {
@@ -78,8 +69,11 @@ std::string marked_line(const TextFile& file, std::size_t number, std::size_t in
         return "";
     }
     if (directive->keyword == "include") return include_line(file, line, folders);
-    if (is_one_of(directive->keyword, conditions)) return joined(line);
-    if (is_one_of(directive->keyword, macros)) return joined(line) + "\n" + mark_of(number, index);
+    static const std::set<std::string_view> conditions{"if",   "ifdef", "ifndef", "elif",
+                                                       "else", "endif", "error"};
+    if (conditions.contains(directive->keyword)) return joined(line);
+    if (directive->keyword == "define" || directive->keyword == "undef")
+        return joined(line) + "\n" + mark_of(number, index);
     return mark_of(number, index);
 }
 

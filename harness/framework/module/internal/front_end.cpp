@@ -97,8 +97,7 @@ void set_client(glslang::TShader& shader, EShLanguage language) {
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
 }
 
-}  // namespace
-
+// The errors of glslang's log as "file:line: message" lines. `file`: for messages without a place.
 std::string error_lines(const std::string& log, const std::string& file) {
     std::vector<std::string> errors;
     bool in_error = false;
@@ -122,6 +121,8 @@ std::string error_lines(const std::string& log, const std::string& file) {
     }
     return base::for_terminal(text);  // it quotes the shader
 }
+
+}  // namespace
 
 Strings::Strings(const std::vector<Source>& pieces) {
     for (const Source& piece : pieces) {

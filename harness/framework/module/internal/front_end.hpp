@@ -111,7 +111,4 @@ class Parse {
                              const std::vector<std::filesystem::path>& roots,
                              Unreached unreached = Unreached::dropped, bool lines = false);
 
-// The errors of glslang's log as "file:line: message" lines. `file`: for messages without a place.
-[[nodiscard]] std::string error_lines(const std::string& log, const std::string& file);
-
 }  // namespace gloam::shader::internal

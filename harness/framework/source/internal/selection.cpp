@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -63,24 +65,184 @@ std::vector<std::string> constants_in(const std::string& comments) {
             std::sregex_token_iterator()};
 }
 
+class Selection {
+  public:
+    explicit Selection(const Outline& outline)
+        : all_(outline.declarations), kept_(all_.size(), false), placed_(all_.size(), false) {
+        std::map<std::string, std::set<std::string>> macros;  // and what they stand for
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            uses_.push_back(all_[i].mentions);
+            for (const std::string& name : all_[i].names) {
+                named_[name].push_back(i);
+                if (all_[i].kind == Kind::macro) {
+                    macros[name] = all_[i].mentions;
+                } else if (macros.contains(name)) {  // "#define f g" renames what is declared as f
+                    for (const std::string& meant : macros[name]) named_[meant].push_back(i);
+                    uses_[i].insert(name);  // the macro belongs to the declaration
+                }
+            }
+        }
+    }
+
+    // Keeps these functions, and every declaration without a name. `known`: for the message.
+    void want(const std::vector<std::string>& functions, const std::vector<std::string>& known) {
+        for (const std::string& name : functions) {
+            if (std::ranges::none_of(all_, [&](const Declaration& one) { return one.defines(name); }))
+                throw std::invalid_argument(
+                    fmt::format("no function {}; it defines: {}", name, fmt::join(known, ", ")));
+            for (const std::size_t i : named_[name]) {
+                if (all_[i].kind == Kind::function) add_parameter_types(all_[i], wanted_types_);
+                keep(i);
+            }
+        }
+        for (std::size_t i = 0; i < all_.size(); ++i)
+            if (all_[i].names.empty() && all_[i].kind != Kind::comment) keep(i);
+    }
+
+    // And all that it mentions, and so on.
+    void keep(std::size_t first) {
+        std::vector<std::size_t> open{first};
+        while (!open.empty()) {
+            const std::size_t i = open.back();
+            open.pop_back();
+            if (kept_[i]) continue;
+            kept_[i] = true;
+            for (const std::string& name : uses_[i])
+                std::ranges::copy_if(named_[name], std::back_inserter(open), [&](std::size_t other) {
+                    const Kind kind = all_[other].kind;
+                    const bool callable = kind == Kind::function || kind == Kind::prototype;
+                    return !callable || !all_[i].variables.contains(name);
+                });
+            add_constants_in_comments(all_[i], open);
+        }
+    }
+
+    [[nodiscard]] bool keeps(std::size_t declaration) const { return kept_[declaration]; }
+
+    [[nodiscard]] std::vector<const Declaration*> ordered() {
+        keep_comments();
+        const bool movable = !redefines_macros();
+        for (const bool prototypes : {true, false})
+            for (std::size_t i = 0; movable && i < all_.size(); ++i)
+                if (kept_[i] && is_given_by_user(i) && (all_[i].kind == Kind::prototype) == prototypes)
+                    place(i);
+        for (std::size_t i = 0; i < all_.size(); ++i)
+            if (kept_[i]) place(i);
+        return std::move(order_);
+    }
+
+  private:
+    // A comment may name values that no function reads: "GLOAM_FALLOFF_*" says what a member may hold.
+    void add_constants_in_comments(const Declaration& one, std::vector<std::size_t>& open) const {
+        for (std::string name : constants_in(all_comments(one))) {
+            const bool family = name.ends_with('*');
+            if (family) name.pop_back();
+            for (auto found = named_.lower_bound(name); found != named_.end(); ++found) {
+                if (family ? !found->first.starts_with(name) : found->first != name) break;
+                std::ranges::copy_if(found->second, std::back_inserter(open), [this](std::size_t i) {
+                    return all_[i].kind == Kind::variable || all_[i].kind == Kind::macro;
+                });
+            }
+        }
+    }
+
+    // A comment that stands by itself belongs to what follows in its file, up to the next one.
+    void keep_comments() {
+        std::map<std::size_t, std::size_t> last;  // comment of each file
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            if (all_[i].kind == Kind::comment) {
+                last[all_[i].file] = i;
+            } else if (kept_[i] && last.contains(all_[i].file)) {
+                comments_[i] = last.extract(all_[i].file).mapped();
+                kept_[comments_[i]] = true;
+            }
+        }
+    }
+
+    // Then the order in which they stand means something.
+    [[nodiscard]] bool redefines_macros() const {
+        return std::ranges::any_of(named_, [this](const auto& name) {
+            const auto macro = [this](std::size_t i) { return kept_[i] && all_[i].kind == Kind::macro; };
+            return name.second.size() > 1 && std::ranges::any_of(name.second, macro);
+        });
+    }
+
+    [[nodiscard]] bool is_given_by_user(std::size_t i) {
+        const Declaration& one = all_[i];
+        if (one.kind == Kind::prototype)
+            return std::ranges::none_of(named_[one.names.front()],
+                                        [this](std::size_t k) { return all_[k].kind == Kind::function; });
+        return one.kind == Kind::interface ||
+               (one.kind == Kind::structure && wanted_types_.contains(one.names.front()));
+    }
+
+    // Behind what it uses of what stands before it: a text declares before it uses.
+    void place(std::size_t i) {
+        if (placed_[i]) return;
+        placed_[i] = true;
+        std::set<std::size_t> used;
+        for (const std::string& name : uses_[i])
+            std::ranges::copy_if(named_[name], std::inserter(used, used.end()),
+                                 [&](std::size_t other) { return other < i && kept_[other]; });
+        for (const std::size_t other : used) place(other);
+        if (const auto comment = comments_.find(i); comment != comments_.end()) place(comment->second);
+        order_.push_back(&all_[i]);
+    }
+
+    const std::vector<Declaration>& all_;
+    std::map<std::string, std::vector<std::size_t>> named_;  // declarations by their names
+    std::vector<std::set<std::string>> uses_;                // names, of each declaration
+    std::set<std::string> wanted_types_;
+    std::vector<bool> kept_;
+    std::vector<bool> placed_;
+    std::map<std::size_t, std::size_t> comments_;  // that stand before a declaration
+    std::vector<const Declaration*> order_;
+};
+
 }  // namespace
 
-std::string calling_comment(const std::vector<const Declaration*>& kept,
-                            const std::vector<std::string>& wanted) {
+std::vector<const Declaration*> kept_for(const Outline& outline, const std::string& function) {
+    Selection selection(outline);
+    selection.want({function}, {});
+    std::vector<const Declaration*> kept;
+    for (std::size_t i = 0; i < outline.declarations.size(); ++i)
+        if (selection.keeps(i) && outline.declarations[i].kind != Kind::comment)
+            kept.push_back(&outline.declarations[i]);
+    return kept;
+}
+
+Kept kept_in_order(const Outline& outline, std::size_t given, const std::vector<std::string>& functions) {
+    const std::vector<Declaration>& all = outline.declarations;
+    std::vector<std::string> own;
+    for (const Declaration& one : all)
+        if (one.kind == Kind::function && one.file < given) own.push_back(one.names.front());
+    std::vector<std::string> wanted = functions;
+    if (wanted.empty())
+        wanted = std::ranges::any_of(all, [](const Declaration& one) { return one.defines("main"); })
+                     ? std::vector<std::string>{"main"}
+                     : own;
+    Selection selection(outline);
+    selection.want(wanted, own);
+    for (std::size_t i = 0; wanted.empty() && i < all.size(); ++i)
+        if (all[i].file < given) selection.keep(i);
+    return {selection.ordered(), std::move(wanted)};
+}
+
+std::string calling_comment(const Kept& kept) {
     const auto any = [&](auto holds) {
-        return std::ranges::any_of(kept, [&](const Declaration* one) { return holds(*one); });
+        return std::ranges::any_of(kept.declarations, [&](const Declaration* one) { return holds(*one); });
     };
     std::vector<std::string> called;
     std::set<std::string> types;
-    for (const std::string& name : wanted) {
+    for (const std::string& name : kept.wanted) {
         if (any([&](const Declaration& one) { return uses(one, name); })) continue;
         if (std::ranges::count(called, name) == 0) called.push_back(name);
-        for (const Declaration* one : kept)
+        for (const Declaration* one : kept.declarations)
             if (one->defines(name)) add_parameter_types(*one, types);
     }
     std::vector<std::string> structures;
     std::string to_define;
-    for (const Declaration* one : kept) {
+    for (const Declaration* one : kept.declarations) {
         if (one->names.empty()) continue;
         const std::string& name = one->names.front();
         if (one->kind == Kind::structure && types.contains(name)) structures.push_back(name);
@@ -95,148 +257,6 @@ std::string calling_comment(const std::vector<const Declaration*>& kept,
     if (!structures.empty())
         text += "\n" + paragraph(fmt::format("Structures to fill in: {}", fmt::join(structures, ", ")));
     return text;
-}
-
-Selection::Selection(const Outline& outline, std::size_t given)
-    : all_(outline.declarations), given_(given), kept_(all_.size(), false), placed_(all_.size(), false) {
-    std::map<std::string, std::set<std::string>> macros;  // and what they stand for
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-        for (const std::string& name : all_[i].names) {
-            named_[name].push_back(i);
-            if (all_[i].kind == Kind::macro) {
-                macros[name] = all_[i].mentions;
-            } else if (macros.contains(name)) {  // "#define f g" renames what is declared as f
-                for (const std::string& meant : macros[name]) named_[meant].push_back(i);
-                renamed_[i].insert(name);
-            }
-        }
-    }
-}
-
-void Selection::want(const std::vector<std::string>& functions) {
-    for (const std::string& name : functions) {
-        if (std::ranges::none_of(all_, [&](const Declaration& one) { return one.defines(name); }))
-            throw std::invalid_argument(
-                fmt::format("no function {}; it defines: {}", name, fmt::join(given_functions(), ", ")));
-        for (const std::size_t i : named(name)) {
-            if (all_[i].kind == Kind::function) add_parameter_types(all_[i], wanted_types_);
-            keep(i);
-        }
-    }
-    for (std::size_t i = 0; i < all_.size(); ++i)
-        if (all_[i].names.empty() && all_[i].kind != Kind::comment) keep(i);
-}
-
-std::vector<std::string> Selection::given_functions() const {
-    std::vector<std::string> own;
-    for (const Declaration& one : all_)
-        if (one.kind == Kind::function && one.file < given_) own.push_back(one.names.front());
-    return own;
-}
-
-std::vector<std::string> Selection::usual() const {
-    const bool has_main =
-        std::ranges::any_of(all_, [](const Declaration& one) { return one.defines("main"); });
-    return has_main ? std::vector<std::string>{"main"} : given_functions();
-}
-
-void Selection::want_all_given() {
-    for (std::size_t i = 0; i < all_.size(); ++i)
-        if (all_[i].file < given_) keep(i);
-}
-
-std::vector<const Declaration*> Selection::ordered() {
-    keep_comments();
-    const bool movable = !redefines_macros();
-    for (const bool prototypes : {true, false})
-        for (std::size_t i = 0; movable && i < all_.size(); ++i)
-            if (kept_[i] && is_given_by_user(i) && (all_[i].kind == Kind::prototype) == prototypes) place(i);
-    for (std::size_t i = 0; i < all_.size(); ++i)
-        if (kept_[i]) place(i);
-    return std::move(order_);
-}
-
-const std::vector<std::size_t>& Selection::named(const std::string& name) const {
-    static const std::vector<std::size_t> none;
-    const auto found = named_.find(name);
-    return found == named_.end() ? none : found->second;
-}
-
-std::set<std::string> Selection::uses_of(std::size_t i) const {
-    std::set<std::string> uses = all_[i].mentions;
-    if (const auto macros = renamed_.find(i); macros != renamed_.end())
-        uses.insert(macros->second.begin(), macros->second.end());
-    return uses;
-}
-
-void Selection::keep(std::size_t first) {
-    std::vector<std::size_t> open{first};
-    while (!open.empty()) {
-        const std::size_t i = open.back();
-        open.pop_back();
-        if (kept_[i]) continue;
-        kept_[i] = true;
-        for (const std::string& name : uses_of(i))
-            std::ranges::copy_if(named(name), std::back_inserter(open), [&](std::size_t other) {
-                const Kind kind = all_[other].kind;
-                const bool callable = kind == Kind::function || kind == Kind::prototype;
-                return !callable || !all_[i].variables.contains(name);
-            });
-        add_constants_in_comments(all_[i], open);
-    }
-}
-
-void Selection::add_constants_in_comments(const Declaration& one, std::vector<std::size_t>& open) const {
-    for (std::string name : constants_in(all_comments(one))) {
-        const bool family = name.ends_with('*');
-        if (family) name.pop_back();
-        for (auto found = named_.lower_bound(name); found != named_.end(); ++found) {
-            if (family ? !found->first.starts_with(name) : found->first != name) break;
-            std::ranges::copy_if(found->second, std::back_inserter(open), [this](std::size_t i) {
-                return all_[i].kind == Kind::variable || all_[i].kind == Kind::macro;
-            });
-        }
-    }
-}
-
-void Selection::keep_comments() {
-    std::map<std::size_t, std::size_t> last;  // comment of each file
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-        if (all_[i].kind == Kind::comment) {
-            last[all_[i].file] = i;
-        } else if (kept_[i] && last.contains(all_[i].file)) {
-            comments_[i] = last.extract(all_[i].file).mapped();
-            kept_[comments_[i]] = true;
-        }
-    }
-}
-
-bool Selection::redefines_macros() const {
-    return std::ranges::any_of(named_, [this](const auto& name) {
-        const auto macro = [this](std::size_t i) { return kept_[i] && all_[i].kind == Kind::macro; };
-        return name.second.size() > 1 && std::ranges::any_of(name.second, macro);
-    });
-}
-
-bool Selection::is_given_by_user(std::size_t i) const {
-    const Declaration& one = all_[i];
-    if (one.kind == Kind::prototype)
-        return std::ranges::none_of(named(one.names.front()),
-                                    [this](std::size_t k) { return all_[k].kind == Kind::function; });
-    return one.kind == Kind::interface ||
-           (one.kind == Kind::structure && wanted_types_.contains(one.names.front()));
-}
-
-void Selection::place(std::size_t i) {
-    if (placed_[i]) return;
-    placed_[i] = true;
-    std::set<std::size_t> used;
-    for (const std::string& name : uses_of(i))
-        std::ranges::copy_if(named(name), std::inserter(used, used.end()),
-                             [&](std::size_t other) { return other < i && kept_[other]; });
-    for (const std::size_t other : used) place(other);
-    if (const auto comment = comments_.find(i); comment != comments_.end()) place(comment->second);
-    order_.push_back(&all_[i]);
 }
 
 }  // namespace gloam::shader::internal
