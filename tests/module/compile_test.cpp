@@ -43,7 +43,7 @@ struct ErrorRow {
 
 TEST(CompileErrorMessage, NamesFileLineAndCause) {
     const std::string broken =
-        fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier";
+        fixture("broken/inner.glsl").string() + ":5: 'not_declared' : undeclared identifier";
     const std::string a = fixture("cycle/a.glsl").string();
     const std::string b = fixture("cycle/b.glsl").string();
     const std::string self = fixture("cycle/self.glsl").string();
@@ -65,10 +65,10 @@ TEST(CompileErrorMessage, NamesFileLineAndCause) {
         {text("\n#include \"no/such.glsl\"\nvoid main() {}\n"),
          "t.comp:3: cannot find include \"no/such.glsl\"; looked for " + fixture("no/such.glsl").string()},
         {kernel("#include \"broken/missing.glsl\"", "1.0"),
-         AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":4: "),
+         AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":2: "),
                HasSubstr("\"broken/nowhere.glsl\""))},
-        {kernel("#include \"cycle/a.glsl\"", "1.0"), b + ":3: include cycle: " + a + " -> " + b + " -> " + a},
-        {kernel("#include \"cycle/self.glsl\"", "1.0"), self + ":2: include cycle: " + self + " -> " + self},
+        {kernel("#include \"cycle/a.glsl\"", "1.0"), b + ":1: include cycle: " + a + " -> " + b + " -> " + a},
+        {kernel("#include \"cycle/self.glsl\"", "1.0"), self + ":1: include cycle: " + self + " -> " + self},
         {kernel("#include \"fetch.glsl\"", "fx_twice(ivec2(0))"),
          AllOf(StartsWith("kernel: "), HasSubstr(" fx_fetch_depth()"), Not(HasSubstr("\n")))},
         {kernel("float nothing();", "nothing()"), EndsWith(" nothing()")},
@@ -171,13 +171,13 @@ TEST_F(Include, MissingIncludeListsWhereItLooked) {
         [] { static_cast<void>(resolve_include("x/y.glsl", "/from", {"/one", "/two"})); });
     EXPECT_THAT(message, AllOf(HasSubstr("\"x/y.glsl\""), HasSubstr("/from/x/y.glsl"),
                                HasSubstr("/one/x/y.glsl"), HasSubstr("/two/x/y.glsl")));
-    EXPECT_THROW(static_cast<void>(resolve_include("math", {}, {FIXTURES})), std::runtime_error)
+    EXPECT_THROW(static_cast<void>(resolve_include("math", {}, {fixtures()})), std::runtime_error)
         << "a folder";
 }
 
 // A text, its roots and its folder, and the files that it includes, each once in the order of mention.
 TEST_F(Include, ClosureHasEachFileOnce) {
-    const std::vector<std::filesystem::path> here{FIXTURES};
+    const std::vector<std::filesystem::path> here{fixtures()};
     const auto math = fixture("math");
     struct Row {
         std::string text;
@@ -206,7 +206,7 @@ TEST_F(Include, ClosureHasEachFileOnce) {
     for (const auto& [text, roots, in_folder, files] : rows) {
         std::vector<std::string> found;
         for (const IncludedFile& file : include_closure(text, roots, in_folder)) {
-            found.push_back(std::filesystem::relative(file.path, FIXTURES).string());
+            found.push_back(std::filesystem::relative(file.path, fixtures()).string());
             EXPECT_EQ(file.text, read_text(file.path));
         }
         EXPECT_EQ(found, files) << text;

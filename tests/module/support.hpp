@@ -2,17 +2,17 @@
 #pragma once
 
 #include "module/compile.hpp"
+#include "module/fixtures.hpp"
 #include "module/spirv.hpp"
-#include "support/files.hpp"
 
 namespace gloam::shader {
 
 inline std::filesystem::path fixture(std::string_view name) {
-    return std::filesystem::path(FIXTURES) / name;
+    return fixtures() / name;
 }
 
 inline CompileOptions with_fixtures(Optimization optimization = Optimization::none) {
-    return {.include_roots = {FIXTURES}, .variant = {.optimization = optimization}};
+    return {.include_roots = {fixtures()}, .variant = {.optimization = optimization}};
 }
 
 // The message of the exception that `action` throws; "" when it throws none of that type.

@@ -49,7 +49,7 @@ constexpr Language all[] = {Language::vulkan450, Language::gl430, Language::gl33
                             Language::es300,     Language::es310, Language::es320};
 
 std::string error_of(const std::string& body, Language language) {
-    return message_of<CompileError>([&] { check_compiles({"body", body}, language, {FIXTURES}); });
+    return message_of<CompileError>([&] { check_compiles({"body", body}, language, {fixtures()}); });
 }
 
 // The languages that accept the body.
@@ -83,7 +83,7 @@ TEST(Language, AcceptsABodyThatIsWrittenForIt) {
 }
 
 TEST(Language, ErrorsNameTheLineOfTheBodyOrTheInclude) {
-    const std::string inner = fixture("broken/inner.glsl").string() + ":9: ";
+    const std::string inner = fixture("broken/inner.glsl").string() + ":5: ";
     for (const Language language : all) {
         EXPECT_THAT(error_of("\nfloat f() {\n    return oops;\n}\n", language), StartsWith("body:3: 'oops'"))
             << to_string(language);

@@ -82,20 +82,17 @@ class OpenGlProgram : public Opened {};
 
 constexpr const char* head = "#version 300 es\nprecision highp float;\nout highp uvec4 target;\n";
 
-TEST_F(OpenGlProgram, ARejectedTextIsNamedWithItsLine) {
+TEST_F(OpenGlProgram, WhatIsRejectedOrDoesNotLinkIsNamedWithItsLine) {
     GLOAM_OPEN_OR_SKIP("es:llvmpipe-3.0");
-    const ShaderText text{"wrong.frag", std::string(head) + "void main() {\n    target = vec3(1.0);\n}\n"};
-    expect_error<backend::Error>([&] { const Program program(device(), Program::Stage::fragment, text); },
-                                 {"wrong.frag: line 5: ", "error", "[    target = vec3(1.0);]"});
-}
-
-TEST_F(OpenGlProgram, WhatDoesNotLinkIsNamed) {
-    GLOAM_OPEN_OR_SKIP("es:llvmpipe-3.0");
-    const ShaderText text{
-        "unlinked.frag",
-        std::string(head) + "float missing(float x);\nvoid main() { target = uvec4(missing(1.0)); }\n"};
-    expect_error<backend::Error>([&] { const Program program(device(), Program::Stage::fragment, text); },
-                                 {"unlinked.frag: does not link: ", "missing"});
+    const auto refuse = [&](const char* text, std::initializer_list<std::string> parts) {
+        const ShaderText shader{"wrong.frag", std::string(head) + text};
+        expect_error<backend::Error>(
+            [&] { const Program program(device(), Program::Stage::fragment, shader); }, parts);
+    };
+    refuse("void main() {\n    target = vec3(1.0);\n}\n",
+           {"wrong.frag: line 5: ", "error", "[    target = vec3(1.0);]"});
+    refuse("float missing(float x);\nvoid main() { target = uvec4(missing(1.0)); }\n",
+           {"wrong.frag: does not link: ", "missing"});
 }
 
 TEST_F(OpenGlProgram, AVersionThatTheContextLacksIsRejected) {

@@ -34,12 +34,9 @@ void main() {
     return {values.begin(), values.end()};
 }
 
-TEST_F(ComputeTest, SpecializationConstantsHaveTheirDefaults) {
+TEST_F(ComputeTest, SpecializationConstantsAreSetByIdOrHaveTheirDefaults) {
     EXPECT_EQ(specialize(device(), {}),
               (std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(1.5f), 2u, 3u, 0u, 1u, 30u}));
-}
-
-TEST_F(ComputeTest, SpecializationConstantsAreSetById) {
     const std::vector<SpecializationConstant> constants{
         {5, 1u}, {0, std::bit_cast<std::uint32_t>(-0.25f)}, {7, 16u}, {4, 0xffffffffu}};
     EXPECT_EQ(
