@@ -53,25 +53,22 @@ std::chrono::nanoseconds processor_time_of(pid_t process) {
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-Patience::Patience(std::chrono::nanoseconds limit, Used used)
-    : limit_(limit),
-      used_(std::move(used)),
-      at_begin_(used_()),
-      at_look_(at_begin_),
-      looked_(Clock::now()),
-      next_(looked_ + limit) {}
-
-bool Patience::is_over() {
-    const Clock::time_point now = Clock::now();
-    if (now < next_) return false;
-    const std::chrono::nanoseconds used = used_();
-    const std::chrono::duration<double> since_look = used - at_look_;
-    const std::chrono::duration<double> waited = now - looked_;
-    if (used - at_begin_ >= limit_ || since_look < least_share * waited) return true;
-    looked_ = now;
-    at_look_ = used;
-    next_ = now + std::max<std::chrono::nanoseconds>(limit_ - (used - at_begin_), shortest_wait);
-    return false;
+void wait_patiently(std::chrono::nanoseconds limit, const std::function<std::chrono::nanoseconds()>& used,
+                    const std::function<bool(std::chrono::steady_clock::time_point until)>& done) {
+    const std::chrono::nanoseconds at_begin = used();
+    std::chrono::nanoseconds at_look = at_begin;
+    auto looked = internal::Clock::now();
+    for (auto next = looked + limit; !done(next);) {
+        const auto now = internal::Clock::now();
+        if (now < next) continue;
+        const std::chrono::nanoseconds so_far = used();
+        const std::chrono::duration<double> since_look = so_far - at_look;
+        const std::chrono::duration<double> waited = now - looked;
+        if (so_far - at_begin >= limit || since_look < least_share * waited) return;
+        looked = now;
+        at_look = so_far;
+        next = now + std::max<std::chrono::nanoseconds>(limit - (so_far - at_begin), shortest_wait);
+    }
 }
 
 }  // namespace gloam::base

@@ -197,14 +197,14 @@ vk::Result Device::Impl::wait() const {
     // Whether the driver computes on the processor, in this process.
     constexpr std::chrono::milliseconds longest =
         std::chrono::years(100);  // in nanoseconds they fit a clock's count
-    base::Patience patience(std::min(timeout, longest), [] { return base::processor_time_of(getpid()); });
-    while (true) {
-        const auto left =
-            std::max(patience.next_look() - base::Patience::Clock::now(), std::chrono::nanoseconds(0));
-        const vk::Result result =
-            device.waitForFences(*fence, VK_TRUE, static_cast<std::uint64_t>(left.count()));
-        if (result != vk::Result::eTimeout || patience.is_over()) return result;
-    }
+    const auto used = [] { return base::processor_time_of(getpid()); };
+    vk::Result result = vk::Result::eTimeout;
+    base::wait_patiently(std::min(timeout, longest), used, [&](auto until) {
+        const auto left = std::max(until - std::chrono::steady_clock::now(), std::chrono::nanoseconds(0));
+        result = device.waitForFences(*fence, VK_TRUE, static_cast<std::uint64_t>(left.count()));
+        return result != vk::Result::eTimeout;
+    });
+    return result;
 }
 
 bool Device::Impl::idle() noexcept {

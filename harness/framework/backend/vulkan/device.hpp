@@ -30,7 +30,7 @@ struct DeviceOptions {
     Validation validation = Validation::off;
     std::filesystem::path cache_directory;  // for compiled pipelines; empty: no cache
     // Longest wait for one submission, positive. It is longer if the driver computes on a processor that
-    // others use as well (base::Patience).
+    // others use as well (base::wait_patiently()).
     std::chrono::milliseconds timeout{60'000};
     // True: out-of-bounds accesses of a shader to its buffers are harmless. False: they are undefined, as in
     // engines without this feature; use it only for shaders without such accesses.

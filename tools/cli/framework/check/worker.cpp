@@ -208,10 +208,12 @@ T Worker::asked(const std::string& line) {
     using Heard = base::WorkerProcess::Heard;
     process_->send(line);  // a worker that cannot receive has ended, which receive() will find
     std::string answer;
-    base::Patience patience(options_.patience(), [this] { return base::processor_time_of(process_->id()); });
-    Heard heard = process_->receive(answer, patience.next_look());
-    while (heard == Heard::silence && !patience.is_over())
-        heard = process_->receive(answer, patience.next_look());
+    const auto used = [this] { return base::processor_time_of(process_->id()); };
+    Heard heard = Heard::silence;
+    base::wait_patiently(options_.patience(), used, [&](auto until) {
+        heard = process_->receive(answer, until);
+        return heard != Heard::silence;
+    });
     std::optional<base::Failure> failure;
     if (heard == Heard::end) {
         failure.emplace("the process " + process_->end(), check::Reason::crash);
