@@ -21,16 +21,9 @@ std::string to_text(const Place& place) {
 namespace {
 
 base::Reason reason_of(Error::Kind kind) {
-    switch (kind) {
-        case Error::Kind::unknown_instruction:
-            return base::Reason::unsupported;
-        case Error::Kind::race:
-            return base::Reason::race;
-        case Error::Kind::divergent_barrier:
-            return base::Reason::divergent;
-        default:
-            return base::Reason::error;
-    }
+    if (kind == Error::Kind::unknown_instruction) return base::Reason::unsupported;
+    if (kind == Error::Kind::race) return base::Reason::race;
+    return kind == Error::Kind::divergent_barrier ? base::Reason::divergent : base::Reason::error;
 }
 
 using internal::Code;

@@ -59,16 +59,9 @@ bool holds(backend::Compare compare, const Bounds& reference, double depth, End 
     // At this end of the reference the comparison holds if it does anywhere, or only if it does everywhere.
     const double at = upwards == (end == End::high) ? reference.low : reference.high;
     if (reference.nan || reference.empty()) return end == End::high;
-    switch (compare) {
-        case Compare::less_equal:
-            return at <= depth;
-        case Compare::greater_equal:
-            return at >= depth;
-        case Compare::less:
-            return at < depth;
-        default:
-            return at > depth;
-    }
+    if (compare == Compare::less_equal) return at <= depth;
+    if (compare == Compare::greater_equal) return at >= depth;
+    return compare == Compare::less ? at < depth : at > depth;
 }
 
 Bounds hull_with(const Bounds& bounds, double value) {

@@ -5,6 +5,7 @@
 #include "interpreter/internal/opcodes.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace gloam::interpreter::internal {
 namespace {
@@ -275,20 +276,11 @@ void Lowering::close_edges() {
 }
 
 void Lowering::lower(const shader::Instruction& i) {
-    switch (i.opcode) {
-        case SpvOpNop:
-        case SpvOpLine:
-        case SpvOpNoLine:
-        case SpvOpFunctionParameter:
-            return;
-        default:
-            break;
-    }
+    constexpr std::array<std::uint32_t, 4> without_code{SpvOpNop, SpvOpLine, SpvOpNoLine,
+                                                        SpvOpFunctionParameter};
+    if (std::ranges::find(without_code, i.opcode) != without_code.end()) return;
     remember_place(i);
-    if (lower_control(i) || lower_memory(i) || lower_composite(i) || lower_matrix(i) || lower_atomic(i) ||
-        lower_image(i) || lower_sampling(i) || lower_group(i))
-        return;
-    lower_operation(i);
+    lower_control(i);
 }
 
 }  // namespace gloam::interpreter::internal

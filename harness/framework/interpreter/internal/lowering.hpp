@@ -62,15 +62,16 @@ class Lowering {
     void allocate_results(const Function& function);
     void close_edges();
     void lower(const shader::Instruction& i);
-    bool lower_control(const shader::Instruction& i);
-    bool lower_memory(const shader::Instruction& i);
-    bool lower_composite(const shader::Instruction& i);
-    bool lower_matrix(const shader::Instruction& i);
-    bool lower_atomic(const shader::Instruction& i);
+    // Down to lower_group(), each hands on to the next what is not its own.
+    void lower_control(const shader::Instruction& i);
+    void lower_memory(const shader::Instruction& i);
+    void lower_composite(const shader::Instruction& i);
+    void lower_matrix(const shader::Instruction& i);
+    void lower_atomic(const shader::Instruction& i);
     void lower_fetch(const shader::Instruction& i);
-    bool lower_image(const shader::Instruction& i);
-    bool lower_sampling(const shader::Instruction& i);
-    bool lower_group(const shader::Instruction& i);
+    void lower_image(const shader::Instruction& i);
+    void lower_sampling(const shader::Instruction& i);
+    void lower_group(const shader::Instruction& i);
     Slot lower_difference(Slot of, std::uint32_t count, std::uint32_t pick, std::uint8_t how);
     Slot lower_slope(Slot of, std::uint32_t count, std::uint32_t axis, std::uint8_t how, bool fine);
     struct Coordinates {

@@ -19,30 +19,24 @@ bool Lowering::is_used(Id result) const {
     });
 }
 
-bool Lowering::lower_group(const shader::Instruction& i) {
+void Lowering::lower_group(const shader::Instruction& i) {
     const auto constant = [&](std::size_t word) {
         const auto value = module_.integer(i.word(word));
         if (!value) fail(Error::Kind::unknown_instruction, "a barrier of a computed scope");
         return *value;
     };
     if (i.opcode == SpvOpControlBarrier) {
-        Instruction& instruction = emit(barrier, 0, 0, 0, 0, constant(3));
-        instruction.extra = constant(1);
-        return true;
+        emit(barrier, 0, 0, 0, 0, constant(3)).extra = constant(1);
+        return;
     }
     if (i.opcode == SpvOpMemoryBarrier) {
         emit(fence, 0, 0, 0, 0, constant(2));
-        return true;
+        return;
     }
-    if (i.opcode >= SpvOpDPdx && i.opcode <= SpvOpFwidthCoarse) {
-        lower_derivative(i);
-        return true;
-    }
-    if (i.opcode >= SpvOpGroupNonUniformElect && i.opcode <= SpvOpGroupNonUniformQuadSwap) {
-        lower_collective(i);
-        return true;
-    }
-    return false;
+    if (i.opcode >= SpvOpDPdx && i.opcode <= SpvOpFwidthCoarse) return lower_derivative(i);
+    if (i.opcode >= SpvOpGroupNonUniformElect && i.opcode <= SpvOpGroupNonUniformQuadSwap)
+        return lower_collective(i);
+    lower_operation(i);
 }
 
 constexpr std::uint8_t of_derivative = flags::no_contraction | flags::derivative;

@@ -62,27 +62,25 @@ struct Walk {
 
 }  // namespace
 
-bool Lowering::lower_memory(const shader::Instruction& i) {
+void Lowering::lower_memory(const shader::Instruction& i) {
     switch (i.opcode) {
         case SpvOpVariable:
-            lower_local_variable(i);
-            return true;
+            return lower_local_variable(i);
         case SpvOpAccessChain:
         case SpvOpInBoundsAccessChain:
-            lower_access_chain(i);
-            return true;
+            return lower_access_chain(i);
         case SpvOpLoad:
             load(slot_of(i.word(2)), pointer_of(i.word(3)), flags_of(i.word(2), i.word(1)));
-            return true;
+            return;
         case SpvOpStore:
             store(pointer_of(i.word(1)), slot_of(i.word(2)));
-            return true;
+            return;
         case SpvOpCopyMemory: {
             const PointerInfo& from = pointer_of(i.word(2));
             const Slot between = new_slots(module_.types.slots(from.pointee));
             load(between, from, 0);
             store(pointer_of(i.word(1)), between);
-            return true;
+            return;
         }
         case SpvOpImageTexelPointer: {
             const PointerInfo& image = pointer_of(i.word(3));
@@ -95,16 +93,16 @@ bool Lowering::lower_memory(const shader::Instruction& i) {
                 emit(image_texel, 1, texel.index, pointer_index(image), slot_of(i.word(4)));
             instruction.c = module_.types.slots(type_of(i.word(4)));
             scope_.pointers[i.word(2)] = texel;
-            return true;
+            return;
         }
         case SpvOpArrayLength: {
             Walk walk{module_.types, pointer_of(i.word(3)), {}};
             walk.enter_member(i.word(4));
             emit(array_length, 1, slot_of(i.word(2)), pointer_index(walk.at)).extra = walk.element().first;
-            return true;
+            return;
         }
         default:
-            return false;
+            return lower_composite(i);
     }
 }
 
@@ -171,50 +169,36 @@ void Lowering::list_offsets(const PointerInfo& pointer, Instruction& instruction
 
 void Lowering::load(Slot result, const PointerInfo& from, std::uint8_t how) {
     const std::uint32_t count = module_.types.slots(from.pointee);
-    switch (from.space) {
-        case Space::slots:
-            if (from.is_static) {
-                emit(copy, count, result, from.target.offset).flags = how;
-            } else {
-                emit(load_slots, count, result, from.index).flags = how;
-            }
-            return;
-        case Space::memory:
-        case Space::shared: {
-            Instruction& instruction = emit(load_memory, count, result, pointer_index(from));
-            instruction.flags = how;
-            list_offsets(from, instruction);
-            return;
-        }
-        case Space::resource:
-            emit(load_resource, 1, result, pointer_index(from));
-            return;
+    if (from.space == Space::resource) {
+        emit(load_resource, 1, result, pointer_index(from));
+    } else if (from.space != Space::slots) {
+        Instruction& instruction = emit(load_memory, count, result, pointer_index(from));
+        instruction.flags = how;
+        list_offsets(from, instruction);
+    } else if (from.is_static) {
+        emit(copy, count, result, from.target.offset).flags = how;
+    } else {
+        emit(load_slots, count, result, from.index).flags = how;
     }
 }
 
 void Lowering::store(const PointerInfo& to, Slot value) {
     const std::uint32_t count = module_.types.slots(to.pointee);
-    switch (to.space) {
-        case Space::slots:
-            if (to.is_static) {
-                emit(copy, count, to.target.offset, value);
-            } else {
-                emit(store_slots, count, 0, to.index, value);
-            }
-            return;
-        case Space::memory:
-        case Space::shared:
-            list_offsets(to, emit(store_memory, count, 0, pointer_index(to), value));
-            code_.resources[to.target.resource].written = true;
-            return;
-        case Space::resource:
-            fail(Error::Kind::malformed, "a store to an image's variable");
+    if (to.space == Space::resource) fail(Error::Kind::malformed, "a store to an image's variable");
+    if (to.space != Space::slots) {
+        list_offsets(to, emit(store_memory, count, 0, pointer_index(to), value));
+        code_.resources[to.target.resource].written = true;
+    } else if (to.is_static) {
+        emit(copy, count, to.target.offset, value);
+    } else {
+        emit(store_slots, count, 0, to.index, value);
     }
 }
 
-bool Lowering::lower_atomic(const shader::Instruction& i) {
-    const bool in_range = i.opcode >= SpvOpAtomicLoad && i.opcode <= SpvOpAtomicXor;
-    if (!in_range) return false;
+void Lowering::lower_atomic(const shader::Instruction& i) {
+    const bool is_known = i.opcode >= SpvOpAtomicLoad && i.opcode <= SpvOpAtomicXor &&
+                          i.opcode != SpvOpAtomicCompareExchangeWeak;
+    if (!is_known) return lower_image(i);
     const bool is_store = i.opcode == SpvOpAtomicStore;
     const PointerInfo& pointer = pointer_of(i.word(is_store ? 1 : 3));
     if (pointer.space == Space::resource)
@@ -225,37 +209,21 @@ bool Lowering::lower_atomic(const shader::Instruction& i) {
     instruction.c = i.opcode;
     if (in_memory) code_.resources[pointer.target.resource].written = true;
     if (!is_store && is_used(i.word(2))) instruction.flags |= flags::result_is_used;
-    switch (i.opcode) {
-        case SpvOpAtomicLoad:
-        case SpvOpAtomicIIncrement:
-        case SpvOpAtomicIDecrement:
-            return true;
-        case SpvOpAtomicStore:
-            instruction.b = slot_of(i.word(4));
-            return true;
-        case SpvOpAtomicCompareExchange:
-            instruction.b = slot_of(i.word(7));
-            instruction.extra = slot_of(i.word(8));
-            return true;
-        case SpvOpAtomicCompareExchangeWeak:
-        case SpvOpAtomicFlagTestAndSet:
-        case SpvOpAtomicFlagClear:
-            fail(Error::Kind::unknown_instruction,
-                 name_of(static_cast<std::uint16_t>(i.opcode)) + " is not known to the interpreter");
-        default:
-            instruction.b = slot_of(i.word(6));
-            return true;
-    }
+    const bool has_no_operand =
+        i.opcode == SpvOpAtomicLoad || i.opcode == SpvOpAtomicIIncrement || i.opcode == SpvOpAtomicIDecrement;
+    const bool compares = i.opcode == SpvOpAtomicCompareExchange;
+    if (!has_no_operand) instruction.b = slot_of(i.word(is_store ? 4 : compares ? 7 : 6));
+    if (compares) instruction.extra = slot_of(i.word(8));
 }
 
 // Blocks, branches and calls.
 
-bool Lowering::lower_control(const shader::Instruction& i) {
+void Lowering::lower_control(const shader::Instruction& i) {
     switch (i.opcode) {
         case SpvOpLabel:
             scope_.block = i.word(1);
             scope_.blocks[i.word(1)] = static_cast<std::uint32_t>(code_.instructions.size());
-            return true;
+            return;
         case SpvOpPhi: {
             const Id type = i.word(1);
             if (module_.types.at(type).kind == Type::Kind::pointer)
@@ -264,7 +232,7 @@ bool Lowering::lower_control(const shader::Instruction& i) {
             for (std::size_t k = 3; k + 1 < i.words.size(); k += 2)
                 phi.values.emplace_back(i.word(k), i.word(k + 1));
             scope_.phis[scope_.block].push_back(std::move(phi));
-            return true;
+            return;
         }
         case SpvOpSelectionMerge:
         case SpvOpLoopMerge:
@@ -273,21 +241,20 @@ bool Lowering::lower_control(const shader::Instruction& i) {
                 const std::uint32_t continues = i.opcode == SpvOpLoopMerge ? edge_to(i.word(2)) + 1 : 0;
                 emit(construct, 0, 0, 0, continues).extra = behind;
             }
-            return true;
+            return;
         case SpvOpBranch: {
             const std::uint32_t edge = edge_to(i.word(1));
             emit(jump, 0, 0).extra = edge;
-            return true;
+            return;
         }
         case SpvOpBranchConditional: {
             const std::uint32_t yes = edge_to(i.word(2));
             const std::uint32_t no = edge_to(i.word(3));
             emit(branch, 0, 0, slot_of(i.word(1)), no).extra = yes;
-            return true;
+            return;
         }
         case SpvOpSwitch:
-            lower_switch(i);
-            return true;
+            return lower_switch(i);
         case SpvOpReturnValue:
             if (module_.undefined.contains(i.word(1)))  // the end of a function, without a value
                 emit(undefine, module_.types.slots(scope_.function->result_type), scope_.result);
@@ -298,19 +265,18 @@ bool Lowering::lower_control(const shader::Instruction& i) {
         case SpvOpReturn:
             scope_.returns.push_back(new_edge());
             emit(jump, 0, 0).extra = scope_.returns.back();
-            return true;
+            return;
         case SpvOpKill:
         case SpvOpTerminateInvocation:
             emit(finish, 0, 0);
-            return true;
+            return;
         case SpvOpUnreachable:
             emit(unreachable, 0, 0);
-            return true;
+            return;
         case SpvOpFunctionCall:
-            lower_call(i);
-            return true;
+            return lower_call(i);
         default:
-            return false;
+            return lower_memory(i);
     }
 }
 

@@ -50,7 +50,7 @@ std::optional<SamplingForm> form_of(std::uint32_t opcode) {
 
 }  // namespace
 
-bool Lowering::lower_composite(const shader::Instruction& i) {
+void Lowering::lower_composite(const shader::Instruction& i) {
     const Types& types = module_.types;
     const auto slots = [&] { return types.slots(i.word(1)); };
     const auto result = [&] { return slot_of(i.word(2)); };
@@ -58,20 +58,20 @@ bool Lowering::lower_composite(const shader::Instruction& i) {
     switch (i.opcode) {
         case SpvOpUndef:
             emit(undefine, slots(), result());
-            return true;
+            return;
         case SpvOpCopyObject:
         case SpvOpCopyLogical:
         case SpvOpBitcast:
             if (types.at(i.word(1)).kind == Type::Kind::pointer) {
                 scope_.pointers[i.word(2)] = pointer_of(i.word(3));
-                return true;
+                return;
             }
             if (i.opcode == SpvOpBitcast) {
                 lower_bits(i);
             } else {
                 emit(copy, slots(), result(), operand(3)).flags = flags_of(i.word(2), i.word(1));
             }
-            return true;
+            return;
         case SpvOpCompositeConstruct: {
             Slot to = result();
             for (std::size_t k = 3; k < i.words.size(); ++k) {
@@ -79,28 +79,27 @@ bool Lowering::lower_composite(const shader::Instruction& i) {
                 emit(copy, count, to, operand(k)).flags = flags_of(i.word(2), i.word(1));
                 to += count;
             }
-            return true;
+            return;
         }
         case SpvOpCompositeExtract: {
             const Slot from = part_of(types, operand(3), type_of(i.word(3)), i.from(4)).first;
             emit(copy, slots(), result(), from).flags = flags_of(i.word(2), i.word(1));
-            return true;
+            return;
         }
         case SpvOpCompositeInsert: {
             emit(copy, slots(), result(), operand(4)).flags = flags_of(i.word(2), i.word(1));
             const auto [to, type] = part_of(types, result(), i.word(1), i.from(5));
             emit(copy, types.slots(type), to, operand(3)).flags = flags_of(i.word(2), i.word(1));
-            return true;
+            return;
         }
         case SpvOpVectorShuffle:
-            lower_shuffle(i);
-            return true;
+            return lower_shuffle(i);
         case SpvOpVectorExtractDynamic:
             emit(extract_dynamic, types.slots(type_of(i.word(3))), result(), operand(3), operand(4));
-            return true;
+            return;
         case SpvOpVectorInsertDynamic:
             emit(insert_dynamic, slots(), result(), operand(3), operand(4), operand(5));
-            return true;
+            return;
         case SpvOpSelect: {
             const bool by_component = types.slots(type_of(i.word(3))) > 1;
             if (types.at(i.word(1)).kind == Type::Kind::pointer)
@@ -108,10 +107,10 @@ bool Lowering::lower_composite(const shader::Instruction& i) {
             Instruction& instruction = emit(select, slots(), result(), operand(3), operand(4), operand(5));
             instruction.stride = by_component ? 1 : 0;
             instruction.flags = flags_of(i.word(2), i.word(1));
-            return true;
+            return;
         }
         default:
-            return false;
+            return lower_matrix(i);
     }
 }
 
@@ -148,7 +147,7 @@ void Lowering::lower_shuffle(const shader::Instruction& i) {
 
 // Matrices: `count` is the number of rows of a result column, `extra` the number of products in a sum, c the
 // number of columns.
-bool Lowering::lower_matrix(const shader::Instruction& i) {
+void Lowering::lower_matrix(const shader::Instruction& i) {
     const Types& types = module_.types;
     const auto shape = [&](std::size_t word) -> std::pair<std::uint32_t, std::uint32_t> {
         const Type& type = types.at(type_of(i.word(word)));
@@ -161,7 +160,6 @@ bool Lowering::lower_matrix(const shader::Instruction& i) {
         instruction.extra = sum;
         instruction.flags = flags_of(i.word(2), i.word(1));
         if ((instruction.flags & flags::no_contraction) == 0) code_.may_be_rearranged = true;
-        return true;
     };
     switch (i.opcode) {
         case SpvOpTranspose: {
@@ -172,7 +170,7 @@ bool Lowering::lower_matrix(const shader::Instruction& i) {
                 for (std::uint32_t column = 0; column < columns; ++column)
                     from.push_back(first + column * rows + row);
             emit(gather, rows * columns, slot_of(i.word(2))).extra = new_list(from);
-            return true;
+            return;
         }
         case SpvOpMatrixTimesVector:
             return product(shape(3).second, shape(3).first, 1);
@@ -185,7 +183,7 @@ bool Lowering::lower_matrix(const shader::Instruction& i) {
         case SpvOpDot:
             return product(1, shape(3).second, 1);
         default:
-            return false;
+            return lower_atomic(i);
     }
 }
 
@@ -251,18 +249,17 @@ void Lowering::lower_fetch(const shader::Instruction& i) {
     instruction.extra = level ? operand(6) + 1 : 0;
 }
 
-bool Lowering::lower_image(const shader::Instruction& i) {
+void Lowering::lower_image(const shader::Instruction& i) {
     const auto operand = [&](std::size_t word) { return slot_of(i.word(word)); };
     const auto components = [&](std::size_t word) { return module_.types.slots(type_of(i.word(word))); };
     switch (i.opcode) {
         case SpvOpImage:
         case SpvOpSampledImage:
             emit(copy, 1, operand(2), operand(3));
-            return true;
+            return;
         case SpvOpImageFetch:
         case SpvOpImageRead:
-            lower_fetch(i);
-            return true;
+            return lower_fetch(i);
         case SpvOpImageWrite: {
             const Type& image = module_.types.at(type_of(i.word(1)));
             Instruction& instruction = emit(image_store, std::min(components(3), channels_of(image)), 0,
@@ -270,26 +267,26 @@ bool Lowering::lower_image(const shader::Instruction& i) {
             instruction.extra = components(2);
             for (Resource& resource : code_.resources)
                 resource.written = resource.written || resource.kind == Resource::Kind::image;
-            return true;
+            return;
         }
         case SpvOpImageQuerySize:
         case SpvOpImageQuerySizeLod: {
             Instruction& instruction =
                 emit(image_size, module_.types.slots(i.word(1)), operand(2), operand(3));
             instruction.extra = i.opcode == SpvOpImageQuerySizeLod ? operand(4) + 1 : 0;
-            return true;
+            return;
         }
         case SpvOpImageQueryLevels:
             emit(image_levels, 1, operand(2), operand(3));
-            return true;
+            return;
         default:
-            return false;
+            return lower_sampling(i);
     }
 }
 
-bool Lowering::lower_sampling(const shader::Instruction& i) {
+void Lowering::lower_sampling(const shader::Instruction& i) {
     const auto form = form_of(i.opcode);
-    if (!form) return false;
+    if (!form) return lower_group(i);
     const auto [implicit, compares, projected, gathers] = *form;
     Sampling how{.projected = projected, .gathers = gathers};
     std::size_t word = gathers || compares ? 6 : 5;
@@ -332,7 +329,6 @@ bool Lowering::lower_sampling(const shader::Instruction& i) {
     instruction.c = at.count;
     instruction.flags = flags_of(i.word(2), i.word(1));
     instruction.extra = static_cast<std::uint32_t>(code_.samplings.size() - 1);
-    return true;
 }
 
 }  // namespace gloam::interpreter::internal

@@ -44,16 +44,10 @@ std::string name_of(std::uint16_t opcode) {
 }
 
 std::uint32_t results_of(const Instruction& instruction) {
-    switch (instruction.op) {
-        case SpvOpVectorTimesMatrix:
-            return instruction.c;
-        case SpvOpMatrixTimesVector:
-        case SpvOpMatrixTimesMatrix:
-        case SpvOpOuterProduct:
-            return instruction.count * instruction.c;
-        default:
-            break;
-    }
+    const std::uint16_t op = instruction.op;
+    if (op == SpvOpVectorTimesMatrix) return instruction.c;
+    if (op == SpvOpMatrixTimesVector || op == SpvOpMatrixTimesMatrix || op == SpvOpOuterProduct)
+        return instruction.count * instruction.c;
     const Known* known = known_operation(instruction.op);
     if (known != nullptr && known->gives_one()) return 1;
     return known != nullptr && known->form == Form::pair ? 2 * instruction.count : instruction.count;
