@@ -124,11 +124,8 @@ Words known_passes() {
     for (std::string word : words_of(help.output)) {
         word = word.substr(0, word.find_first_of("[=,."));
         if (!word.starts_with("--") || std::ranges::find(passes, word) != passes.end()) continue;
-        if (is_pass(word)) {
-            passes.push_back(word);
-        } else if (is_pass(word + "=4")) {
-            passes.push_back(word + "=4");
-        }
+        if (!is_pass(word)) word += "=4";
+        if (is_pass(word)) passes.push_back(word);
     }
     return passes;
 }

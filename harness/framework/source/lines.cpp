@@ -44,19 +44,11 @@ class Splitter {
             take(1, '\n');
             return finish_line();
         }
-        switch (in_) {
-            case In::code:
-                return step_code();
-            case In::quotes:
-                if (text_[at_] == '"') in_ = In::code;
-                return take(1, text_[at_]);
-            case In::line_comment:
-                return take(1, ' ');
-            case In::block_comment:
-                if (!ahead("*/")) return take(1, ' ');
-                in_ = In::code;
-                return take(2, ' ');
-        }
+        if (in_ == In::code) return step_code();
+        const bool in_quotes = in_ == In::quotes;
+        const bool ends = in_quotes ? text_[at_] == '"' : in_ == In::block_comment && ahead("*/");
+        if (ends) in_ = In::code;
+        take(ends && !in_quotes ? 2 : 1, in_quotes ? text_[at_] : ' ');
     }
 
     void step_code() {

@@ -19,36 +19,30 @@ constexpr const char* extensions_of_150 =
     "#extension GL_ARB_shader_bit_encoding : require\n";
 
 struct Entry {
-    Language language;
     const char* name;
     const char* version;
     const char* start;  // behind #version
     Stage stage;
 };
 
-constexpr std::array entries{
-    Entry{Language::vulkan450, "450", "450", "", Stage::compute},
-    Entry{Language::gl430, "430", "430 core", "", Stage::compute},
-    Entry{Language::gl330, "330", "330 core", "", Stage::fragment},
-    Entry{Language::gl150, "150", "150 core", extensions_of_150, Stage::fragment},
-    Entry{Language::es300, "300es", "300 es", es_precisions, Stage::fragment},
-    Entry{Language::es310, "310es", "310 es", es_precisions, Stage::compute},
-    Entry{Language::es320, "320es", "320 es", es_precisions, Stage::compute},
-};
+// In the order of Language.
+constexpr std::array entries{Entry{"450", "450", "", Stage::compute},
+                             Entry{"430", "430 core", "", Stage::compute},
+                             Entry{"330", "330 core", "", Stage::fragment},
+                             Entry{"150", "150 core", extensions_of_150, Stage::fragment},
+                             Entry{"300es", "300 es", es_precisions, Stage::fragment},
+                             Entry{"310es", "310 es", es_precisions, Stage::compute},
+                             Entry{"320es", "320 es", es_precisions, Stage::compute}};
 
 const Entry& entry_of(Language language) {
-    for (const Entry& entry : entries)
-        if (entry.language == language) return entry;
-    throw std::invalid_argument("language " + std::to_string(static_cast<int>(language)) +
-                                ": not one of 450, 430, 330, 150, 300es, 310es, 320es");
+    return entries.at(static_cast<std::size_t>(language));
 }
 
 }  // namespace
 
 std::optional<Language> language_from(std::string_view name) {
-    for (const Entry& entry : entries)
-        if (name == entry.name) return entry.language;
-    return std::nullopt;
+    const auto found = std::ranges::find(entries, name, &Entry::name);
+    return found == entries.end() ? std::nullopt : std::optional(Language(found - entries.begin()));
 }
 
 std::string to_string(Language language) {
