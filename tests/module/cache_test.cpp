@@ -72,41 +72,28 @@ TEST_F(SpirvCacheTest, KeepsApartWhateverDiffers) {
     EXPECT_EQ(files_in(folder.path()), all.size() + 1) << "functions are those of every variant";
 }
 
-TEST_F(SpirvCacheTest, ChangedIncludeIsCompiledAgain) {
-    const SpirvCache cache(folder.path() / "cache");
-    const CompileOptions options{.include_roots = {folder.path()}};
-    const Source user = kernel("#include \"outer.glsl\"", "f()");
-    folder.write("outer.glsl", "#include \"inner.glsl\"\n");
-    folder.write("inner.glsl", "float f() { return 1.0; }\n");
-    const Spirv one = cache.compile(user, options);
-    folder.write("inner.glsl", "float f() { return 2.0; }\n");
-    const Spirv two = cache.compile(user, options);
-    EXPECT_NE(one, two);
-    EXPECT_EQ(two, compile(user, options));
-    folder.write("inner.glsl", "float f() { return 1.0; }\n");
-    EXPECT_EQ(cache.compile(user, options), one);
-    folder.write("inner.glsl", "float f() { return x; }\n");
-    EXPECT_THROW(static_cast<void>(cache.compile(user, options)), CompileError);
-}
-
-TEST_F(SpirvCacheTest, AFileThatHidesAnotherIsNoticed) {
+// A file that has changed, one in an earlier root that hides it, and one beside the source.
+TEST_F(SpirvCacheTest, AnotherIncludeIsCompiledAgain) {
     const SpirvCache cache(folder.path() / "cache");
     const CompileOptions options{.include_roots = {folder.path() / "first", folder.path() / "second"}};
-    const Source user = kernel("#include \"f.glsl\"", "f()");
-    folder.write("second/f.glsl", "float f() { return 1.0; }\n");
-    static_cast<void>(cache.compile(user, options));
-    folder.write("first/f.glsl", "float f() { return 2.0; }\n");
-    EXPECT_EQ(cache.compile(user, options), compile(user, options));
-}
-
-TEST_F(SpirvCacheTest, IncludeBesideTheSourceCounts) {
-    const SpirvCache cache(folder.path() / "cache");
-    Source user = kernel("#include \"f.glsl\"", "f()");
-    user.name = (folder.path() / "user.comp").string();
-    folder.write("f.glsl", "float f() { return 1.0; }\n");
-    const Spirv one = cache.compile(user, {});
-    folder.write("f.glsl", "float f() { return 2.0; }\n");
-    EXPECT_NE(cache.compile(user, {}), one);
+    Source user = kernel("#include \"outer.glsl\"", "f()");
+    user.name = (folder.path() / "home" / "user.comp").string();
+    folder.write("second/outer.glsl", "#include \"inner.glsl\"\n");
+    folder.write("second/inner.glsl", "float f() { return 1.0; }\n");
+    const Spirv first = cache.compile(user, options);
+    Spirv before = first;
+    for (const auto& [name, value] :
+         {std::pair{"second/inner.glsl", "2.0"}, {"first/outer.glsl", "3.0"}, {"home/outer.glsl", "4.0"}}) {
+        folder.write(name, std::string("float f() { return ") + value + "; }\n");
+        EXPECT_NE(cache.compile(user, options), before) << name;
+        before = compile(user, options);
+        EXPECT_EQ(cache.compile(user, options), before) << name;
+    }
+    for (const char* name : {"first", "home"}) std::filesystem::remove_all(folder.path() / name);
+    folder.write("second/inner.glsl", "float f() { return 1.0; }\n");
+    EXPECT_EQ(cache.compile(user, options), first);
+    folder.write("second/inner.glsl", "float f() { return x; }\n");
+    EXPECT_THROW(static_cast<void>(cache.compile(user, options)), CompileError);
 }
 
 TEST_F(SpirvCacheTest, ErrorsAreThrownEveryTimeAndNotStored) {

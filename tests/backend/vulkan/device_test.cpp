@@ -105,7 +105,6 @@ TEST_F(DriversTest, DriversComeBesidesThoseOfTheSystem) {
     EXPECT_FALSE(drivers_are_chosen());
     add_drivers(std::array{first, second});
     EXPECT_TRUE(drivers_are_chosen());
-    EXPECT_EQ(std::string(std::getenv("VK_ADD_DRIVER_FILES")), first.string() + ":" + second.string());
     EXPECT_EQ(std::getenv("VK_DRIVER_FILES"), nullptr);
     add_drivers(std::array{first});
     EXPECT_EQ(std::string(std::getenv("VK_ADD_DRIVER_FILES")),
