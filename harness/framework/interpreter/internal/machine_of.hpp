@@ -218,9 +218,11 @@ using Tell = std::function<void(const Instruction&)>;
 template <class N>
 void step(State<N>& s, const Tell& tell) {
     const Instruction* const code = s.code.instructions.data();
+    const std::uint64_t end = s.end;
+    const bool tells = static_cast<bool>(tell);
     for (; s.running; ++s.steps) {
         s.steps += std::exchange(s.cost, 0);
-        if (s.steps >= s.end)
+        if (s.steps >= end)
             throw Fault{Error::Kind::too_many_steps, fmt::format("more than {} instructions", s.limit)};
         s.at = s.next++;
         const Instruction& i = code[s.at];
@@ -232,7 +234,7 @@ void step(State<N>& s, const Tell& tell) {
         }
         s.handlers[s.at](s, i);
         if (s.undefinedness.touched) s.forget_touched();
-        if (tell) tell(i);
+        if (tells) tell(i);
     }
 }
 
