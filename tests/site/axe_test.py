@@ -7,8 +7,7 @@ import json
 import tempfile
 from pathlib import Path
 
-from npm_packages import install
-from site_case import PageCase, main
+from site_case import PageCase, install, main
 
 PACKAGE = "axe-core@4.10.3"
 SERIOUS = ("serious", "critical")

@@ -30,25 +30,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-
 KEYS = {"Tab": (9, None), "Space": (32, " "), "ArrowRight": (39, None), "ArrowUp": (38, None), "Minus": (189, "-")}
 
 
-class Page:
-    """What tests do with the page of either browser, by its evaluate() and its timeout."""
-
-    def __enter__(self):
-        return self
-
-    def wait(self, condition):
-        """Waits until an expression in the page is true."""
-        deadline = time.monotonic() + self.timeout
-        while not self.evaluate(condition):
-            if time.monotonic() > deadline:
-                raise BrowserError(f"after {self.timeout} s still not: {condition}")
-            time.sleep(0.05)
-
-    def text(self, identifier):
-        return self.evaluate(f"document.getElementById('{identifier}').textContent")
-
-
-class Browser(Page):
+class Browser:
     """One browser with one page. Use it in a `with` statement."""
 
     def __init__(self, timeout=60):
@@ -68,6 +50,9 @@ class Browser(Page):
         self.session = None
         self.events = []
         self._attach()
+
+    def __enter__(self):
+        return self
 
     def __exit__(self, *_):
         try:
@@ -129,6 +114,17 @@ class Browser(Page):
             details = answer["exceptionDetails"]
             raise BrowserError(details.get("exception", {}).get("description", details["text"]))
         return answer["result"].get("value")
+
+    def wait(self, condition):
+        """Waits until an expression in the page is true."""
+        deadline = time.monotonic() + self.timeout
+        while not self.evaluate(condition):
+            if time.monotonic() > deadline:
+                raise BrowserError(f"after {self.timeout} s still not: {condition}")
+            time.sleep(0.05)
+
+    def text(self, identifier):
+        return self.evaluate(f"document.getElementById('{identifier}').textContent")
 
     def key(self, name):
         """Presses a key: one of KEYS."""

@@ -22,8 +22,8 @@ class DemoTest(unittest.TestCase):
             self.assertIn(said, done.stdout)
         self.assertNotIn("\033", done.stdout)  # no terminal, no colour
         page = (FOLDER / "index.html").read_text(encoding="utf-8")
-        for part in ('<input type="radio"', "gloam_radical_inverse_base2", '<svg class="plot"', '<details class="fold">',
-                     '<canvas id="canvas"'):
+        for part in ('<input type="radio"', "gloam_radical_inverse_base2", '<svg class="plot"',
+                     '<details class="fold">', '<canvas id="canvas"'):
             self.assertIn(part, page)
         # Every file of the page is there, and nothing that the page does not show.
         scenes = {"room", "moving", "bunny" if "bunny_plain.png" in page else "knot"}

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""effect_test.py GLOAM FOLDER: the live effect on the page of `gloam demo` in headless Chromium. Its occlusion is that of
-`gloam render`, and what a person does with the picture and the controls has an effect.
+"""effect_test.py GLOAM FOLDER: the live effect on the page of `gloam demo` in headless Chromium. Its occlusion is that
+of `gloam render`, and what a person does with the picture and the controls has an effect.
 
 Left with status 77 where there is no Chromium."""
-import subprocess
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
-from site_case import GLOAM, SIZE, PageCase, main, read_pfm
+from site_case import SIZE, PageCase, assert_is_rendered, floats_of, main, shade_script
 
 MOST_BYTES = 600_000  # of scripts, without compression, before the first interaction
 POSE = "gloam.live.state.orbit.pose"
@@ -24,11 +23,8 @@ class EffectTest(PageCase):
         for preset, frames, size in (("balanced", 4, SIZE), ("quality", 9, SIZE), ("reference", 2, SIZE),
                                      ("fast", 4, (161, 99))):
             with self.subTest(preset=preset, size=size):
-                out = self.folder / preset
-                subprocess.run([GLOAM, "render", "columns", "--size", "{}x{}".format(*size), "--frames", str(frames),
-                                "--preset", preset, "--out", out, "--quiet"], check=True)
-                self.compare(self.shade(self.browser, preset, frames, size),
-                             read_pfm(out / f"f{frames - 1:04}_ao.pfm"))
+                shown = self.browser.evaluate(shade_script(preset, frames, size))
+                assert_is_rendered(self, floats_of(shown), preset, frames, size)
 
     def choose(self, **choices):
         """Sets controls by their identifiers, as a person does, and waits for the next frame."""

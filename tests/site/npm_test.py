@@ -1,23 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""npm_test.py GLOAM EXAMPLE: `gloam pack --npm`, installed into a copy of the example with three.js, bundled, and
-opened in headless Chromium.
+"""npm_test.py GLOAM FOLDER: `gloam pack --npm`, installed into a copy of the example with three.js, bundled, and opened
+in headless Chromium. It uses no FOLDER.
 
 Left with status 77 where there is no Chromium, no npm, or nothing that npm can install from."""
 import array
-import base64
 import json
 import shutil
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 from browser import program
-from npm_packages import install
-from site_case import GLOAM, BrowserCase, main, read_pfm, skip
+from site_case import GLOAM, BrowserCase, floats_of, install, main, read_pfm, skip
 
-EXAMPLE = Path(sys.argv[2])
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples/threejs"
 FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
 
 # Name, preset, whether there are normals, and the view.
@@ -32,12 +29,40 @@ SEQUENCES = [("perspective", "balanced", True, "made()", 0.015),
              ("full size", "reference --set resolution=full", True, "made()", 0.015),
              ("tiles", "balanced --set resolution=tiles --set mark=0.08", True, "made()", 0.015)]
 
+# Calls, one after the other, and what each is refused with.
+REFUSED = [("new AmbientOcclusion(none, effect)", "not one of WebGL2"),
+           ("new AmbientOcclusion(gl, effect, {depth: 'log'})", 'depth "log": expected "linear" or "buffer"'),
+           ("new AmbientOcclusion(gl, effect, {range: '0-1'})", 'range "0-1": expected'),
+           ("new AmbientOcclusion(gl, effect, {normals: 'tangent'})", 'normals "tangent": expected'),
+           ("plain.render({})", "no size or no preset"),
+           ("plain.setPreset('none', 1)", 'preset "none": expected fast, balanced'),
+           ("plain.setPreset('balanced', -1)", "radius -1: expected"),
+           ("plain.setPreset('balanced', 1, {resolution: 'quarter'})", 'resolution "quarter": expected "full"'),
+           ("plain.setSize(0, 5)", "size 0x5: expected whole numbers"),
+           ("plain.setPreset('balanced', 1); plain.setSize(8, 8); plain.render({projection, view: [NaN]})",
+            "view: expected 16 finite numbers"),
+           ("plain.render({projection, view: projection})", "depth: expected a texture"),
+           ("plain.render({projection: byRows, view: projection})",
+            "projection: the matrix is written row by row, expected column"),
+           ("plain.render({projection, view: projection.map((x, i) => i === 7 ? 3 : x)})",
+            "view: the matrix is written row by row"),
+           ("pass.source = 'composer'; view.draw()", "whose target has a depthTexture"),
+           ("pass.source = 'scene'; pass.preset = 'none'; view.draw()", 'preset "none": expected fast'),
+           ("made({logarithmicDepthBuffer: true}).draw()", "logarithmicDepthBuffer: expected"),
+           ("new Pass(scene, camera, {output: 'light'})",
+            'output "light": expected "shaded" or "visibility" or "ambient"'),
+           ("new Pass(scene, camera, {raduis: 2})",
+            'option "raduis": expected preset, radius, resolution, intensity, distance, output'),
+           ("new Pass(scene)", "camera: expected one of three.js, got undefined"),
+           ("depths.onBeforeCompile({uniforms: {}, fragmentShader: ''})",
+            "MeshNormalMaterial: expected a material that three.js lights")]
+
 
 def write_gbuffer(folder, number, frame, before, normals):
     """A frame as `gloam render --gbuffer` reads it."""
     folder.mkdir(exist_ok=True)
     width, height = frame["size"]
-    texels = array.array("f", base64.b64decode(frame["texels"]))
+    texels = floats_of(frame["texels"])
     camera = {"view": frame["view"], "proj_vk": frame["proj_vk"], "prev_view": None if frame["cut"] else before["view"]}
     name = f"{folder}/f{number:04}"
     Path(name + ".json").write_text(json.dumps({"width": width, "height": height, "camera": camera}), encoding="utf-8")
@@ -59,9 +84,10 @@ class NpmTest(BrowserCase):
         self.assertEqual([], self.browser.problems())
 
     def ask(self, script):
-        """What a function of the page's names returns."""
+        """What a function of the page's names returns. Its views are closed then."""
         names = self.browser.evaluate("Object.keys(window.page).join()")
-        return self.browser.evaluate(f"(() => {{ const {{{names}}} = window.page; {script} }})()")
+        return self.browser.evaluate(f"(async () => {{ const {{{names}}} = window.page; {script} }})()"
+                                     ".finally(window.page.closeViews)")
 
     def test_the_types(self):
         done = subprocess.run(["npx", "tsc", "--noEmit", "--strict", "--module", "nodenext", "--target", "es2022",
@@ -78,16 +104,14 @@ class NpmTest(BrowserCase):
                     const view = {made};
                     [view.occlusion.preset, , view.occlusion.resolution = null] = "{preset}".split(/ --set |=/);
                     const box = view.scene.children[2];
-                    const all = written(recorded(view, 40, (view, i) => {{
+                    return written(recorded(view, 40, (view, i) => {{
                         if (i === 20) view.setSize(97, 55, 1);
                         if (i === 10) view.occlusion.restart();
                         if (i < 32) view.look((i < 10 ? 0 : 0.3) + 0.01 * i);
                         box.position.x = 0.02 * i - 2;
                         if (view.jitters) jitter(view, i);
-                    }}));
-                    closed(view);
-                    return all;""")
-                folder = self.folder / name
+                    }}));""")
+                folder = FOLDER / name
                 for i, frame in enumerate(frames):
                     write_gbuffer(folder, i, frame, frames[i - 1], normals)
                 subprocess.run([GLOAM, "render", "--gbuffer", folder, "--depth", "buffer", "--normals", "view-unorm",
@@ -95,8 +119,7 @@ class NpmTest(BrowserCase):
                                check=True)
                 for i, frame in enumerate(frames):
                     want = read_pfm(folder / f"out/f{i:04}_ao.pfm")
-                    got = array.array("f", base64.b64decode(frame["occlusion"]))
-                    apart = [x - y for x, y in zip(got, want, strict=True)]
+                    apart = [x - y for x, y in zip(floats_of(frame["occlusion"]), want, strict=True)]
                     self.assertLessEqual(sum(255 * abs(one) > 1.1 for one in apart),
                                          len(apart) * (0.002 if i < 32 else standing), i)
                     self.assertLess(abs(sum(apart)) / len(apart), 2e-4, i)
@@ -117,10 +140,8 @@ class NpmTest(BrowserCase):
                 got = self.ask(f"""
                     const right = {view};
                     const want = occlusion(frames(right, 4));
-                    closed(right);
                     const left = leftHanded({view});
                     const got = occlusion(frames(left, 4));
-                    closed(left);
                     return {{...apart(want, got), max: Math.max(...want)}};""")
                 self.assertLess(got["mean"], 1e-3)
                 self.assertEqual(0, got["most"])
@@ -142,7 +163,6 @@ class NpmTest(BrowserCase):
                     view.occlusion.restart();
                     const got = apart(zoomed, occlusion(frames(view, 24, () => zoom(0))));
                     const {{deep}} = images;
-                    closed(view);
                     return {{...got, deep, max: Math.max(...zoomed)}};""")
                 self.assertEqual(deep == "true", got["deep"])
                 self.assertLess(got["mean"], 0.008)
@@ -158,7 +178,6 @@ class NpmTest(BrowserCase):
             view.camera.aspect = 16 / 9;
             view.camera.setViewOffset(320, 180, 80, 0, 160, 90);
             const part = occlusion(frames(view, 24));
-            closed(view);
             return apart(part, part.map((_, i) => whole[(90 + Math.floor(i / 160)) * 320 + 80 + i % 160]));""")
         self.assertLess(got["mean"], 0.01)
         self.assertLess(got["most"], 0.02)
@@ -184,16 +203,14 @@ class NpmTest(BrowserCase):
         got = self.ask("""
             const view = made();
             const {occlusion: pass} = view;
-            const counts = [() => {}, () => {}, () => { pass.radius = 0.5; }, () => {},
+            return [() => {}, () => {}, () => { pass.radius = 0.5; }, () => {},
                 () => { pass.preset = "quality"; },
                 () => { pass.camera = view.camera.clone(); }, () => { pass.resolution = "half"; },
             ].map((change) => {
                 change();
                 view.draw();
                 return pass.occlusion.frames;
-            });
-            closed(view);
-            return counts;""")
+            });""")
         self.assertEqual([1, 2, 1, 2, 1, 1, 1], got)
 
     def test_another_preset_gives_what_a_new_pass_gives(self):
@@ -210,10 +227,8 @@ class NpmTest(BrowserCase):
                 const {images, passes: {gl}} = other.occlusion.occlusion;
                 other.occlusion.dispose();
                 const left = [images.marks, images.fullTexels].some((one) => gl.isTexture(one?.image ?? null));
-                closed(other);
                 return {got, mean: apart(got, want).mean, left, error: view.renderer.getContext().getError()};
             });
-            closed(view);
             const [half, ...others] = all.splice(-4).map((one) => one.got);
             return {all, others: others.map((other) => apart(half, other).mean)};""")
         for one in got["all"]:
@@ -222,50 +237,21 @@ class NpmTest(BrowserCase):
         self.assertEqual(0, got["others"][2])
 
     def test_what_cannot_be_is_refused(self):
-        messages = self.ask("""
+        calls = ", ".join(f"() => {{ {call}; }}" for call, _ in REFUSED)
+        messages = self.ask(f"""
             const gl = document.createElement("canvas").getContext("webgl2");
+            const none = document.createElement("canvas").getContext("2d");
             const plain = new AmbientOcclusion(gl, effect);
-            const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+            const projection = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+            const byRows = [1, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1, -0.2, 0, 0, -1, 0];
             const view = made();
-            const got = [
-                () => new AmbientOcclusion(document.createElement("canvas").getContext("2d"), effect),
-                () => new AmbientOcclusion(gl, effect, {depth: "log"}),
-                () => new AmbientOcclusion(gl, effect, {range: "0-1"}),
-                () => new AmbientOcclusion(gl, effect, {normals: "tangent"}),
-                () => plain.render({}),
-                () => plain.setPreset("none", 1),
-                () => plain.setPreset("balanced", -1),
-                () => plain.setPreset("balanced", 1, {resolution: "quarter"}),
-                () => plain.setSize(0, 5),
-                () => { plain.setPreset("balanced", 1); plain.setSize(8, 8);
-                    plain.render({projection: identity, view: [NaN]}); },
-                () => plain.render({projection: identity, view: identity}),
-                () => plain.render({projection: [1, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1, -0.2, 0, 0, -1, 0], view: identity}),
-                () => plain.render({projection: identity, view: identity.map((x, i) => i === 7 ? 3 : x)}),
-                () => { view.occlusion.source = "composer"; view.draw(); },
-                () => { view.occlusion.source = "scene"; view.occlusion.preset = "none"; view.draw(); },
-                () => made({logarithmicDepthBuffer: true}).draw(),
-                () => new view.occlusion.constructor(view.scene, view.camera, {output: "light"}),
-                () => new view.occlusion.constructor(view.scene, view.camera, {raduis: 2}),
-                () => new view.occlusion.constructor(view.scene),
-                () => { const depth = new view.occlusion.materials.hidden.constructor();
-                    view.occlusion.darken(depth); depth.onBeforeCompile({uniforms: {}, fragmentShader: ""}); },
-            ].map(refusal);
-            closed(view);
-            return got;""")
-        expected = ["not one of WebGL2", 'depth "log": expected "linear" or "buffer"', 'range "0-1": expected',
-                    'normals "tangent": expected', "no size or no preset", 'preset "none": expected fast, balanced',
-                    "radius -1: expected", 'resolution "quarter": expected "full"', "size 0x5: expected whole numbers",
-                    "view: expected 16 finite numbers", "depth: expected a texture",
-                    "projection: the matrix is written row by row, expected column",
-                    "view: the matrix is written row by row", "whose target has a depthTexture",
-                    'preset "none": expected fast', "logarithmicDepthBuffer: expected",
-                    'output "light": expected "shaded" or "visibility" or "ambient"',
-                    'option "raduis": expected preset, radius, resolution, intensity, distance, output',
-                    "camera: expected one of three.js, got undefined",
-                    "MeshNormalMaterial: expected a material that three.js lights"]
-        for want, message in zip(expected, messages, strict=True):
-            self.assertIn(want, message or "")
+            const {{occlusion: pass, scene, camera}} = view;
+            const Pass = pass.constructor;
+            const depths = new pass.materials.hidden.constructor();
+            pass.darken(depths);
+            return [{calls}].map(refusal);""")
+        for (call, expected), message in zip(REFUSED, messages, strict=True):
+            self.assertIn(expected, message or "", call)
 
     def test_fog_before_a_surface_is_not_darkened(self):
         """Opaque white fog stays white; a black surface in half of it has no light that could be darkened."""
@@ -316,7 +302,6 @@ class NpmTest(BrowserCase):
                 const disabled = apart(shown(view), plain).mean;
                 Object.assign(view.occlusion, {enabled: true, distance: 4});
                 const far = apart(shown(view), plain).mean;
-                closed(view);
                 return {disabled: disabled + far, dark: apart(dark, plain).mean, bounced: apart(bounced, plain).mean,
                     brighter: dark.filter((x, i) => x > plain[i]).length};
             });""")
@@ -332,12 +317,10 @@ class NpmTest(BrowserCase):
             const other = withComposerDepth(made());
             other.occlusion.enabled = false;
             const without = shown(other);
-            closed(other);
             Object.assign(view.occlusion, {output: "shaded", intensity: 0});
             const idle = shown(frames(view, 2));
             view.occlusion.intensity = 1;
             const shaded = shown(frames(view, 2));
-            closed(view);
             const brighter = shaded.filter((x, i) => x > without[i] + 1).length;
             return {idle: apart(without, idle).mean, shaded: apart(without, shaded).mean, brighter,
                 visible: view.scene.children.every((one) => one.material?.isMeshNormalMaterial !== true)};""")

@@ -5,7 +5,7 @@
 Left with status 77 where there is no Chromium."""
 import subprocess
 
-from site_case import GLOAM, PageCase, main
+from site_case import GLOAM, PAGE, PageCase, main
 
 # The equations of the rows that are shown.
 SHOWN = "[...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden).map((row) => row.cells[1].textContent)"
@@ -30,7 +30,7 @@ class PageTest(PageCase):
             self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), width)
         self.assertEqual(1, self.browser.evaluate("document.querySelectorAll('h1').length"))
         links = self.browser.evaluate("[...document.querySelectorAll('a')].map((a) => a.getAttribute('href'))")
-        self.assertEqual([], [link for link in links if not (self.page.parent / link).is_file()])
+        self.assertEqual([], [link for link in links if not (PAGE.parent / link).is_file()])
         self.assertEqual([], self.browser.problems())
         asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:", "blob:"))]
         self.assertEqual([], asked)
@@ -43,7 +43,7 @@ class PageTest(PageCase):
 
     def test_one_of_the_pictures_of_a_scene_is_shown(self):
         figure = "document.querySelector('.choose')"
-        shown = f"""[...{figure}.querySelectorAll('img')].filter((one) => one.checkVisibility()).map((one) => one.src)"""
+        shown = f"[...{figure}.querySelectorAll('img')].filter((one) => one.checkVisibility()).map((one) => one.src)"
         seen = []
         for choice in range(self.browser.evaluate(f"{figure}.querySelectorAll('input').length")):
             self.browser.evaluate(f"{figure}.querySelectorAll('input')[{choice}].click()")
@@ -55,10 +55,10 @@ class PageTest(PageCase):
         return self.browser.evaluate("document.querySelector('.filter output').textContent")
 
     def test_its_own_scripts_run_and_no_other(self):
-        page = self.page.with_name("foreign.html")
+        page = PAGE.with_name("foreign.html")
         foreign = "<script>document.body.textContent = 'foreign'</script></body>"
         try:
-            page.write_text(self.page.read_text(encoding="utf-8").replace("</body>", foreign), encoding="utf-8")
+            page.write_text(PAGE.read_text(encoding="utf-8").replace("</body>", foreign), encoding="utf-8")
             self.browser.open(page)
             rows = len(self.browser.evaluate(SHOWN))
             self.assertEqual(self.count(), f"{rows} of {rows} rows")

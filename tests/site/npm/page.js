@@ -10,18 +10,24 @@ import {View} from "./view.js";
 
 const size = [160, 90];
 
-// A view that shows its visibility alone.
+let views = [];
+
+// A view that shows its visibility alone, until closeViews().
 function made(options = {}, [width, height] = size) {
     const view = new View(document.createElement("canvas"), options);
     view.occlusion.output = "visibility";
     view.setSize(width, height, 1);
+    views.push(view);
     return view;
 }
 
-function closed(view) {
-    view.occlusion.dispose();
-    view.renderer.dispose();
-    view.renderer.forceContextLoss();
+function closeViews() {
+    for (const {occlusion, renderer} of views) {
+        occlusion.dispose();
+        renderer.dispose();
+        renderer.forceContextLoss();
+    }
+    views = [];
 }
 
 function frames(view, count, before = () => {}) {
@@ -50,15 +56,9 @@ function pixels({renderer}) {
 }
 const shown = (view) => pixels(frames(view, 1));
 
-const halton = (index, base) => {
-    let sum = 0;
-    for (let place = 1 / base; index > 0; index = Math.floor(index / base), place /= base) sum += index % base * place;
-    return sum;
-};
-
-// A new frame of the same view with the projection moved by up to half a pixel.
+// Moves the projection by up to half a pixel.
 function jitter(view, i) {
-    view.camera.setViewOffset(...size, halton(i + 1, 2) - 0.5, halton(i + 1, 3) - 0.5, ...size);
+    view.camera.setViewOffset(...size, i * 0.618034 % 1 - 0.5, i * 0.7548777 % 1 - 0.5, ...size);
 }
 
 function orthographic(view) {
@@ -107,7 +107,6 @@ function darkening(view) {
     const dark = shown(frames(view, 2));
     view.occlusion.intensity = 0;
     const plain = shown(view);
-    closed(view);
     return {most: Math.max(...plain.map((x, i) => Math.abs(x - dark[i]))), least: Math.min(...dark),
         mean: apart(dark, plain).mean};
 }
@@ -118,7 +117,6 @@ function shownByFormula(view, {intensity = 1, distance = Infinity}) {
     Object.assign(view.occlusion, {intensity, distance});
     const [{texels, proj_vk: p, occlusion}] = recorded(view, 1, () => {});
     const bytes = pixels(view);
-    closed(view);
     const errors = Array.from(occlusion, (one, i) => {
         const stored = texels[4 * i + 3];
         const away = p[11] === 0 ? (p[14] - stored) / p[10] : p[14] / (p[10] + stored);
@@ -183,7 +181,6 @@ function comparedPairs() {
         const shown = first(one);
         return {name, apart: apart(shown, first(other)).mean, visible: apart(shown, none).mean};
     });
-    closed(view);
     return {all, solid: apart(none, solid).mean};
 }
 
@@ -202,9 +199,7 @@ async function lostAndRestored() {
     view.renderer.forceContextRestore();
     await restored;
     const after = occlusion(frames(view, 5));
-    const got = {...apart(before, after), error: view.renderer.getContext().getError()};
-    closed(view);
-    return got;
+    return {...apart(before, after), error: view.renderer.getContext().getError()};
 }
 
 // Frames of a view and what the effect was given in each, as `gloam render --gbuffer` reads it: row 0 first, depth from
@@ -281,9 +276,8 @@ function encoded(view, normals, left, shown = "occlusion") {
     const into = shown === "occlusion" ? null : other.passes.image("RGBA8", [width, height]);
     const drawn = other.render({depth: depth.image, normal: normal.image, into,
         projection: negated(p, (i) => left && i >> 2 === 2), view: negated(matrix, (i) => left && i % 4 === 2)});
-    const got = apart(want, other.readShown().map((one) => into === null ? one : 1 - one));
-    closed(view);
-    return {...got, into: into === null || drawn === into};
+    return {...apart(want, other.readShown().map((one) => into === null ? one : 1 - one)),
+        into: into === null || drawn === into};
 }
 
 // Normal and depth of each pixel.
@@ -304,12 +298,8 @@ function texelsOf({passes, size}, {depth, normal}) {
     return values;
 }
 
-const base64 = (values) => {
-    const bytes = new Uint8Array(values.buffer);
-    let text = "";
-    for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
-    return btoa(text);
-};
+const base64 = (values) =>
+    btoa(Array.from(new Uint8Array(values.buffer), (byte) => String.fromCharCode(byte)).join(""));
 
 // The message of the error that a call throws.
 function refusal(call) {
@@ -321,6 +311,6 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, Fog, FogExp2, ambient, apart, closed, comparedPairs, darkening, effect, encoded,
+window.page = {AmbientOcclusion, Fog, FogExp2, ambient, apart, closeViews, comparedPairs, darkening, effect, encoded,
     fogged, frames, jitter, leftHanded, lostAndRestored, made, occlusion, orthographic, recorded, refusal, sheet,
     shown, shownByFormula, withComposerDepth, written};
