@@ -6,10 +6,10 @@
 set(most_tests 48)
 # The groups that take longest, in seconds. ctest starts these first, before it has measured any of them. It measures
 # the others itself: it would not where they had a COST.
-set(long_groups cli.Stories_drivers 40 cli.Stories_hostile 40 stress.All/PoisonOf/1of2 20 stress.All/PoisonOf/2of2 20
+set(long_groups cli.Stories_drivers 40 cli.Stories_hostile 40 cli.All/PoisonOf/1of2 20 cli.All/PoisonOf/2of2 20
   closed_form.All/ClosedForm/2of2 30
   effect.All/Prepared 15 closed_form.All/ClosedForm/1of2 20
-  configuration_study.TemporalQuality 20 catalogue.CatalogueCoverage 20 cli.PackEffect 15 effect.Pictures 35)
+  experiment.TemporalQuality 20 catalogue.CatalogueCoverage 20 cli.Stories_pack 20 effect.Pictures 35)
 
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing RESULT_VARIABLE status)
 if(status)
