@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""release_test.py SOURCE BUILD: what a release consists of, but for the Debian packages (debian.py).
+"""release_test.py SOURCE BUILD: what a release consists of, but for the Debian packages (debian_test.py).
 
 One version everywhere, the source archive, the recipe for vcpkg, the commits since the last release.
 """
@@ -13,7 +13,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-SOURCE, BUILD = (Path(argument).resolve() for argument in sys.argv[1:3])
+from run import BUILD, CONSUMER, SOURCE, VERSION, configured, run
+
 LONGEST_SUBJECT = 72
 
 
@@ -21,22 +22,7 @@ def text(*parts):
     return SOURCE.joinpath(*parts).read_text(encoding="utf-8")
 
 
-VERSION = re.search(r"project\(gloam VERSION ([\d.]+)", text("CMakeLists.txt"))[1]
 RELEASED = re.findall(r"^## (\d+\.\d+\.\d+), (\d{4}-\d\d-\d\d)$", text("CHANGELOG.md"), re.M)
-
-
-def run(*command, **options):
-    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          check=False, **options)
-    if done.returncode:
-        raise AssertionError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-4000:]}")
-    return done.stdout
-
-
-def configured(source, build, *options):
-    """Configures a tree, for which every source must be there. Returns what it can build."""
-    run("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DGLOAM_QUICK_TOOLS=OFF", *options)
-    return run("ninja", "-C", build, "-t", "targets", "all")
 
 
 class Versions(unittest.TestCase):
@@ -48,7 +34,7 @@ class Versions(unittest.TestCase):
         minor = VERSION.rsplit(".", 1)[0]
         self.assertIn(f'CPACK_PACKAGE_VERSION "{VERSION}"', (BUILD / "CPackConfig.cmake").read_text(encoding="utf-8"))
         self.assertEqual(VERSION, json.loads(text("packaging", "vcpkg", "vcpkg.json"))["version"])
-        self.assertIn(f"find_package(gloam {minor} ", text("examples", "own_function", "CMakeLists.txt"))
+        self.assertIn(f"find_package(gloam {minor} ", (CONSUMER / "CMakeLists.txt").read_text(encoding="utf-8"))
 
 
 class SourceArchive(unittest.TestCase):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""debian.py SOURCE BUILD: the Debian packages of Debian 12 and 13, each made in its release and used in a bare chroot.
+"""debian_test.py SOURCE BUILD: the Debian packages of Debian 12 and 13, each made in its release and used in a bare chroot.
 
 GLOAM_DEBIAN=1 runs it, in about 15 minutes. Those of this machine's release are made of BUILD. Those of the other are
 made in the bare machine of tools/test-releases (GLOAM_DEBIAN_MACHINE names another folder). Wants root and debootstrap.
@@ -8,27 +8,19 @@ made in the bare machine of tools/test-releases (GLOAM_DEBIAN_MACHINE names anot
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-SOURCE, BUILD = (Path(argument).resolve() for argument in sys.argv[1:3])
-VERSION = re.search(r"project\(gloam VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+from run import BUILD, CONSUMER, SOURCE, VERSION, run
+
 RELEASES = ("bookworm", "trixie")
 HERE = re.search(r"^VERSION_CODENAME=(\w+)", Path("/etc/os-release").read_text(encoding="utf-8"), re.M)[1]
 OTHER = RELEASES[HERE == RELEASES[0]]
 NAMES = {"gloam-common", "gloam-glsl", "libgloam-shader-test-dev", "gloam"}
 PROGRAM = ("gloam", "gloam-glsl", "gloam-common")
 FRAMEWORK = ("libgloam-shader-test-dev", "gloam-common")
-
-
-def run(*command, **options):
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **options)
-    if done.returncode:
-        raise AssertionError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-4000:]}")
-    return done.stdout
 
 
 def made_here(folder):
@@ -99,7 +91,7 @@ class Debian(unittest.TestCase):
     def framework(self, machine):
         """First without the shader library: another project tests a function of its own."""
         own = machine.folder / "own_function"
-        shutil.copytree(SOURCE / "examples" / "own_function", own)
+        shutil.copytree(CONSUMER, own)
         originals = {name: (own / name).read_text(encoding="utf-8") for name in ("CMakeLists.txt", "shader_test.cpp")}
         (own / "CMakeLists.txt").write_text(originals["CMakeLists.txt"].replace("shader_test glsl)", "shader_test)"),
                                             encoding="utf-8")
