@@ -61,7 +61,7 @@ PRINTED = re.compile(r"// No method or pass here calls it: it is "
 CALL = re.compile(r"\b(gloam_\w+)\s*\(")
 NAMED_PATH = re.compile(r"(?<![\w/.-])((?:cmake|docs|examples|glsl|gloam|harness|tests|tools)/[\w./-]*\w)")
 SHOWN_FROM = ("examples", "glsl", "harness", "tests")  # what pages may show pieces of
-SHOWN = re.compile(r"^```(?:cpp|glsl|cmake)\n(.*?)^```", re.M | re.S)
+SHOWN = re.compile(r"^```(?:cpp|glsl|cmake|cpp consumer|glsl engine.glsl)\n(.*?)^```", re.M | re.S)
 MACHINE_PATH = re.compile(r"(?<![\w./}-])/(home|root|work|tmp|Users|mnt|media)/\w")
 
 
@@ -130,53 +130,32 @@ def line_of(text, position):
 # Each rule: (source) -> (line, message) pairs. Its name is the function's name.
 
 
-def room_include(source):
-    """A room includes only the rooms it may use, and only their public headers."""
-    if source.area not in ("harness", "tools"):
-        return
-    allowed = MAY_INCLUDE.get(source.room, set()) | {source.room}
-    for number, _, name in source.includes():
-        room = name.split("/")[0]
-        if room in MAY_INCLUDE and room not in allowed:
-            yield number, f"{source.room} may not include {name}"
-
-
-def wing(source):
-    """A room of harness/ stands in its wing."""
+def include(source):
+    """A room of harness/ stands in its wing. It includes only the rooms that it may use, and of these the public headers,
+    named from the root, "room/file.hpp"; what lies in ROOM/internal is for that room, its tests and the fuzz targets. The
+    commands of the framework include nothing that knows of occlusion: main hands that in."""
     if source.area == "harness" and source.room not in WINGS.get(source.wing, ()):
         yield 1, f"harness/{source.wing}/{source.room}: expected harness/WING/ROOM of WINGS in tests/house/borders.py"
-
-
-def framework_command(source):
-    """The commands of the framework include nothing that knows of occlusion: main hands that in."""
-    if source.path.parts[:3] != ("tools", "cli", "framework"):
-        return
-    for number, _, name in source.includes():
-        if name.split("/")[0] in WINGS["occlusion"] or name.startswith("cli/occlusion/"):
-            yield number, f"a command of the framework may not include {name}"
-
-
-def internal_include(source):
-    """What lies in ROOM/internal is for that room and its tests, the fuzz targets among them."""
-    if source.area == "tests" and source.room == "fuzz":
-        return
-    for number, _, name in source.includes():
-        parts = name.split("/")
-        if "internal" in parts[1:-1] and parts[0] in MAY_INCLUDE and parts[0] != source.room:
-            yield number, f"{name} is internal to {parts[0]}"
-
-
-def include_style(source):
-    """Our headers are named from the root, "room/file.hpp": no way around the rules above."""
-    if source.area not in ("harness", "tools", "tests") or source.path.suffix not in (".cpp", ".hpp"):
-        return
+    allowed = MAY_INCLUDE.get(source.room, set()) | {source.room}
+    if source.area not in ("harness", "tools"):
+        allowed = set(MAY_INCLUDE)
+    is_command = source.path.parts[:3] == ("tools", "cli", "framework")
     for number, delimiter, name in source.includes():
-        room = name.split("/")[0]
-        if ".." in name.split("/"):
+        room, *rest = name.split("/")
+        ours = room in MAY_INCLUDE
+        if ours and room not in allowed:
+            yield number, f"{source.room} may not include {name}"
+        if is_command and (room in WINGS["occlusion"] or name.startswith("cli/occlusion/")):
+            yield number, f"a command of the framework may not include {name}"
+        if ours and "internal" in rest[:-1] and source.room not in (room, "fuzz"):
+            yield number, f"{name} is internal to {room}"
+        if source.area not in ("harness", "tools", "tests") or source.path.suffix not in (".cpp", ".hpp"):
+            continue
+        if ".." in (room, *rest):
             yield number, f"{name}: name the header from the root"
-        elif delimiter == "<" and room in MAY_INCLUDE and "/" in name:
+        elif delimiter == "<" and ours and rest:
             yield number, f'{name}: ours are included as "{name}"'
-        elif delimiter == '"' and source.area == "harness" and (room not in MAY_INCLUDE or "/" not in name):
+        elif delimiter == '"' and source.area == "harness" and not (ours and rest):
             yield number, f'{name}: include it as "room/file.hpp", or as <{name}> when it is not ours'
 
 
@@ -314,8 +293,8 @@ def paper_code(source):
             yield line_of(source.text, block.start()), "this code stands in no file of the house"
 
 
-RULES = (room_include, wing, framework_command, internal_include, include_style, library_home, shader_statement,
-         shader_include, shader_reference, guard, spdx, length, machine_path, paper_path, paper_code)
+RULES = (include, library_home, shader_statement, shader_include, shader_reference, guard, spdx, length, machine_path,
+         paper_path, paper_code)
 
 
 def shader_caller(house):

@@ -103,8 +103,6 @@ class Debian(unittest.TestCase):
         self.assertEqual("", machine.run("find / -xdev -name 'ambient_occlusion*'"))
         for name, text in originals.items():
             (own / name).write_text(text, encoding="utf-8")
-        with self.assertRaisesRegex(AssertionError, "without its component glsl"):
-            machine.run(build)
         machine.install("gloam-glsl")
         self.assertIn("100% tests passed, 0 tests failed out of 2", machine.run(build))
 
@@ -118,7 +116,6 @@ class Debian(unittest.TestCase):
 if __name__ == "__main__":
     lacking = [what for what, there in (("GLOAM_DEBIAN=1", os.environ.get("GLOAM_DEBIAN")), ("root", os.geteuid() == 0),
                                         ("debootstrap", shutil.which("debootstrap")),
-                                        ("dpkg-dev", shutil.which("dpkg-shlibdeps")), ("file", shutil.which("file")),
                                         ("Debian 12 or 13", HERE in RELEASES)) if not there]
     if lacking:
         print("skipped: needs " + ", ".join(lacking))
