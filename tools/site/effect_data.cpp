@@ -18,26 +18,24 @@ using shader::Stage;
 
 // A pass as one text in GLSL ES 3.00: it has loose uniforms, as OpenGL ES has them, and the specialization
 // constants of Vulkan.
-std::string file_text(const fs::path& file, const ShaderFolders& folders) {
+std::string file_text(const fs::path& file, const fs::path& library) {
     const Stage stage = file.extension() == ".vert" ? Stage::vertex : Stage::fragment;
     return shader::code_of(
-        shader::pack({file}, {.language = shader::Language::es300, .stage = stage}, {folders.library}));
+        shader::pack({file}, {.language = shader::Language::es300, .stage = stage}, {library}));
 }
 
 // Adds files by their names, without what follows a dot.
-void add_passes(const fs::path& folder, const std::vector<std::string>& files, const ShaderFolders& folders,
+void add_passes(const fs::path& folder, const std::vector<std::string>& files, const fs::path& library,
                 ordered_json& json) {
     for (const std::string& file : files)
-        json[file.substr(0, file.find('.'))] = file_text(folder / file, folders);
+        json[file.substr(0, file.find('.'))] = file_text(folder / file, library);
 }
 
 // A function of the library with what it uses, as a text that another shader can contain: without its head.
-std::string function_text(const std::string& file, const std::string& function,
-                          const ShaderFolders& folders) {
+std::string function_text(const std::string& file, const std::string& function, const fs::path& library) {
     const shader::PackRequest request{
         .language = shader::Language::es300, .functions = {function}, .stage = Stage::fragment};
-    std::istringstream lines(
-        shader::code_of(shader::pack({folders.library / file}, request, {folders.library})));
+    std::istringstream lines(shader::code_of(shader::pack({library / file}, request, {library})));
     std::string text;
     for (std::string line; std::getline(lines, line);)
         if (!line.starts_with("#version") && !line.starts_with("precision ")) text += line + "\n";
@@ -50,7 +48,7 @@ std::string text_of(const ordered_json& json) {
 
 }  // namespace
 
-std::string effect_json(const ShaderFolders& folders) {
+std::string effect_json(const fs::path& library, const fs::path& files) {
     ordered_json json{{"preset", effect::default_preset}};
     for (const effect::Preset& preset : effect::presets()) {
         const effect::Settings& settings = preset.settings;
@@ -66,38 +64,38 @@ std::string effect_json(const ShaderFolders& folders) {
              {"sharpness", settings.history_sharpness}});
     }
     json["steps_before_tiles"] = effect::steps_before_tiles;
-    add_passes(folders.page, {"whole_image.vert"}, folders, json);
+    add_passes(files / "shaders", {"whole_image.vert"}, library, json);
     add_passes(
-        folders.library / "passes/frame",
+        library / "passes/frame",
         {"tiles.vert", "prepare.frag", "sweep.frag", "mark.frag", "halve.frag", "filter.frag", "join.frag"},
-        folders, json);
+        library, json);
     struct Defined {
         const char* name;
         const char* file;
         std::vector<std::string> defines;
     };
-    const scene::PassLibrary library(folders.library);
+    const scene::PassLibrary passes(library);
     for (const auto& [name, file, defines] :
          {Defined{"sweep_from_depth", "frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}},
           {"refine", "frame/sweep.frag", {"GLOAM_MARKS"}},
           {"refine_from_depth", "frame/sweep.frag", {"GLOAM_MARKS", "GLOAM_NORMALS_FROM_DEPTH"}},
           {"filter_of_tiles", "frame/filter.frag", {"GLOAM_MARKS"}},
           {"join_of_tiles", "frame/join.frag", {"GLOAM_MARKS"}}})
-        json[name] = shader::code_of(library.text(file, defines, {}, {}, shader::Language::es300));
-    json["multi_bounce"] = function_text("gloam/shading/ambient.glsl", "gloam_multi_bounce", folders);
+        json[name] = shader::code_of(passes.text(file, defines, {}, {}, shader::Language::es300));
+    json["multi_bounce"] = function_text("gloam/shading/ambient.glsl", "gloam_multi_bounce", library);
     return text_of(json);
 }
 
-std::string picture_json(const ShaderFolders& folders) {
-    ordered_json json{{"gbuffer_vertices", file_text(folders.page / "gbuffer.vert", folders)}};
-    add_passes(folders.page, {"gbuffer.frag", "show.frag"}, folders, json);
+std::string picture_json(const fs::path& library, const fs::path& files) {
+    ordered_json json{{"gbuffer_vertices", file_text(files / "shaders/gbuffer.vert", library)}};
+    add_passes(files / "shaders", {"gbuffer.frag", "show.frag"}, library, json);
     return text_of(json);
 }
 
-std::string effect_classes(const std::filesystem::path& folder) {
+std::string effect_classes(const fs::path& files) {
     std::string text;
     for (const char* name : {"passes.js", "camera.js", "ambient-occlusion.js"})
-        text += base::read_file(folder / name);
+        text += base::read_file(files / "effect" / name);
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.hpp"
+#include "base/version.hpp"
 #include "site/page_data.hpp"
 
 namespace gloam::site {
@@ -20,15 +21,7 @@ constexpr std::array<Engine, 3> engines{{{"three", "three", "0.180.0"},  // Exte
                                          {"babylon", "@babylonjs/core", "8.0.0"},
                                          {"playcanvas", "playcanvas", "2.22.0"}}};
 
-constexpr const char* licence_line = "// SPDX-License-Identifier: MIT\n";
-
-// The class, and the data that it needs, as a module.
-std::string index_text(const NpmOptions& options, const std::string& core) {
-    return licence_line + std::string("export const effect = ") + core + ";\n" +
-           effect_classes(options.files / "effect") + "export {AmbientOcclusion};\n";
-}
-
-std::string package_json(const std::string& version) {
+std::string package_json() {
     ordered_json exports;
     const auto add = [&](const std::string& name, const std::string& module) {
         exports[name] = {{"types", "./" + module + ".d.ts"}, {"default", "./" + module + ".js"}};
@@ -43,7 +36,7 @@ std::string package_json(const std::string& version) {
     }
     const ordered_json json{
         {"name", "gloam"},
-        {"version", version},
+        {"version", base::version()},
         {"description", "Screen-space ambient occlusion for WebGL2, three.js, Babylon.js and PlayCanvas"},
         {"license", "MIT"},
         {"type", "module"},
@@ -56,19 +49,21 @@ std::string package_json(const std::string& version) {
 
 }  // namespace
 
-std::map<std::string, std::string> npm_package(const NpmOptions& options) {
-    const ShaderFolders folders{options.library, options.files / "shaders"};
-    std::map<std::string, std::string> files{{"package.json", package_json(options.version)},
-                                             {"index.js", index_text(options, effect_json(folders))},
-                                             {"LICENSE", base::read_file(options.licence)}};
-    const auto add = [&](const std::string& name) {
-        files[name] = base::read_file(options.files / "npm" / name);
-    };
+std::map<std::string, std::string> npm_package(const std::filesystem::path& library,
+                                               const std::filesystem::path& files,
+                                               const std::filesystem::path& licence) {
+    // The class, and the data that it needs, as a module.
+    const std::string index =
+        "// SPDX-License-Identifier: MIT\nexport const effect = " + effect_json(library, files) + ";\n" +
+        effect_classes(files) + "export {AmbientOcclusion};\n";
+    std::map<std::string, std::string> all{
+        {"package.json", package_json()}, {"index.js", index}, {"LICENSE", base::read_file(licence)}};
+    const auto add = [&](const std::string& name) { all[name] = base::read_file(files / "npm" / name); };
     add("index.d.ts");
     add("README.md");
     for (const auto& engine : engines)
         for (const char* ending : {".js", ".d.ts"}) add(std::string(engine.module) + ending);
-    return files;
+    return all;
 }
 
 }  // namespace gloam::site

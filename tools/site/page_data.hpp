@@ -4,28 +4,19 @@
 #include <filesystem>
 #include <string>
 
-#include "scene/scene.hpp"
-
 namespace gloam::site {
 
-// The folders of the shaders that the effect of the page is made from.
-struct ShaderFolders {
-    std::filesystem::path library;  // with gloam/ and passes/
-    std::filesystem::path page;     // with whole_image.vert
-};
+// The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
+// uses. files: this folder. Throws std::runtime_error for a file that cannot be read.
+[[nodiscard]] std::string effect_classes(const std::filesystem::path& files);
 
 // What AmbientOcclusion needs (effect/ambient-occlusion.js), as JSON: gloam's own presets, and the passes by
-// name. Throws like shader::pack().
-[[nodiscard]] std::string effect_json(const ShaderFolders& folders);
+// name. library: the folder with gloam/ and passes/. Throws like shader::pack().
+[[nodiscard]] std::string effect_json(const std::filesystem::path& library,
+                                      const std::filesystem::path& files);
 
-// The passes that draw a scene of the page and show it (page/picture.js), by name, as JSON.
-[[nodiscard]] std::string picture_json(const ShaderFolders& folders);
-
-// The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
-// uses. Throws std::runtime_error for a file that cannot be read.
-[[nodiscard]] std::string effect_classes(const std::filesystem::path& folder);
-
-// The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
-[[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);
+// The passes that draw a scene of the page and show it (page/picture.js), likewise.
+[[nodiscard]] std::string picture_json(const std::filesystem::path& library,
+                                       const std::filesystem::path& files);
 
 }  // namespace gloam::site

@@ -193,11 +193,8 @@ std::string method_table(const fs::path& glsl) {
 
 void pack_npm(const PackCommand& options) {
     record::OutputFolder folder(options.npm);
-    for (const auto& [name, text] :
-         site::npm_package({.library = glsl_directory(),
-                            .files = data_directory("site"),
-                            .licence = data_directory("docs").parent_path() / "LICENSE",
-                            .version = base::version()}))
+    for (const auto& [name, text] : site::npm_package(glsl_directory(), data_directory("site"),
+                                                      data_directory("docs").parent_path() / "LICENSE"))
         folder.write(name, text);
     folder.keep();
 }
