@@ -9,32 +9,22 @@
 #include "site/page_data.hpp"
 
 namespace gloam::site {
-
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-using shader::Stage;
 
 // A pass as one text in GLSL ES 3.00: it has loose uniforms, as OpenGL ES has them, and the specialization
 // constants of Vulkan.
 std::string file_text(const fs::path& file, const fs::path& library) {
-    const Stage stage = file.extension() == ".vert" ? Stage::vertex : Stage::fragment;
-    return shader::code_of(
-        shader::pack({file}, {.language = shader::Language::es300, .stage = stage}, {library}));
-}
-
-// Adds files by their names, without what follows a dot.
-void add_passes(const fs::path& folder, const std::vector<std::string>& files, const fs::path& library,
-                ordered_json& json) {
-    for (const std::string& file : files)
-        json[file.substr(0, file.find('.'))] = file_text(folder / file, library);
+    const shader::PackRequest request{.language = shader::Language::es300,
+                                      .stage = shader::stage_of_file(file)};
+    return shader::code_of(shader::pack({file}, request, {library}));
 }
 
 // A function of the library with what it uses, as a text that another shader can contain: without its head.
 std::string function_text(const std::string& file, const std::string& function, const fs::path& library) {
-    const shader::PackRequest request{
-        .language = shader::Language::es300, .functions = {function}, .stage = Stage::fragment};
+    const shader::PackRequest request{.language = shader::Language::es300, .functions = {function}};
     std::istringstream lines(shader::code_of(shader::pack({library / file}, request, {library})));
     std::string text;
     for (std::string line; std::getline(lines, line);)
@@ -64,19 +54,22 @@ std::string effect_json(const fs::path& library, const fs::path& files) {
              {"sharpness", settings.history_sharpness}});
     }
     json["steps_before_tiles"] = effect::steps_before_tiles;
-    add_passes(files / "shaders", {"whole_image.vert"}, library, json);
-    add_passes(
-        library / "passes/frame",
-        {"tiles.vert", "prepare.frag", "sweep.frag", "mark.frag", "halve.frag", "filter.frag", "join.frag"},
-        library, json);
-    struct Defined {
+    json["whole_image"] = file_text(files / "shaders/whole_image.vert", library);
+    struct Pass {
         const char* name;
         const char* file;
         std::vector<std::string> defines;
     };
     const scene::PassLibrary passes(library);
     for (const auto& [name, file, defines] :
-         {Defined{"sweep_from_depth", "frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}},
+         {Pass{"tiles", "frame/tiles.vert"},
+          {"prepare", "frame/prepare.frag"},
+          {"sweep", "frame/sweep.frag"},
+          {"mark", "frame/mark.frag"},
+          {"halve", "frame/halve.frag"},
+          {"filter", "frame/filter.frag"},
+          {"join", "frame/join.frag"},
+          {"sweep_from_depth", "frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}},
           {"refine", "frame/sweep.frag", {"GLOAM_MARKS"}},
           {"refine_from_depth", "frame/sweep.frag", {"GLOAM_MARKS", "GLOAM_NORMALS_FROM_DEPTH"}},
           {"filter_of_tiles", "frame/filter.frag", {"GLOAM_MARKS"}},
@@ -87,9 +80,10 @@ std::string effect_json(const fs::path& library, const fs::path& files) {
 }
 
 std::string picture_json(const fs::path& library, const fs::path& files) {
-    ordered_json json{{"gbuffer_vertices", file_text(files / "shaders/gbuffer.vert", library)}};
-    add_passes(files / "shaders", {"gbuffer.frag", "show.frag"}, library, json);
-    return text_of(json);
+    const auto text = [&](const char* name) { return file_text(files / "shaders" / name, library); };
+    return text_of({{"gbuffer_vertices", text("gbuffer.vert")},
+                    {"gbuffer", text("gbuffer.frag")},
+                    {"show", text("show.frag")}});
 }
 
 std::string effect_classes(const fs::path& files) {

@@ -1,20 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The frame in sequences for any engine of WebGL2: the passes of glsl/passes/frame as fragment shaders. It takes a
 // frame's depth and normals, and gives the occlusion. It keeps a history, which follows the camera, and what moves.
-//
-// A call leaves as WebGL begins: no program, vertex array or framebuffer bound, tests and blending off. It also leaves
-// the viewport and the textures of the units that it has used.
+// index.d.ts says what its methods take and give.
 
 class AmbientOcclusion {
-    // effect: presets and texts of the shaders, as gloam writes them. inputs: how the engine stores what render() gets:
-    //   depth    "linear": eye-linear depth, 0 for background; "buffer": a depth buffer, standard or reversed
-    //   range    of the projection's depth: "negative-one-to-one", or "zero-to-one"
-    //   normals  "none": they are made from depth; "view" or "world" space, and behind it "-octahedral", "-unorm" or
-    //            both, as `gloam pack --normals` has them
-    //   deep     whether a perspective camera zooms to less than 30 degrees: depth then takes twice the memory, as it
-    //            does for orthographic cameras and for those that begin so
-    //   shown    what render() gives: "occlusion", 1 where blocked, or "visibility", 1 where open
-    // Throws an Error for other inputs, and where the context is not WebGL2 or cannot draw floats.
     constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none", deep = false,
         shown = "occlusion"} = {}) {
         AmbientOcclusion.check(depth, range, normals, shown);
@@ -40,8 +29,6 @@ class AmbientOcclusion {
             if (!pattern.test(value)) throw new Error(`${name} "${value}": expected ${expected}`);
     }
 
-    // preset: a name. radius: of influence, world units. resolution: null for that of the preset. Begins a new history.
-    // Throws an Error for another preset, radius or resolution.
     setPreset(preset, radius, {resolution = null} = {}) {
         const {presets} = this.effect;
         const named = presets.find(({name}) => name === preset);
@@ -56,7 +43,6 @@ class AmbientOcclusion {
         this.restart();
     }
 
-    // Pixels of the images that render() gets. Begins a new history.
     setSize(width, height) {
         const most = this.passes.mostPixels;
         for (const side of [width, height])
@@ -67,17 +53,19 @@ class AmbientOcclusion {
         this.restart();
     }
 
-    // Forgets the history: call it where the picture is cut.
+    // setPreset() and setSize(), where something is not as it was chosen before.
+    choose(preset, radius, size, {resolution = null} = {}) {
+        const [chosen, sized] = [String([preset, radius, resolution]), String(size)];
+        if (this.chosen !== chosen) this.setPreset(preset, radius, {resolution});
+        if (this.sized !== sized) this.setSize(...size);
+        Object.assign(this, {chosen, sized});
+    }
+
     restart() {
         this.before = null;  // the camera of the last frame
         this.frames = 0;
     }
 
-    // Renders a frame: it is added to the history, which is moved where the view has.
-    // depth, normal: textures of the size of the view, stored as the constructor was told. projection: from view to
-    // clip space, and view: from world to view space, column by column, as the engine's vertices were drawn with.
-    // into: the texture that is drawn, of the size of the view, R8 or RGBA8; without it one of this object's.
-    // Returns that texture: its first channel is what is shown; null where the context is lost.
     render({depth, normal = null, projection, view, into = null}) {
         if (this.size === null || this.preset === null)
             throw new Error("no size or no preset: setSize() and setPreset() must come before render()");
@@ -167,7 +155,6 @@ class AmbientOcclusion {
         draw("filter_of_tiles", shown, last[even], {read: fullTexels, marked: 1});
     }
 
-    // What the last frame has shown, one float a pixel, row 0 first.
     readShown() {
         const {passes: {gl}, size, images} = this;
         const texels = new Uint8Array(4 * size[0] * size[1]);
@@ -184,7 +171,6 @@ class AmbientOcclusion {
         this.images = null;
     }
 
-    // Deletes what this object has made in the context.
     dispose() {
         this.passes.gl.canvas.removeEventListener("webglcontextrestored", this.restored);
         this.deleteImages();

@@ -18,9 +18,8 @@ export interface OcclusionOptions {
 export class AmbientOcclusionPostProcess extends PostProcess {
     /** Also options of PostProcess, as its textureType. Throws an Error where the engine is not one of WebGL2. */
     constructor(name: string, camera: Camera, options?: OcclusionOptions & Omit<PostProcessOptions, "camera">);
-    preset: string;
-    radius: number;
-    intensity: number;
     /** Forgets the history: call it where the camera jumps. */
     restart(): void;
 }
+
+export interface AmbientOcclusionPostProcess extends Required<OcclusionOptions> {}

@@ -26,7 +26,7 @@ export class AmbientOcclusionPostProcess extends PostProcess {
         const occlusion = new AmbientOcclusion(engine._gl, effect, {depth: "buffer", shown: "visibility",
             range: engine.isNDCHalfZRange ? "zero-to-one" : "negative-one-to-one"});
         super(name, "gloam", {...options, camera, uniforms: ["intensity"], samplers: ["visibility"]});
-        Object.assign(this, {preset, radius, intensity, occlusion, chosen: null});
+        Object.assign(this, {preset, radius, intensity, occlusion});
         this.depth = new DepthRenderer(scene, Constants.TEXTURETYPE_FLOAT, camera, true, Texture.NEAREST_SAMPLINGMODE);
         if (engine.useReverseDepthBuffer) this.depth.clearColor.r = 0;
         const map = this.depth.getDepthMap();
@@ -52,18 +52,12 @@ export class AmbientOcclusionPostProcess extends PostProcess {
         const {occlusion, preset, radius} = this;
         const {width, height} = map.getSize();
         const raw = (texture) => texture.getInternalTexture()._hardwareTexture.underlyingResource;
-        const chosen = String([preset, radius, width, height]);
-        if (this.chosen !== chosen) {
-            occlusion.setPreset(preset, radius);
-            occlusion.setSize(width, height);
-        }
-        this.chosen = chosen;
+        occlusion.choose(preset, radius, [width, height]);
         occlusion.render({depth: raw(map), into: raw(this.visibility), view: camera.getViewMatrix().asArray(),
             projection: camera.getProjectionMatrix().asArray()});
         engine.wipeCaches(true);
     }
 
-    // Forgets the history: call it where the camera jumps.
     restart() {
         this.occlusion.restart();
     }

@@ -60,6 +60,7 @@ export interface Inputs {
     shown?: "occlusion" | "visibility";
 }
 
+/** Textures of the size of the view, stored as the constructor was told; matrices as the vertices were drawn with. */
 export interface Frame {
     depth: WebGLTexture;
     normal?: WebGLTexture | null;
@@ -77,15 +78,19 @@ export class AmbientOcclusion {
     constructor(gl: WebGL2RenderingContext, effect: Effect, inputs?: Inputs);
     /** Frames since the history began. */
     readonly frames: number;
-    /** radius: world units. resolution: in the place of the preset's. Begins a new history. */
+    /**
+     * radius: of influence, world units. resolution: in the place of the preset's. Begins a new history. Throws an Error
+     * for another preset, radius or resolution.
+     */
     setPreset(preset: string, radius: number, options?: {resolution?: Preset["resolution"] | null}): void;
     /** Pixels of the images that render() gets. Begins a new history. */
     setSize(width: number, height: number): void;
     /** Forgets the history: call it where the picture is cut. */
     restart(): void;
     /**
-     * Renders a frame. Returns the texture that it has drawn, whose first channel is what is shown, 8 bits; null where
-     * the context is lost. One of the object's own is valid until the next call.
+     * Renders a frame: it is added to the history, which is moved where the view has. Returns the texture that it has
+     * drawn, whose first channel is what is shown, 8 bits; null where the context is lost. One of the object's own is
+     * valid until the next call.
      * Leaves no program, vertex array or framebuffer bound, tests and blending off, and its viewport and textures.
      */
     render(frame: Frame): WebGLTexture | null;

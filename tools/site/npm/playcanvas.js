@@ -9,7 +9,7 @@ class OcclusionPass extends RenderPass {
     constructor(device, {ssao, cameraComponent: {camera}}, {linearDepthTexture: depth}) {
         super(device);
         const occlusion = new AmbientOcclusion(device.gl, effect, {depth: "linear", shown: "visibility"});
-        Object.assign(this, {ssao, camera, depth, occlusion, chosen: null});
+        Object.assign(this, {ssao, camera, depth, occlusion});
         this.ssaoTexture = new Texture(device, {name: "gloam", width: 1, height: 1, format: PIXELFORMAT_R8,
             mipmaps: false, minFilter: FILTER_NEAREST, magFilter: FILTER_NEAREST, addressU: ADDRESS_CLAMP_TO_EDGE,
             addressV: ADDRESS_CLAMP_TO_EDGE});
@@ -18,13 +18,8 @@ class OcclusionPass extends RenderPass {
     execute() {
         const {device, ssao, camera, depth, occlusion, ssaoTexture} = this;
         const {width, height} = depth;
-        const chosen = String([ssao.preset, ssao.radius, width, height]);
-        if (this.chosen !== chosen) {
-            occlusion.setPreset(ssao.preset, ssao.radius);
-            occlusion.setSize(width, height);
-            ssaoTexture.resize(width, height);
-        }
-        this.chosen = chosen;
+        occlusion.choose(ssao.preset, ssao.radius, [width, height]);
+        if (ssaoTexture.width !== width || ssaoTexture.height !== height) ssaoTexture.resize(width, height);
         device.setTexture(ssaoTexture, 0);  // a new one gets its texture of the context only here
         const projection = Array.from(camera.projectionMatrix.data);
         for (const i of [0, 1]) projection[8 + i] += camera._jitters[i];  // as the depth was drawn with
@@ -70,7 +65,6 @@ export class AmbientOcclusionCameraFrame extends CameraFrame {
         return new Passes(this.app, this, this.cameraComponent, this.options);
     }
 
-    // Forgets the history: call it where the camera jumps.
     restart() {
         this.renderPassCamera?.ssaoPass?.occlusion.restart();
     }

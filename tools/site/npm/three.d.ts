@@ -41,15 +41,6 @@ export class AmbientOcclusionPass extends Pass {
     scene: Scene;
     /** Another camera begins a new history. */
     camera: Camera;
-    preset: string;
-    radius: number;
-    resolution: "full" | "tiles" | "half" | null;
-    intensity: number;
-    distance: number;
-    output: "shaded" | "visibility" | "ambient";
-    source: "scene" | "composer";
-    deep: boolean;
-    bounces: boolean;
     /** Forgets the history: call it where the camera jumps. */
     restart(): void;
     /**
@@ -62,3 +53,5 @@ export class AmbientOcclusionPass extends Pass {
     render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget, readBuffer: WebGLRenderTarget): void;
     dispose(): void;
 }
+
+export interface AmbientOcclusionPass extends Required<PassOptions> {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ambient occlusion as a pass of three.js's EffectComposer.
+// Ambient occlusion as a pass of three.js's EffectComposer. ExternalTexture came with version 0.180.
 import {BufferGeometry, CustomBlending, DepthTexture, DoubleSide, ExternalTexture, FloatType, Group, HalfFloatType,
     Mesh, MeshNormalMaterial, NearestFilter, NoBlending, OneFactor, ShaderMaterial, SrcAlphaFactor, UniformsLib,
     UniformsUtils, WebGLRenderTarget, ZeroFactor} from "three";
@@ -156,8 +156,6 @@ export class AmbientOcclusionPass extends Pass {
         this.mix.layers.enableAll();
     }
 
-    // Lets the occlusion darken the ambient light alone of a material that three.js lights: for the output "ambient",
-    // with this pass before the RenderPass.
     darken(material) {
         const known = darkened.has(material);
         darkened.set(material, this);
@@ -180,7 +178,6 @@ export class AmbientOcclusionPass extends Pass {
         material.needsUpdate = true;
     }
 
-    // Forgets the history: call it where the camera jumps.
     restart() {
         this.occlusion?.restart();
     }
@@ -191,7 +188,10 @@ export class AmbientOcclusionPass extends Pass {
 
     render(renderer, writeBuffer, readBuffer) {
         if (renderer.getContext().isContextLost()) return;
-        const inputs = this.source === "scene" ? this.drawScene(renderer) : AmbientOcclusionPass.drawn(readBuffer);
+        // Of a composer the depth that the pass before has drawn.
+        const inputs = this.source === "scene" ? this.drawScene(renderer)
+            : {depth: readBuffer.depthTexture, normal: null};
+        if (!inputs.depth) throw new Error('source "composer": expected a composer whose target has a depthTexture');
         const raw = (texture) => renderer.properties.get(texture).__webglTexture;
         this.prepare(renderer);
         const {camera, uniforms, output, source} = this;
@@ -248,22 +248,12 @@ export class AmbientOcclusionPass extends Pass {
             this.occlusion?.dispose();
             this.occlusion = new AmbientOcclusion(renderer.getContext(), effect, inputs);
             this.made = made;
-            this.chosen = this.sized = this.seen = null;
+            this.seen = null;
         }
         const {occlusion, size, preset, radius, resolution, camera} = this;
-        const chosen = [preset, radius, {resolution}];
-        if (this.chosen !== JSON.stringify(chosen)) occlusion.setPreset(...chosen);
-        this.chosen = JSON.stringify(chosen);
-        if (this.sized !== String(size)) occlusion.setSize(...size);
-        this.sized = String(size);
+        occlusion.choose(preset, radius, size, {resolution});
         if (this.seen !== camera) occlusion.restart();
         this.seen = camera;
-    }
-
-    // The depth that the pass before has drawn.
-    static drawn({depthTexture}) {
-        if (!depthTexture) throw new Error('source "composer": expected a composer whose target has a depthTexture');
-        return {depth: depthTexture, normal: null};
     }
 
     // Draws depth and normals of the scene.

@@ -72,9 +72,7 @@ gloam.live = (() => {
         at("stop").textContent = state.stopped ? "Go on" : "Stop";
     }
 
-    const change = () => {
-        state.changed = true;
-    };
+    const change = () => { state.changed = true; };
 
     function fail(error) {
         state.failed = true;

@@ -2,15 +2,6 @@
 // Scenes of the page, loaded when they are chosen (scene-NAME.js, tools/site/scene_data.cpp), and their cameras.
 "use strict";
 
-// Loads a script beside the page. fetch() of a file is refused on file://, a script is not.
-gloam.loadScript = (file) => new Promise((resolve, reject) => {
-    const script = document.createElement("script");
-    script.src = file;
-    script.onload = () => resolve();
-    script.onerror = () => reject(new Error("cannot load " + file));
-    document.head.append(script);
-});
-
 // The values of a type, Float64Array for one, from their compressed bytes as base64 (page_data.hpp).
 gloam.values = async (Type, text) => {
     const packed = new Blob([Uint8Array.from(atob(text), (character) => character.charCodeAt(0))]);
@@ -21,8 +12,13 @@ gloam.values = async (Type, text) => {
 // The scenes that were loaded, by their names.
 gloam.scenes = new Map();
 
+// fetch() of a file is refused on file://, a script is not.
 gloam.scene = async (name) => {
-    if (!gloam.scenes.has(name)) await gloam.loadScript(`scene-${name}.js`);
+    const src = `scene-${name}.js`;
+    if (!gloam.scenes.has(name)) await new Promise((resolve, reject) => {
+        document.head.append(Object.assign(document.createElement("script"), {src, onload: resolve,
+            onerror: () => reject(new Error("cannot load " + src))}));
+    });
     return gloam.scenes.get(name);
 };
 
