@@ -3,7 +3,6 @@
 """axe_test.py GLOAM FOLDER: the page of `gloam demo`, judged by axe-core in headless Chromium, in light and in dark.
 
 Left with status 77 where there is no Chromium, no npm, or no registry within reach of npm."""
-import json
 import tempfile
 from pathlib import Path
 
@@ -22,11 +21,10 @@ class AxeTest(PageCase):
         for dark in (False, True):
             self.browser.look(390, 844, dark)
             self.open()
-            self.browser.evaluate("document.querySelector('summary').click()")
-            self.browser.evaluate(AXE + "; 0")
-            found += [f"{'dark' if dark else 'light'}: {json.dumps(one)}"
-                      for one in self.browser.evaluate(FIND) if one[0] in SERIOUS]
-        self.assertEqual([], found, "\n".join(found))
+            self.ask("$('summary').click()")
+            self.ask(AXE + "; 0")
+            found += [("dark" if dark else "light", *one) for one in self.ask(FIND) if one[0] in SERIOUS]
+        self.assertEqual([], found)
 
 
 if __name__ == "__main__":

@@ -108,8 +108,9 @@ class Browser:
         self.wait("document.readyState === 'complete' && location.protocol === 'file:'")
 
     def evaluate(self, script):
-        """The value of an expression in the page; a promise is awaited."""
-        answer = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+        """The value of an expression in the page; a promise is awaited. $() and $$() find one element, and all."""
+        answer = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True,
+                           includeCommandLineAPI=True)
         if "exceptionDetails" in answer:
             details = answer["exceptionDetails"]
             raise BrowserError(details.get("exception", {}).get("description", details["text"]))
@@ -124,7 +125,7 @@ class Browser:
             time.sleep(0.05)
 
     def text(self, identifier):
-        return self.evaluate(f"document.getElementById('{identifier}').textContent")
+        return self.evaluate(f"$('#{identifier}').textContent")
 
     def key(self, name):
         """Presses a key: one of KEYS."""
@@ -146,16 +147,11 @@ class Browser:
     def problems(self):
         """Exceptions and errors that the pages have reported so far."""
         self.evaluate("0")
-        found = []
-        for event in self.events:
-            parameters = event.get("params", {})
-            if event.get("method") == "Runtime.exceptionThrown":
-                found.append(json.dumps(parameters["exceptionDetails"])[:500])
-            if event.get("method") == "Log.entryAdded" and parameters["entry"]["level"] == "error":
-                found.append(parameters["entry"]["text"])
-            if event.get("method") == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "assert"):
-                found.append(json.dumps(parameters["args"])[:500])
-        return found
+        events = [(event.get("method"), event.get("params", {})) for event in self.events]
+        return [json.dumps(parameters)[:500] for method, parameters in events
+                if method == "Runtime.exceptionThrown"
+                or method == "Log.entryAdded" and parameters["entry"]["level"] == "error"
+                or method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "assert")]
 
     def requests(self):
         """The addresses that the pages have asked for so far."""

@@ -18,14 +18,11 @@ from pathlib import Path
 from site_case import PAGE, assert_is_rendered, floats_of, main, shade_script
 
 SECONDS = 60
-# WebGL in software counts as too slow unless it is asked for; nothing is sent anywhere.
-PREFERENCES = {
-    "webgl.force-enabled": True, "webgl.disable-fail-if-major-performance-caveat": True,
-    "app.update.enabled": False, "browser.shell.checkDefaultBrowser": False, "browser.startup.page": 0,
-    "browser.aboutwelcome.enabled": False, "datareporting.policy.dataSubmissionEnabled": False,
-    "toolkit.telemetry.enabled": False, "network.captive-portal-service.enabled": False,
-    "network.connectivity-service.enabled": False, "services.settings.server": "data:,#remote-settings-dummy/v1",
-    "browser.safebrowsing.update.enabled": False, "extensions.getAddons.cache.enabled": False}
+# WebGL in software counts as too slow unless it is asked for. Without names of hosts nothing is sent anywhere.
+PREFERENCES = """user_pref("webgl.force-enabled", true);
+user_pref("webgl.disable-fail-if-major-performance-caveat", true);
+user_pref("network.dns.disabled", true);
+"""
 SCRIPT = """
 const problems = [];
 addEventListener("error", ({message}) => problems.push(message));
@@ -55,8 +52,7 @@ def found_in(folder):
     copy = shutil.copytree(PAGE.parent, Path(folder, "page"))
     profile = Path(folder, "profile")
     profile.mkdir()
-    lines = [f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in PREFERENCES.items()]
-    (profile / "user.js").write_text("".join(lines), encoding="utf-8")
+    (profile / "user.js").write_text(PREFERENCES, encoding="utf-8")
     with HTTPServer(("127.0.0.1", 0), Answer) as server:
         server.timeout, server.answer = SECONDS, None
         script = SCRIPT.replace("ADDRESS", "http://127.0.0.1:%d" % server.server_port)

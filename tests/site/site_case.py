@@ -69,6 +69,9 @@ class BrowserCase(unittest.TestCase):
     def setUpClass(cls):
         cls.browser = cls.enterClassContext(Browser())
 
+    def ask(self, script):
+        return self.browser.evaluate(script)
+
 
 class PageCase(BrowserCase):
     def open(self):

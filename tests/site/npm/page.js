@@ -61,6 +61,9 @@ function jitter(view, i) {
     view.camera.setViewOffset(...size, i * 0.618034 % 1 - 0.5, i * 0.7548777 % 1 - 0.5, ...size);
 }
 
+// The class gets the matrices of a left-handed view space.
+const leftHanded = (view) => Object.assign(view, {left: true});
+
 function orthographic(view) {
     const camera = new OrthographicCamera(-4.8, 4.8, 2.7, -2.7, 0.1, 100);
     camera.position.copy(view.camera.position);
@@ -187,19 +190,17 @@ function comparedPairs() {
 // What a view shows before its context is lost, and after it was restored.
 async function lostAndRestored() {
     const view = made();
-    const happens = (name) => new Promise((resolve) => {
-        view.renderer.domElement.addEventListener(`webglcontext${name}`, resolve, {once: true});
-    });
     const before = occlusion(frames(view, 5));
-    const [lost, restored] = [happens("lost"), happens("restored")];
-    view.renderer.forceContextLoss();
-    await lost;
-    await new Promise((resolve) => { setTimeout(resolve, 0); });  // no context is restored within that event
-    view.draw();
-    view.renderer.forceContextRestore();
-    await restored;
-    const after = occlusion(frames(view, 5));
-    return {...apart(before, after), error: view.renderer.getContext().getError()};
+    for (const [event, method] of [["lost", "forceContextLoss"], ["restored", "forceContextRestore"]]) {
+        const happened = new Promise((resolve) => {
+            view.renderer.domElement.addEventListener(`webglcontext${event}`, resolve, {once: true});
+        });
+        view.renderer[method]();
+        await happened;
+        await new Promise((resolve) => { setTimeout(resolve, 0); });  // no context is restored within that event
+        view.draw();
+    }
+    return {...apart(before, occlusion(frames(view, 4))), error: view.renderer.getContext().getError()};
 }
 
 // Frames of a view and what the effect was given in each, as `gloam render --gbuffer` reads it: row 0 first, depth from
@@ -214,7 +215,7 @@ function recorded(view, count, before) {
         const half = this.inputs.range === "zero-to-one" ? 0 : 0.5;
         all.push({size: this.size, view: [...frame.view], cut: this.frames === 0, texels: texelsOf(this, frame),
             proj_vk: p.map((x, i) => i % 4 === 2 ? (1 - half) * x + half * p[i + 1] : x)});
-        return render.call(this, frame);
+        return render.call(this, view.left ? mirrored(frame) : frame);
     };
     effect.prepare = prepare.replace(/depth = (sign_of\([^;]*);/,
         "depth = $1; if (!deep) depth = uintBitsToFloat(floatBitsToUint(depth) & ~0x1FFFu);");
@@ -233,19 +234,10 @@ function recorded(view, count, before) {
 const written = (all) => all.map((frame) =>
     ({...frame, texels: base64(frame.texels), occlusion: base64(frame.occlusion)}));
 
-// A matrix with a row or a column negated.
-const negated = (m, isThat) => Array.from(m, (x, i) => isThat(i) ? -x : x);
-
-// The matrices of a left-handed view space in the place of a camera's own ones.
-function leftHanded(view) {
-    const {camera} = view;
-    view.draw();
-    camera.matrixWorldAutoUpdate = false;
-    camera.matrixWorldInverse.fromArray(negated(camera.matrixWorldInverse.elements, (i) => i % 4 === 2));
-    camera.projectionMatrix.fromArray(negated(camera.projectionMatrix.elements, (i) => i >> 2 === 2));
-    view.occlusion.restart();
-    return view;
-}
+// The matrices of the same view with z turned.
+const mirrored = ({projection, view, ...frame}) => ({...frame,
+    projection: Array.from(projection, (x, i) => i >> 2 === 2 ? -x : x),
+    view: Array.from(view, (x, i) => i % 4 === 2 ? -x : x)});
 
 // How far a frame of the class is from that of the pass when it is given linear depth and these normals, octahedral
 // ones in world space or "view". left: by a left-handed camera. Visibility is shown in a texture of one's own.
@@ -274,8 +266,8 @@ function encoded(view, normals, left, shown = "occlusion") {
     other.setPreset("balanced", 1);
     other.setSize(width, height);
     const into = shown === "occlusion" ? null : other.passes.image("RGBA8", [width, height]);
-    const drawn = other.render({depth: depth.image, normal: normal.image, into,
-        projection: negated(p, (i) => left && i >> 2 === 2), view: negated(matrix, (i) => left && i % 4 === 2)});
+    const frame = {depth: depth.image, normal: normal.image, into, projection: p, view: matrix};
+    const drawn = other.render(left ? mirrored(frame) : frame);
     return {...apart(want, other.readShown().map((one) => into === null ? one : 1 - one)),
         into: into === null || drawn === into};
 }
@@ -312,5 +304,5 @@ function refusal(call) {
 }
 
 window.page = {AmbientOcclusion, Fog, FogExp2, ambient, apart, closeViews, comparedPairs, darkening, effect, encoded,
-    fogged, frames, jitter, leftHanded, lostAndRestored, made, occlusion, orthographic, recorded, refusal, sheet,
-    shown, shownByFormula, withComposerDepth, written};
+    fogged, frames, jitter, leftHanded, lostAndRestored, made, occlusion, orthographic, recorded, refusal,
+    sheet, shown, shownByFormula, withComposerDepth, written};
