@@ -78,7 +78,6 @@ class Source:
         depth = {"harness": 2, "tests": 1}.get(self.area, 0)
         self.wing = parts[1] if self.area == "harness" and len(parts) > 2 else ""
         self.room = parts[depth] if len(parts) > depth + 1 else self.area
-        self.internal = "internal" in parts[2:-1]
         self.is_shader_library = parts[:2] == ("glsl", "gloam")
 
     def includes(self):
@@ -175,7 +174,7 @@ def library_home(source):
                 continue
             if not stands_in(source, home):
                 yield number, f"{name}: {library} headers belong in {home}"
-            elif source.area == "harness" and source.path.suffix == ".hpp" and not source.internal:
+            elif source.area == "harness" and source.path.suffix == ".hpp" and "internal" not in source.path.parts:
                 yield number, f"{name}: {library} shows in a public header of {home}"
 
 
@@ -346,22 +345,14 @@ def sources(root):
 
 
 def violations(root):
-    """(path, line, rule, message) of everything that breaks a rule below `root`."""
-    house = list(sources(Path(root)))
+    """A line for everything that breaks a rule below `root`."""
+    house = list(sources(root))
     found = [(source, line, rule, message) for source in house for rule in RULES for line, message in rule(source)]
     found += [(source, line, shader_caller, message) for source, line, message in shader_caller(house)]
-    return [(source.path.as_posix(), line, rule.__name__, message) for source, line, rule, message in found]
-
-
-def main(arguments):
-    if len(arguments) != 2 or not (Path(arguments[1]) / "harness").is_dir():
-        print("borders.py ROOT: the folder that holds harness/ and glsl/", file=sys.stderr)
-        return 2
-    found = violations(arguments[1])
-    for path, line, rule, message in found:
-        print(f"{path}:{line}: [{rule}] {message}")
-    return 1 if found else 0
+    return [f"{source.path.as_posix()}:{line}: [{rule.__name__}] {message}\n" for source, line, rule, message in found]
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv))
+    FOUND = violations(Path(sys.argv[1]))
+    print("".join(FOUND), end="")
+    sys.exit(1 if FOUND else 0)
