@@ -5,23 +5,10 @@
 
 namespace gloam::stress::test::robust_test {
 
-// Of one method, by its name: a suite shares a run. They are instantiated for all methods, so that after a
-// change of one method `tools/test-readers` runs its own.
-class PoisonOf : public testing::TestWithParam<std::string> {
-  protected:
-    static void SetUpTestSuite() { bench_.emplace(); }
-    static void TearDownTestSuite() { bench_.reset(); }
-
-    [[nodiscard]] static Rows found(void (*run)(const Context&)) {
-        return rows_of(run, bench_->context(GetParam()));
-    }
-
-  private:
-    inline static std::optional<Bench> bench_;
-};
+using PoisonOf = OfEach<std::string>;
 
 TEST_P(PoisonOf, StaysWithinTheFootprint) {
-    const Rows rows = found(poisoned_passes);
+    const Rows rows = rows_of(poisoned_passes, bench->context(GetParam()));
     expect_all_passed(rows);
     if (GetParam() != "hemisphere" && GetParam() != "disc") return;
     // Something did change: the footprint is not empty by mistake.
@@ -30,7 +17,7 @@ TEST_P(PoisonOf, StaysWithinTheFootprint) {
 }
 
 TEST_P(PoisonOf, FetchesNothingOutside) {
-    expect_all_passed(found(poisoned_gathers));
+    expect_all_passed(rows_of(poisoned_gathers, bench->context(GetParam())));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PoisonOf, testing::ValuesIn(gloam::test::method_names()),
@@ -49,22 +36,16 @@ struct Fault {
     void (*part)(const Context&);
 };
 
-void short_run(const Context& context) {
-    Context few = context;
-    few.scope.frames = 4'000;
-    long_run(few);
-}
-
 // Of the long run: a blend that rounds down a little in each frame; a weight that forgets its cap; an index
 // that skips. Far away: what is rounded to the spacing of floats at 1e5.
 TEST(Stress, NoticesWhatIsBroken) {
     for (const Fault& fault :
          {Fault{"gloam/temporal/blend.glsl", "return vec2(blended,", "return vec2(blended * 0.9999995,",
-                "farthest from the exact mean", short_run},
+                "farthest from the exact mean", long_run},
           Fault{"gloam/temporal/blend.glsl", "total < cap ? total : cap", "total < cap ? total : cap - 1.0",
-                "weight off, samples", short_run},
+                "weight off, samples", long_run},
           Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size", "(index + k + 1) % size",
-                "index off, samples", short_run},
+                "index off, samples", long_run},
           Fault{"gloam/geometry/reprojection.glsl", "position + eye_delta",
                 "position + 8192.0 + eye_delta - 8192.0", "position off, part of the distance", far_away},
           Fault{"gloam/geometry/reprojection.glsl", "(inverse_projection * clip)));\n    return",
@@ -85,8 +66,10 @@ TEST(Stress, NoticesWhatIsBroken) {
         const Installation broken;
         broken.replace(fault.file, fault.from, fault.to);
         const Bench bench(broken.glsl());
+        Context context = bench.context();
+        context.scope.frames = 4'000;
         bool noticed = false;
-        for (const Row& row : rows_with(rows_of(fault.part, bench.context()), fault.quantity))
+        for (const Row& row : rows_with(rows_of(fault.part, context), fault.quantity))
             noticed |= !row.passed();
         EXPECT_TRUE(noticed) << fault.to;
     }

@@ -24,19 +24,12 @@ TEST(Far, OnlyWorldCoordinatesLosePrecision) {
     EXPECT_GT(row_of(rows, "occlusion of a bare wall (gtao)", "0.001 radii").measured, 0.01);
 }
 
-// Of one equation; a suite shares a run.
-class WorstInputs : public testing::TestWithParam<std::size_t> {
-  protected:
-    static void SetUpTestSuite() { bench_.emplace(); }
-    static void TearDownTestSuite() { bench_.reset(); }
-
-    inline static std::optional<Bench> bench_;
-};
+using WorstInputs = OfEach<std::size_t>;
 
 TEST_P(WorstInputs, StayWithinWhatIsDocumentedAndAreAtLeastAsBadAsRandomOnes) {
     const catalogue::Entry& entry = gloam::test::entries()[GetParam()];
     const Rows rows =
-        rows_of([&](const Context& context) { worst_inputs(context, entry); }, bench_->context());
+        rows_of([&](const Context& context) { worst_inputs(context, entry); }, bench->context());
     ASSERT_EQ(rows.size(), 2U);
     expect_all_passed(rows);
     EXPECT_GE(rows[0].measured, rows[1].measured);

@@ -44,6 +44,17 @@ Rows rows_of(const Run& run, Context context) {
     return rows;
 }
 
+// Tests of each method by its name, or of each equation by its number, so that after a change of one
+// `tools/test-readers` runs its own. A suite shares a run.
+template <class Parameter>
+class OfEach : public testing::TestWithParam<Parameter> {
+  protected:
+    static void SetUpTestSuite() { bench.emplace(); }
+    static void TearDownTestSuite() { bench.reset(); }
+
+    inline static std::optional<Bench> bench;
+};
+
 inline void expect_all_passed(const Rows& rows) {
     EXPECT_FALSE(rows.empty());
     for (const Row& row : rows)
