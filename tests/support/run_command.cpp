@@ -116,8 +116,7 @@ CommandResult run_program(const std::filesystem::path& program, const std::vecto
 }
 
 CommandResult run_command(const std::vector<std::string>& arguments, const CommandOptions& options) {
-    const char* chosen = std::getenv("GLOAM_BINARY");
-    return run_program(chosen != nullptr ? chosen : GLOAM_BUILT_BINARY, arguments, options);
+    return run_program(GLOAM_BUILT_BINARY, arguments, options);
 }
 
 int line_count(const std::string& text) {

@@ -25,7 +25,7 @@ struct CommandOptions {
                                         const std::vector<std::string>& arguments,
                                         const CommandOptions& options = {});
 
-// run_program() of the gloam binary: $GLOAM_BINARY, else the one this build makes.
+// run_program() of the gloam binary that this build makes.
 [[nodiscard]] CommandResult run_command(const std::vector<std::string>& arguments,
                                         const CommandOptions& options = {});
 

@@ -17,9 +17,10 @@
 //
 // A line that begins with four blanks goes on with the one before. {a,b} stands for a, then for b. 'a b' is
 // one word. @glsl, @examples and @fixtures are folders of the repository, @here is the story's own,
-// @version gloam's version, @crashing the manifest of a driver that crashes, @full_disk a disk that is full. \n is a new
-// line, \e the escape character. Words like NAME=VALUE before the others are of the environment. # begins a
-// comment.
+// @version gloam's version, @crashing the manifest of a driver that crashes, @full_disk a disk that is full.
+// \n is a new line, \e the escape character. Words like NAME=VALUE before the others are of the environment.
+// # begins a comment.
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "tools/gloam.hpp"
 
@@ -58,10 +59,7 @@ std::vector<Story> stories() {
 
 std::vector<std::string> parts_of(const std::string& text, const std::string& between) {
     std::vector<std::string> parts;
-    for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + between.size()) {
-        end = std::min(text.find(between, begin), text.size());
-        parts.push_back(text.substr(begin, end - begin));
-    }
+    for (const auto part : std::views::split(text, between)) parts.emplace_back(part.begin(), part.end());
     return parts;
 }
 
@@ -117,32 +115,26 @@ class Stories : public InFolder {
                                                              {"@here", path("").string()},
                                                              {"\\n", "\n"},
                                                              {"\\e", "\x1b"}};
-        for (const auto& [name, value] : names)
-            for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += value.size())
-                text.replace(at, name.size(), value);
+        for (const auto& [name, value] : names) text = base::replaced(std::move(text), name, value);
         return text;
     }
 
     CommandResult run(const std::string& line, bool shell = false) {
         CommandOptions options{.working_directory = path(""), .timeout = std::chrono::seconds(300)};
-        const char* chosen = std::getenv("GLOAM_BINARY");
-        const fs::path program = installation_       ? installation_->program()
-                                 : chosen != nullptr ? chosen
-                                                     : GLOAM_BUILT_BINARY;
+        fs::path program = installation_ ? installation_->program() : GLOAM_BUILT_BINARY;
+        std::vector<std::string> words{"-ec", line};
         if (shell) {
             options.environment = {"PATH=" + program.parent_path().string() + ":" + std::getenv("PATH")};
-            return keep(run_program("sh", {"-ec", line}, options));
+            program = "sh";
+        } else {
+            words = quoted_words(line);
+            const auto command = std::ranges::find_if_not(words, [](const std::string& word) {
+                return std::isupper(word[0]) != 0 && word.find('=') != std::string::npos;
+            });
+            options.environment.assign(words.begin(), command);
+            words.erase(words.begin(), command);
         }
-        std::vector<std::string> words = quoted_words(line);
-        const auto command = std::ranges::find_if_not(words, [](const std::string& word) {
-            return std::isupper(word[0]) != 0 && word.find('=') != std::string::npos;
-        });
-        options.environment.assign(words.begin(), command);
-        words.erase(words.begin(), command);
-        return keep(run_program(program, words, options));
-    }
-
-    CommandResult keep(CommandResult result) {
+        CommandResult result = run_program(program, words, options);
         output_ = result.out + result.err;
         return result;
     }

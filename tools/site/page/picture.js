@@ -4,7 +4,6 @@
 "use strict";
 
 gloam.Picture = class {
-    // Throws an Error where there is no WebGL2 or it cannot draw floats.
     constructor(canvas, width, height) {
         const gl = canvas.getContext("webgl2", {antialias: false, depth: false, alpha: false,
             powerPreference: "high-performance"});
