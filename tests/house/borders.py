@@ -10,32 +10,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-# The wings of harness/, their rooms, and whom each of these may include besides itself. The framework knows nothing of
-# ambient occlusion and installs alone: its rooms include no room of the other wing.
-WINGS = {
-    "framework": {
-        "base": set(),
-        "numeric": set(),
-        "backend": set(),
-        "source": set(),
-        "module": {"source"},
-        "interpreter": {"backend", "module"},
-        "subject": {"backend", "source", "module", "interpreter"},
-        "judge": {"subject", "module", "interpreter"},
-        "audit": {"judge", "subject", "source", "module", "interpreter"},
-        "cost": {"backend", "source", "module"},
-        "pass": {"backend", "subject", "judge", "module", "interpreter"},
-        "record": {"judge", "audit", "cost"},
-    },
-    "occlusion": {
-        "reference": set(),
-        "catalogue": {"subject", "judge", "reference"},
-        "scene": {"backend", "module"},
-        "effect": {"backend", "pass", "scene", "source", "module"},
-        "experiment": {"effect", "scene", "reference", "record", "pictures"},
-        "pictures": {"scene", "record"},
-    },
-}
+# The wings of harness/, their rooms, and whom each of these may include besides itself, as the architecture has them.
+ROOM = re.compile(r"^\| `harness/(\w+)/(\w+)` \|.*\| ([\w, ]+) \|$", re.M)
+WINGS = {}
+ARCHITECTURE = Path(__file__).parents[2] / "docs" / "architecture.md"
+for its_wing, its_room, its_uses in ROOM.findall(ARCHITECTURE.read_text(encoding="utf-8")):
+    WINGS.setdefault(its_wing, {})[its_room] = set(its_uses.split(", ")) - {"no other"}
 ANYONE = {"base", "numeric"}  # may be used by every room
 ROOMS = {room: uses | ANYONE for wing in WINGS.values() for room, uses in wing.items()}
 MAY_INCLUDE = {**ROOMS, "tools": set(ROOMS)}
@@ -134,7 +114,7 @@ def include(source):
     named from the root, "room/file.hpp"; what lies in ROOM/internal is for that room, its tests and the fuzz targets. The
     commands of the framework include nothing that knows of occlusion: main hands that in."""
     if source.area == "harness" and source.room not in WINGS.get(source.wing, ()):
-        yield 1, f"harness/{source.wing}/{source.room}: expected harness/WING/ROOM of WINGS in tests/house/borders.py"
+        yield 1, f"harness/{source.wing}/{source.room}: expected harness/WING/ROOM of docs/architecture.md"
     allowed = MAY_INCLUDE.get(source.room, set()) | {source.room}
     if source.area not in ("harness", "tools"):
         allowed = set(MAY_INCLUDE)
