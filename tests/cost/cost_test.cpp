@@ -91,7 +91,7 @@ TEST_F(OfChip, ConstantsAreThoseGiven) {
 }
 
 TEST_F(OfChip, TheEnvironmentOfAUserChangesNothing) {
-    const Arguments arguments{"cost", fixture("filter3.comp")};
+    const std::vector<std::string> arguments{"cost", fixture("filter3.comp")};
     const std::string usual = output_of(run_command(arguments));
     const std::string other = output_of(run_command(
         arguments, {.environment = {"RADV_DEBUG=nooutoforder,shaders", "RADV_FORCE_FAMILY=POLARIS10",

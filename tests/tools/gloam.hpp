@@ -11,7 +11,6 @@ namespace gloam::test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using Arguments = std::vector<std::string>;
 
 // The command could not run: status 2, nothing on standard output, and one line on standard error with the
 // error.
