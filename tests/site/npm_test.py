@@ -84,10 +84,8 @@ class NpmTest(BrowserCase):
         self.assertEqual([], self.browser.problems())
 
     def ask(self, script):
-        """What a function of the page's names returns. Its views are closed then."""
-        names = self.browser.evaluate("Object.keys(window.page).join()")
-        return self.browser.evaluate(f"(async () => {{ const {{{names}}} = window.page; {script} }})()"
-                                     ".finally(window.page.closeViews)")
+        """What a function of the page returns. Its views are closed then."""
+        return self.browser.evaluate(f"(async () => {{ {script} }})().finally(closeViews)")
 
     def test_the_types(self):
         done = subprocess.run(["npx", "tsc", "--noEmit", "--strict", "--module", "nodenext", "--target", "es2022",

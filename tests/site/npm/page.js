@@ -303,6 +303,6 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, Fog, FogExp2, ambient, apart, closeViews, comparedPairs, darkening, effect, encoded,
-    fogged, frames, jitter, leftHanded, lostAndRestored, made, occlusion, orthographic, recorded, refusal,
-    sheet, shown, shownByFormula, withComposerDepth, written};
+Object.assign(window, {AmbientOcclusion, Fog, FogExp2, ambient, apart, closeViews, comparedPairs, darkening, effect,
+    encoded, fogged, frames, jitter, leftHanded, lostAndRestored, made, occlusion, orthographic, recorded, refusal,
+    sheet, shown, shownByFormula, withComposerDepth, written});
