@@ -5,9 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,10 +22,7 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
 inline const std::filesystem::path& file_of(std::string_view bytes, const char* extension) {
     static const std::filesystem::path path =
         std::filesystem::path("/dev/shm") / ("gloam-fuzz-" + std::to_string(getpid()) + extension);
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (file == nullptr) std::abort();
-    std::fwrite(bytes.data(), 1, bytes.size(), file);
-    std::fclose(file);
+    if (!(std::ofstream(path, std::ios::binary) << bytes)) std::abort();
     return path;
 }
 
