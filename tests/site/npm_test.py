@@ -183,30 +183,18 @@ class NpmTest(BrowserCase):
         got = self.ask("return lostAndRestored();")
         self.assertEqual((0, 0), (got["mean"], got["error"]))
 
-    def test_other_options_begin_a_new_history(self):
-        """A cut and another size do so in test_the_occlusion_is_that_of_the_program()."""
+    def test_other_options_give_what_a_new_pass_gives(self):
+        """They begin a new history. A cut and another size do so in test_the_occlusion_is_that_of_the_program()."""
         got = self.ask("""
             const view = made();
-            const {occlusion: pass} = view;
-            return [() => {}, () => {}, () => { pass.radius = 0.5; }, () => {},
-                () => { pass.preset = "quality"; },
-                () => { pass.camera = view.camera.clone(); }, () => { pass.resolution = "half"; },
-            ].map((change) => {
-                change();
-                view.draw();
-                return pass.occlusion.frames;
-            });""")
-        self.assertEqual([1, 2, 1, 2, 1, 1, 1], got)
-
-    def test_another_preset_gives_what_a_new_pass_gives(self):
-        got = self.ask("""
-            const view = made();
-            const all = ["reference full", "fast", "quality", "reference full", "reference", "balanced",
-                "balanced tiles", "balanced full", "balanced half"].map((name) => {
-                const [preset, resolution = null] = name.split(" ");
+            const chosen = {};
+            const all = [{preset: "reference", resolution: "full"}, {preset: "fast", resolution: null}, {radius: 0.5},
+                {preset: "quality"}, {preset: "reference", resolution: "full"}, {resolution: null},
+                {camera: view.camera.clone()}, {preset: "balanced"}, {resolution: "tiles"}, {resolution: "full"},
+                {resolution: "half"}].map((change) => {
                 const other = made();
-                const [got, want] = [view, other].map((one) => {
-                    Object.assign(one.occlusion, {preset, resolution});
+                const [got, want] = [[view, change], [other, Object.assign(chosen, change)]].map(([one, options]) => {
+                    Object.assign(one.occlusion, options);
                     return occlusion(frames(one, 3));
                 });
                 const {images, passes: {gl}} = other.occlusion.occlusion;
