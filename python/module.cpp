@@ -202,7 +202,7 @@ class File {
     }
     [[nodiscard]] std::map<std::string, std::string> left_out() const {
         std::map<std::string, std::string> reasons;
-        for (const check::LeftOut& one : functions_.left_out) reasons[one.name] = one.why;
+        for (const check::Skipped& one : functions_.left_out) reasons[one.name] = one.why;
         return reasons;
     }
     [[nodiscard]] std::string device() const { return lab_->info().name; }
@@ -210,7 +210,7 @@ class File {
     [[nodiscard]] Function function(const std::string& name) const {
         const auto found = std::ranges::find(functions_.found, name, &check::OwnFunction::name);
         if (found != functions_.found.end()) return {lab_, *found};
-        for (const check::LeftOut& one : functions_.left_out)
+        for (const check::Skipped& one : functions_.left_out)
             if (one.name.starts_with(name + "("))
                 throw std::invalid_argument(name_ + ": " + one.name + ": " + one.why);
         std::string known;

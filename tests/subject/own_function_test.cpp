@@ -23,7 +23,7 @@ TEST_F(OwnFunctionTest, AreTakenOutOfAWholeShaderAndNamedWithOrWithoutTheirTypes
     EXPECT_THAT(names_of(functions), ElementsAre("luma(vec3)", "luma(vec4)", "tone", "seen", "edge", "cut",
                                                  "sampled", "twice_tone"));
     EXPECT_EQ(functions.left_out.size(), 4U);
-    for (const LeftOut& left_out : functions.left_out)
+    for (const Skipped& left_out : functions.left_out)
         EXPECT_EQ(left_out.is_error, left_out.name == "broken(float)");
     EXPECT_THAT(names_of(functions_of("foreign.frag", {"luma"})), ElementsAre("luma(vec3)", "luma(vec4)"));
     EXPECT_THAT(names_of(functions_of("foreign.frag", {"luma( vec4 )", "tone(float)"})),

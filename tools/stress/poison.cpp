@@ -21,7 +21,7 @@ constexpr gpu::Extent extent{37, 26};
 constexpr float poison_radius = 0.4F;
 
 // Which buffer holds the bad value.
-struct Place {
+struct Location {
     const char* text;
     int normal_axis = -1;  // of the normals; -1: the depth
     bool normals = true;   // the view has some
@@ -32,7 +32,7 @@ struct Place {
 };
 
 // The last two are left out of brief runs.
-constexpr Place places[]{
+constexpr Location places[]{
     {"depth"}, {"depth, normals made of it", -1, false}, {"normal.x", 0}, {"normal.y", 1}, {"normal.z", 2}};
 
 std::size_t index_of(glm::ivec2 pixel) {
@@ -103,7 +103,7 @@ class Experiment {
           fragile_(fragile, context.passes, extent) {}
 
     // What one place suffers, over all bad values.
-    void run(const Context& context, const effect::MethodInfo& method, const Place& place,
+    void run(const Context& context, const effect::MethodInfo& method, const Location& place,
              std::size_t number) {
         settings_ = with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name),
                                 poison_radius);
@@ -174,7 +174,7 @@ class Experiment {
     };
 
     // A view without bad values, then the same with each, in one texel and everywhere.
-    [[nodiscard]] std::vector<Poisoned> poisoned(const Place& place, bool reads_normals,
+    [[nodiscard]] std::vector<Poisoned> poisoned(const Location& place, bool reads_normals,
                                                  std::size_t number) const {
         std::vector<Poisoned> all{{steps(), {}}};
         if (!place.normals) all[0].view.normal.clear();
@@ -208,7 +208,7 @@ void poisoned_passes(const Context& context) {
     Experiment experiment(context, fragile);
     for (const effect::MethodInfo& method : context.methods) {
         std::size_t number = 0;
-        for (const Place& place : std::span(places).first(context.scope.brief ? 3 : 5)) {
+        for (const Location& place : std::span(places).first(context.scope.brief ? 3 : 5)) {
             context.progress(fmt::format("{}: {}", method.name, place.text));
             experiment.run(context, method, place, number++);
         }

@@ -49,10 +49,10 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
                 float depth = gloam_fetch_depth(at);
                 vec3 tap = gloam_footprint_tap(footprint, at, depth, -position.z);
                 vec2 offset = vec2(gloam_footprint_value(toward, tap), gloam_footprint_value(along, tap));
-                bool tells = gloam_tap_sees(depth) && at != footprint.pixel &&
+                bool contributes = gloam_tap_sees(depth) && at != footprint.pixel &&
                              !gloam_tap_rejected(-position.z, depth, kernel.farthest);
                 bool rises = gloam_footprint_value(above, tap) > kernel.bias;
-                side = gloam_sweep_tap(side, half_plane, offset, tells, rises, settings.falloff, thickness);
+                side = gloam_sweep_tap(side, half_plane, offset, contributes, rises, settings.falloff, thickness);
             }
             occluded += slice.weight * (side.occluded + side.feature);
         }

@@ -72,12 +72,12 @@ GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
 // H` [gloam; the inner integral of Jimenez et al. 2016].
 // As of a solid surface: features are left alone.
 // side: so far. slice: of gloam_sweep_slice. offset: of the tap in the slice, (along view, along tangent), in units of
-// the radius of influence, longer than 1e-17 where the tap rises, shorter than 1e9. tells: whether the tap has a
+// the radius of influence, longer than 1e-17 where the tap rises, shorter than 1e9. contributes: whether the tap has a
 // surface; if not, the side does not change. rises: whether the tap is above the tangent plane; otherwise only its
 // distance is kept. falloff: GLOAM_FALLOFF_*.
 // Returns the side with the tap. A tap below the horizon or beyond the range of the falloff adds nothing; in the second
 // case later taps can still cover its directions. Error: 8e-7.
-GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
+GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, GloamSlice slice, vec2 offset, bool contributes, bool rises,
                                    uint falloff) {
     float squared = dot(offset, offset);
     float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
@@ -85,10 +85,10 @@ GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, GloamSlice slice, vec2 o
     vec2 direction = offset * inverse;
     float weight = gloam_falloff_at(falloff, gloam_sweep_distance(side.before, here));
     float behind = gloam_sweep_behind(direction, slice);
-    bool uncovers = tells && rises && direction.x > side.horizon && weight > 0.0;
+    bool uncovers = contributes && rises && direction.x > side.horizon && weight > 0.0;
     float added = uncovers ? weight * (behind - side.behind) : 0.0;
     return GloamSweepSide(uncovers ? direction.x : side.horizon, uncovers ? behind : side.behind,
-                          tells ? min(here, 1.0) : side.before, side.occluded + added, side.feature, side.rise,
+                          contributes ? min(here, 1.0) : side.before, side.occluded + added, side.feature, side.rise,
                           side.start, side.last);
 }
 
@@ -118,13 +118,13 @@ GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {
 // Ends the feature before it where there is one, and begins or continues a feature where the tap uncovers directions.
 // Parameters as above.
 // Returns the side. Error: 2e-6, but for taps within rounding of where a feature ends.
-GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
+GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offset, bool contributes, bool rises,
                                uint falloff, float thickness) {
-    vec2 at = tells ? vec2(offset.x, abs(offset.y)) : side.last;  // nothing changes at the same place
+    vec2 at = contributes ? vec2(offset.x, abs(offset.y)) : side.last;  // nothing changes at the same place
     GloamSweepSide passed = gloam_sweep_end(side, at, thickness);
     float before = passed.occluded;
     passed.occluded = 0.0;
-    GloamSweepSide seen = gloam_sweep_uncover(passed, slice, offset, tells, rises, falloff);
+    GloamSweepSide seen = gloam_sweep_uncover(passed, slice, offset, contributes, rises, falloff);
     bool begins = seen.horizon > passed.horizon && !(passed.rise > 0.0);
     seen.feature += seen.occluded;
     seen.occluded = before;

@@ -71,8 +71,8 @@ GloamSweepPair gloam_pair_tap(GloamSweepPair pair, vec4 taps, vec2 nearer, float
     vec2 inverse = inversesqrt(squared);
     vec2 here = squared * inverse;
     vec2 weight = clamp(pair.counts - 0.5 * here, 0.0, 1.0);
-    bvec2 tells = greaterThan(min(weight, taps.zw - bias), vec2(0.0));
-    vec2 found = mix(vec2(0.0), gloam_pair_behind(taps.xy * inverse, taps.zw * inverse, plane), tells);
+    bvec2 contributes = greaterThan(min(weight, taps.zw - bias), vec2(0.0));
+    vec2 found = mix(vec2(0.0), gloam_pair_behind(taps.xy * inverse, taps.zw * inverse, plane), contributes);
     vec2 behind = max(found, pair.behind);
     vec2 gain = behind - pair.behind;
     float middle = 0.5 * (place + pair.place);

@@ -42,20 +42,20 @@ double digits_of(double relative, double unit = unit_error) {
     return relative > unit ? std::log10(relative / unit) : 0.0;
 }
 
-AuditPlace place_of(const ExplainedStep& step) {
+AuditLocation place_of(const ExplainedStep& step) {
     return {step.file, step.line, step.function, step.undefined.empty() ? step.operation : step.undefined};
 }
 
 // Where an undefined value comes from, with the cause in place of an operation.
-AuditPlace place_of(const interpreter::Undefined& why) {
+AuditLocation place_of(const interpreter::Undefined& why) {
     return {why.place.file, why.place.line, why.place.function, why.cause};
 }
 
 // The operation at which the width of what is permitted, beside the exact value, grows most.
-AuditPlace widest_place(const Explanation& all) {
+AuditLocation widest_place(const Explanation& all) {
     double widest = 0.0;
     double most = 0.0;
-    AuditPlace place;
+    AuditLocation place;
     for (const ExplainedStep& step : all.steps) {
         const double span = step.permitted.high - step.permitted.low;
         const double width = std::isfinite(span) && step.exact != 0.0 ? span / std::abs(step.exact) : 0.0;
@@ -115,7 +115,7 @@ class Findings {
     }
 
     // The first operation with a result that is not finite, or of which every value is permitted.
-    AuditPlace origin(Concern concern, const std::vector<Word>& words) {
+    AuditLocation origin(Concern concern, const std::vector<Word>& words) {
         if (concern == Concern::undefined) {
             const Reading reading = runs_.read(words);
             for (const internal::OutputReading& output : reading.outputs)
@@ -126,7 +126,7 @@ class Findings {
             return concern == Concern::not_finite ? !std::isfinite(step.value)
                                                   : step.permitted.is_anything() || step.permitted.nan;
         });
-        return first == steps.steps.end() ? AuditPlace{} : place_of(*first);
+        return first == steps.steps.end() ? AuditLocation{} : place_of(*first);
     }
 
     [[nodiscard]] bool is_so(Concern concern, const std::vector<Word>& words) {
@@ -139,10 +139,10 @@ class Findings {
     // One finding for each operation at which the examples go wrong.
     void add_places(Concern concern) {
         const internal::Examples& examples = search_.examples[concern];
-        std::map<AuditPlace, std::size_t> random;
-        std::map<AuditPlace, std::vector<Word>> first;
+        std::map<AuditLocation, std::size_t> random;
+        std::map<AuditLocation, std::vector<Word>> first;
         for (const std::vector<Word>& words : examples.random) {
-            const AuditPlace from = origin(concern, words);
+            const AuditLocation from = origin(concern, words);
             ++random[from];
             first.try_emplace(from, words);
         }

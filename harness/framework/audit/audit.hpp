@@ -36,13 +36,13 @@ enum class Concern {
 [[nodiscard]] std::string name_of(Concern concern);  // "not finite"
 
 // An operation of the source.
-struct AuditPlace {
+struct AuditLocation {
     std::string file;
     unsigned line = 0;  // 0: unknown
     std::string function;
     std::string operation;  // "OpFSub"
 
-    friend auto operator<=>(const AuditPlace&, const AuditPlace&) = default;
+    friend auto operator<=>(const AuditLocation&, const AuditLocation&) = default;
 };
 
 // The result of a finding's input on a device.
@@ -65,7 +65,7 @@ struct AuditFinding {
     bool cancels = false;  // digits: the result keeps the errors of its operands, and is small beside them
     std::string message;   // of a fault; of a parting, whose result is the other one
     std::vector<AuditWitness> witnesses;
-    AuditPlace place;         // where it arises
+    AuditLocation place;      // where it arises
     std::string reservation;  // on what it rests that drivers hardly do; may be empty
 };
 
@@ -141,7 +141,7 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
 [[nodiscard]] std::string result_text(const AuditFinding& finding);
 [[nodiscard]] std::string extent_text(const AuditFinding& finding);
 // "tone.glsl:12 (acos)", empty if the place is unknown.
-[[nodiscard]] std::string to_text(const AuditPlace& place);
+[[nodiscard]] std::string to_text(const AuditLocation& place);
 // On what the result rests, and what devices give: "0.25 on llvmpipe".
 [[nodiscard]] std::vector<std::string> remarks_on(const AuditFinding& finding);
 // The ways and lines that nothing reached, one each: "tone.glsl:12: never true: if (x > 2.0)".

@@ -42,12 +42,12 @@ std::vector<std::string> lines_of(const std::string& file, const std::vector<std
 // The points of the source, without their texts.
 Coverage points_of(const interpreter::Coverage& seen, std::size_t inputs) {
     Coverage all{.inputs = inputs, .points = {}};
-    const auto add = [&all](const interpreter::Place& place, const std::string& way, bool reached) {
+    const auto add = [&all](const interpreter::Location& place, const std::string& way, bool reached) {
         if (!place.file.empty() && place.file != generated)
             all.points.push_back({place.file, place.line, "", way, reached});
     };
     for (const interpreter::Coverage::Line& line : seen.lines()) add(line.place, "", line.reached);
-    for (const interpreter::Coverage::Way& way : seen.ways())
+    for (const interpreter::Coverage::Path& way : seen.ways())
         add(way.place, way.way + (way.branch == 1 ? "" : fmt::format(", branch {} of the line", way.branch)),
             way.reached);
     return all;

@@ -88,7 +88,7 @@ std::string rewrite_text(const AuditRewrite& rewrite) {
 
 }  // namespace
 
-std::string to_text(const AuditPlace& place) {
+std::string to_text(const AuditLocation& place) {
     if (place.file.empty()) return {};
     return fmt::format("{} ({})", at(place.file, place.line), operation_text(place.operation));
 }

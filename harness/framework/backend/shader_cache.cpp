@@ -16,12 +16,12 @@ constexpr const char* disables = "MESA_SHADER_CACHE_DISABLE";
 
 // Where Mesa keeps its cache, in the order in which it looks; empty: nowhere.
 fs::path cache_folder() {
-    struct Place {
+    struct Location {
         const char* variable;
         const char* folder;
     };
-    for (const Place& place :
-         {Place{"MESA_SHADER_CACHE_DIR", ""}, Place{"XDG_CACHE_HOME", ""}, Place{"HOME", ".cache"}})
+    for (const Location& place :
+         {Location{"MESA_SHADER_CACHE_DIR", ""}, Location{"XDG_CACHE_HOME", ""}, Location{"HOME", ".cache"}})
         if (const char* value = std::getenv(place.variable); value != nullptr && *value != '\0')
             return fs::path(value) / place.folder;
     return {};

@@ -135,7 +135,7 @@ enum class Order { forward, backward };
 // Why a value is undefined.
 struct Undefined {
     std::string cause;  // "a shift by less than 0 or by more than 31"
-    Place place;        // of the operation, or of the first read of what was never written
+    Location place;     // of the operation, or of the first read of what was never written
     // Whether an operation reads it, or made it; false for a variable that was never written and only copied.
     bool is_used = true;
 };
@@ -143,7 +143,7 @@ struct Undefined {
 // One executed instruction, with the value of every scalar of its result.
 template <class Number>
 struct Step {
-    const Place& place;
+    const Location& place;
     std::uint16_t opcode;  // of SPIR-V, or an Operation of the decoder above those
     std::span<const Value<Number>> results;
     const numeric::FloatFormat& format;  // of floats among them

@@ -12,7 +12,7 @@
 
 namespace gloam::interpreter {
 
-std::string to_text(const Place& place) {
+std::string to_text(const Location& place) {
     const std::string function = place.function.empty() ? "the module" : place.function;
     if (place.line == 0) return fmt::format("{} (word {})", function, place.word);
     return fmt::format("{} ({}:{})", function, place.file.empty() ? "?" : place.file, place.line);
@@ -95,13 +95,13 @@ void Coverage::add(std::size_t instruction, std::uint32_t next) {
         if (ways[w] == next) gone_[instruction][w] = 1;
 }
 
-std::vector<Coverage::Way> Coverage::ways() const {
+std::vector<Coverage::Path> Coverage::ways() const {
     const Code& code = program_.code();
     // Keyed by the word in the module, because a function can have several copies.
-    std::map<std::uint32_t, std::vector<Way>> branches;
+    std::map<std::uint32_t, std::vector<Path>> branches;
     for (std::size_t at = 0; at < ways_.size(); ++at) {
         if (ways_[at].empty()) continue;
-        std::vector<Way>& ways = branches[code.origins[at]];
+        std::vector<Path>& ways = branches[code.origins[at]];
         for (std::size_t w = 0; w < ways_[at].size(); ++w) {
             const Instruction& i = code.instructions[at];
             if (ways.size() == w) ways.push_back({code.places[i.place], name_of_way(code, i, w), 0, false});
@@ -109,10 +109,10 @@ std::vector<Coverage::Way> Coverage::ways() const {
         }
     }
     std::map<std::pair<std::string, unsigned>, std::size_t> in_line;
-    std::vector<Way> all;
+    std::vector<Path> all;
     for (auto& [word, ways] : branches) {
         const std::size_t number = ++in_line[{ways.front().place.file, ways.front().place.line}];
-        for (Way& way : ways) {
+        for (Path& way : ways) {
             way.branch = number;
             all.push_back(std::move(way));
         }
@@ -124,7 +124,7 @@ std::vector<Coverage::Line> Coverage::lines() const {
     const Code& code = program_.code();
     std::map<std::pair<std::string, unsigned>, Line> lines;
     for (std::size_t at = 0; at < ran_.size(); ++at) {
-        const Place& place = code.places[code.instructions[at].place];
+        const Location& place = code.places[code.instructions[at].place];
         if (place.file.empty()) continue;
         Line& line = lines.try_emplace({place.file, place.line}, Line{place, false}).first->second;
         line.reached = line.reached || ran_[at] != 0;
@@ -135,7 +135,7 @@ std::vector<Coverage::Line> Coverage::lines() const {
 }
 
 bool Coverage::is_complete() const {
-    return std::ranges::all_of(lines(), &Line::reached) && std::ranges::all_of(ways(), &Way::reached);
+    return std::ranges::all_of(lines(), &Line::reached) && std::ranges::all_of(ways(), &Path::reached);
 }
 
 }  // namespace gloam::interpreter

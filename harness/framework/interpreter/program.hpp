@@ -15,7 +15,7 @@
 namespace gloam::interpreter {
 
 // The place of an instruction.
-struct Place {
+struct Location {
     std::string function;  // its name in the module; empty outside of functions
     std::string file;      // of the source; empty if the module does not state it (OpLine)
     unsigned line = 0;     // 0 if the module does not state it
@@ -23,7 +23,7 @@ struct Place {
 };
 
 // "blend (gloam/temporal/blend.glsl:12)", or the position in the module if it has no lines.
-[[nodiscard]] std::string to_text(const Place& place);
+[[nodiscard]] std::string to_text(const Location& place);
 
 // A module that cannot be run, or a run that cannot continue.
 class Error : public base::Failure {
@@ -40,7 +40,7 @@ class Error : public base::Failure {
     };
 
     Error(Kind kind, const std::string& message);
-    Error(Kind kind, const std::string& message, const Place& place)
+    Error(Kind kind, const std::string& message, const Location& place)
         : Error(kind, message + ", in " + to_text(place)) {}
 
     [[nodiscard]] Kind kind() const { return kind_; }
@@ -90,18 +90,18 @@ class Coverage {
     explicit Coverage(const Program& program);
 
     // One way of a branch in the source: each side of a condition, each case of a switch.
-    struct Way {
-        Place place;
+    struct Path {
+        Location place;
         std::string way;         // "true", "false", "case 3", "default"
         std::size_t branch = 0;  // position among the branches of that line, from 1
         bool reached = false;
     };
     // All ways, in the order of the module. A conditional operator ?: that selects between two values is a
     // branch as well.
-    [[nodiscard]] std::vector<Way> ways() const;
+    [[nodiscard]] std::vector<Path> ways() const;
 
     struct Line {
-        Place place;
+        Location place;
         bool reached = false;
     };
     // Each line of the source with an instruction, once.

@@ -60,7 +60,7 @@ Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
     }
 }
 
-Interpretation::Place Interpretation::place_of(std::size_t index) const {
+Interpretation::Location Interpretation::place_of(std::size_t index) const {
     const std::vector<Decoded::Part>& parts = decoded_.parts();
     if (parts.size() == 1) return {0, parts.front().module.fixed_inputs == 0 ? 0 : index};
     std::size_t part = 0;
@@ -77,7 +77,7 @@ InterpretedKernel<N>& Interpretation::kernel(std::size_t part) {
 }
 
 bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) {
-    const Place at = place_of(input.index);
+    const Location at = place_of(input.index);
     InterpretedKernel<float>& floats = kernel<float>(at.part);
     try {
         floats.run(input.words, at.index);
@@ -91,7 +91,7 @@ bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) 
 }
 
 std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<double>& outputs) {
-    const Place at = place_of(input.index);
+    const Location at = place_of(input.index);
     InterpretedKernel<double>& doubles = kernel<double>(at.part);
     outputs.clear();
     const std::uint64_t before = doubles.machine().steps();
@@ -126,7 +126,7 @@ bool Interpretation::holds(const Sample::Outcome& outcome, std::span<const Word>
 // All paths, or the paths up to the first one that yields `until`.
 template <class N>
 Permitted Interpretation::explore(const InputRow& input, std::span<const Word> until) {
-    const Place at = place_of(input.index);
+    const Location at = place_of(input.index);
     InterpretedKernel<N>& kernel = this->kernel<N>(at.part);
     Permitted permitted;
     const std::uint64_t start = kernel.machine().steps();

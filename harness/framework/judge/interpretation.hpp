@@ -91,12 +91,12 @@ class Interpretation {
     template <class N>
     using Made = std::unique_ptr<InterpretedKernel<N>>;  // when it is needed
     using Part = std::tuple<Made<float>, Made<double>, Made<numeric::Interval>, Made<numeric::Rearranged>>;
-    struct Place {
+    struct Location {
         std::size_t part;
         std::size_t index;
     };
 
-    [[nodiscard]] Place place_of(std::size_t index) const;
+    [[nodiscard]] Location place_of(std::size_t index) const;
     template <class N>
     [[nodiscard]] InterpretedKernel<N>& kernel(std::size_t part);
     template <class N>

@@ -14,7 +14,7 @@
 
 namespace gloam::record {
 
-GLOAM_MEMBERS(check::AuditPlace, file, line, function, operation)
+GLOAM_MEMBERS(check::AuditLocation, file, line, function, operation)
 GLOAM_MEMBERS(check::AuditWitness, device, value)
 GLOAM_MEMBERS(check::AuditRewrite, file, line, before, after, helper, reason, gain)
 

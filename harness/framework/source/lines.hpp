@@ -54,16 +54,16 @@ struct TextFile {
 // The lines that the compiler reads of some files and their includes: conditions are evaluated and includes
 // inserted, but macros are not replaced.
 struct ActiveText {
-    struct Place {
+    struct Location {
         std::size_t file;
         std::size_t line;
     };
     std::deque<TextFile> files;  // those given first, then those included; a place keeps its address
     std::size_t given = 0;       // so many of them
-    std::vector<Place>
+    std::vector<Location>
         lines;  // of #define, #undef, #extension, #pragma and code; none of #if, #include, #version
 
-    [[nodiscard]] const Line& at(const Place& place) const { return files[place.file].lines[place.line]; }
+    [[nodiscard]] const Line& at(const Location& place) const { return files[place.file].lines[place.line]; }
 };
 
 // Every line of a text, whatever its conditions.

@@ -35,14 +35,14 @@ class Reader {
     Reader(const ActiveText& text, Keep keep) : text_(text), keep_(keep) {}
 
     Outline run() {
-        for (const ActiveText::Place& place : text_.lines) read(place);
+        for (const ActiveText::Location& place : text_.lines) read(place);
         if (!tokens_.empty()) finish();  // the compiler has to say what is missing
         release_comments(true);
         return std::move(outline_);
     }
 
   private:
-    void read(const ActiveText::Place& place) {
+    void read(const ActiveText::Location& place) {
         const Line& line = text_.at(place);
         if (place.file != file_) end_paragraph();
         file_ = place.file;

@@ -152,7 +152,7 @@ std::string pointer_of(const shader::Excerpt& excerpt) {
 }
 
 // Why an excerpt does not compile as a part of a compute shader. `errors`: what the compiler says.
-LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
+Skipped refused(const shader::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
     const std::string first = errors.substr(0, errors.find('\n'));
     std::istringstream parts(first);  // "own.frag:10: 'image' : undeclared identifier"
     std::string place;

@@ -20,7 +20,7 @@ struct OwnFunction : KernelSource {
 };
 
 // One that cannot.
-struct LeftOut {
+struct Skipped {
     std::string name;  // "f(vec2, sampler2D)"
     std::string why;
     bool is_error = false;  // its text is no valid GLSL
@@ -28,7 +28,7 @@ struct LeftOut {
 
 struct OwnFunctions {
     std::vector<OwnFunction> found;
-    std::vector<LeftOut> left_out;
+    std::vector<Skipped> left_out;
 };
 
 // The functions that the file of a lab's options itself defines, without main and those of its includes, in

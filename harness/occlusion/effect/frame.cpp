@@ -27,7 +27,7 @@ enum List : std::uint32_t { sweeping, refining, filtering, joining };
 constexpr std::uint32_t bytes_of_work = 16;
 
 // What a frame takes of the engine.
-struct Taken {
+struct EngineInputs {
     View view;
     float radius = 1.0F;
     scene::Encoding encoding{};
@@ -73,14 +73,14 @@ gloam_camera camera_of(const View& view) {
     return camera;
 }
 
-gloam_settings settings_of(const Settings& settings, const Taken& taken) {
-    const gpu::Extent extent = taken.view.extent;
+gloam_settings settings_of(const Settings& settings, const EngineInputs& inputs) {
+    const gpu::Extent extent = inputs.view.extent;
     return {
         .preset = {static_cast<gloam_resolution>(settings.resolution), settings.mark, settings.history_range,
-                   settings.history_sharpness, taken.view.camera.orthographic(), taken.deep},
+                   settings.history_sharpness, inputs.view.camera.orthographic(), inputs.deep},
         .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
-        .radius = taken.radius,
-        .depth_buffer = taken.encoding.depth_buffer};
+        .radius = inputs.radius,
+        .depth_buffer = inputs.encoding.depth_buffer};
 }
 
 // Whether depth of 16 bits is too coarse from the beginning.
@@ -92,9 +92,9 @@ bool starts_deep(const Settings& settings, const scene::CameraFrame& camera) {
 }
 
 // The first frame of a sequence.
-gloam_frame first_of(const Settings& settings, const Taken& taken) {
+gloam_frame first_of(const Settings& settings, const EngineInputs& inputs) {
     gloam_frame frame{};
-    gloam_next(&frame, settings_of(settings, taken), camera_of(taken.view), nullptr);
+    gloam_next(&frame, settings_of(settings, inputs), camera_of(inputs.view), nullptr);
     return frame;
 }
 
@@ -104,21 +104,22 @@ std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std:
 }
 
 // Those that all passes have, behind a pass' own.
-std::vector<gpu::SpecializationConstant> constants_of(const Settings& settings, const Taken& taken,
+std::vector<gpu::SpecializationConstant> constants_of(const Settings& settings, const EngineInputs& inputs,
                                                       std::vector<gpu::SpecializationConstant> own) {
-    own.insert(own.end(), {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
+    own.insert(own.end(), {{.id = 1, .bits = flag(inputs.view.camera.orthographic())},
                            {.id = 8, .bits = flag(settings.history)},
-                           {.id = 9, .bits = flag(taken.deep)}});
+                           {.id = 9, .bits = flag(inputs.deep)}});
     return own;
 }
 
-PlannedPass first_pass(const Settings& settings, const Taken& taken, const gloam_prepare& parameters) {
-    PassSource source{.file = "frame/prepare.comp", .constants = constants_of(settings, taken, {})};
-    if (taken.deep) source.defines.emplace_back("GLOAM_LEVELS r32f");
+PlannedPass first_pass(const Settings& settings, const EngineInputs& inputs,
+                       const gloam_prepare& parameters) {
+    PassSource source{.file = "frame/prepare.comp", .constants = constants_of(settings, inputs, {})};
+    if (inputs.deep) source.defines.emplace_back("GLOAM_LEVELS r32f");
     return single_pass("prepare", source,
                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4",
                         settings.history ? "levels_before" : nothing_image},
-                       parameters, groups_of(taken.view.extent, 2, 2));
+                       parameters, groups_of(inputs.view.extent, 2, 2));
 }
 
 // The pass makes the tiles of a list, so many a group: at most all of the view.
@@ -131,66 +132,68 @@ void dispatch_by(List list, std::uint32_t tiles_of_group, gpu::Extent view, Plan
 }
 
 // Binds the lists behind the other resources of the pass.
-void bind_lists(const Taken& taken, PlannedPass& pass) {
+void bind_lists(const EngineInputs& inputs, PlannedPass& pass) {
     pass.source.defines.push_back(fmt::format("GLOAM_TILES {}", pass.resources.size()));
-    if (taken.skips) pass.source.defines.emplace_back("GLOAM_SKIPS");
+    if (inputs.skips) pass.source.defines.emplace_back("GLOAM_SKIPS");
     pass.resources.emplace_back(tile_list);
 }
 
 // Join, or filter.
-PlannedPass last_pass(const Settings& settings, const Taken& taken, const gloam_frame& frame, bool joins) {
+PlannedPass last_pass(const Settings& settings, const EngineInputs& inputs, const gloam_frame& frame,
+                      bool joins) {
     gloam_last parameters = joins ? frame.join : frame.filter;
     parameters.albedo = settings.bounce_albedo;
     PassSource source{.file = joins ? "frame/join.comp" : "frame/filter.comp",
-                      .constants = constants_of(settings, taken, {}),
+                      .constants = constants_of(settings, inputs, {}),
                       .unrolls = true};
     define_output(settings.output, source.defines);
     if (settings.bounce_albedo > 0.0F) source.defines.emplace_back("GLOAM_MULTI_BOUNCE");
     if (has_tiles(settings)) source.defines.emplace_back("GLOAM_MARKS");
-    if (joins && taken.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
+    if (joins && inputs.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
     std::vector<std::string> resources{has_tiles(settings) && !joins ? "full_texels" : "texels"};
     if (joins) resources.emplace_back("levels");
     resources.emplace_back("shown");
     for (const char* image : {"history_before/linear", "levels_before", "history"})
         resources.emplace_back(settings.history ? image : nothing_image);
     PlannedPass pass = single_pass(joins ? "join" : "filter", source, std::move(resources), parameters,
-                                   groups_of(taken.view.extent, 2, joins ? 2 : 1));
-    if (has_tiles(settings)) dispatch_by(joins ? joining : filtering, joins ? 8 : 4, taken.view.extent, pass);
+                                   groups_of(inputs.view.extent, 2, joins ? 2 : 1));
+    if (has_tiles(settings))
+        dispatch_by(joins ? joining : filtering, joins ? 8 : 4, inputs.view.extent, pass);
     return pass;
 }
 
 // A sweep with so many slices and steps. refines: that of the marked tiles.
-PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam_sweep& parameters,
+PlannedPass sweep_pass(const Settings& settings, const EngineInputs& inputs, const gloam_sweep& parameters,
                        bool refines) {
     const bool before = has_tiles(settings) && !refines;
     const std::uint32_t slices = before ? 1 : slices_of(settings);
     const std::uint32_t stride = refines ? 1 : stride_of(settings);
     PassSource source{
         .file = "frame/sweep.comp",
-        .constants = constants_of(settings, taken,
-                                  {{.id = 2, .bits = flag(taken.encoding.world)},
-                                   {.id = 3, .bits = flag(taken.encoding.octahedral)},
-                                   {.id = 4, .bits = flag(taken.encoding.unorm)},
+        .constants = constants_of(settings, inputs,
+                                  {{.id = 2, .bits = flag(inputs.encoding.world)},
+                                   {.id = 3, .bits = flag(inputs.encoding.octahedral)},
+                                   {.id = 4, .bits = flag(inputs.encoding.unorm)},
                                    {.id = 5, .bits = slices},
                                    {.id = 6, .bits = before ? steps_before_tiles : settings.own.steps},
                                    {.id = 7, .bits = stride}}),
         .unrolls = slices < 4};
-    if (taken.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
-    if (!taken.normals) source.defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
+    if (inputs.deep) source.defines.emplace_back("GLOAM_TEXELS rg32ui");
+    if (!inputs.normals) source.defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
     if (refines) source.defines.emplace_back("GLOAM_MARKS");
-    std::vector<std::string> resources{"levels", taken.normals ? "normal" : "depth",
+    std::vector<std::string> resources{"levels", inputs.normals ? "normal" : "depth",
                                        refines ? "full_texels" : "texels"};
     PlannedPass pass = single_pass(refines ? "refine" : "sweep", source, std::move(resources), parameters,
-                                   groups_of(swept_of(settings, taken.view.extent), 1, 1));
-    if (taken.normals) pass.parameters.resize(offsetof(gloam_sweep, depth));
-    if (refines || taken.skips)
-        dispatch_by(refines ? refining : sweeping, 2 * stride * stride, taken.view.extent, pass);
+                                   groups_of(swept_of(settings, inputs.view.extent), 1, 1));
+    if (inputs.normals) pass.parameters.resize(offsetof(gloam_sweep, depth));
+    if (refines || inputs.skips)
+        dispatch_by(refines ? refining : sweeping, 2 * stride * stride, inputs.view.extent, pass);
     return pass;
 }
 
 // Lists the tiles of the sweep on CPUs' drivers.
-PlannedPass tile_pass(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    const gpu::Extent count = tiles_of(taken.view.extent);
+PlannedPass tile_pass(const Settings& settings, const EngineInputs& inputs, const gloam_frame& frame) {
+    const gpu::Extent count = tiles_of(inputs.view.extent);
     const TileParameters parameters{
         .inverse_size = {frame.prepare.inverse_size[0], frame.prepare.inverse_size[1]},
         .count = count,
@@ -198,13 +201,13 @@ PlannedPass tile_pass(const Settings& settings, const Taken& taken, const gloam_
         .stands = flag(frame.still != 0)};
     const PassSource source{
         .file = "frame/tiles.comp",
-        .constants = constants_of(settings, taken, {{.id = 7, .bits = stride_of(settings)}})};
+        .constants = constants_of(settings, inputs, {{.id = 7, .bits = stride_of(settings)}})};
     return single_pass("tiles", source, {"levels", settings.history ? "levels_before" : nothing_image},
                        parameters, {(count.width + 7) / 8, count.height, 1});
 }
 
-PlannedPass mark_pass(const Taken& taken, const gloam_frame& frame) {
-    const gpu::Extent count = tiles_of(taken.view.extent);
+PlannedPass mark_pass(const EngineInputs& inputs, const gloam_frame& frame) {
+    const gpu::Extent count = tiles_of(inputs.view.extent);
     return single_pass("mark", {.file = "frame/mark.comp"}, {"texels", "marks"}, frame.mark,
                        {(count.width + 7) / 8, (count.height + 7) / 8, 1});
 }
@@ -227,31 +230,32 @@ void bind_others(const Settings& settings, const std::string& texels, const std:
     if (settings.bent_normals) pass.resources.push_back(bends);
 }
 
-std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    std::vector<PlannedPass> passes{first_pass(settings, taken, frame.prepare)};
-    if (taken.skips) passes.push_back(tile_pass(settings, taken, frame));
-    passes.push_back(sweep_pass(settings, taken, frame.sweep, false));
+std::vector<PlannedPass> passes_of(const Settings& settings, const EngineInputs& inputs,
+                                   const gloam_frame& frame) {
+    std::vector<PlannedPass> passes{first_pass(settings, inputs, frame.prepare)};
+    if (inputs.skips) passes.push_back(tile_pass(settings, inputs, frame));
+    passes.push_back(sweep_pass(settings, inputs, frame.sweep, false));
     if (has_tiles(settings)) {
-        passes.push_back(mark_pass(taken, frame));
-        passes.push_back(sweep_pass(settings, taken, frame.sweep, true));
+        passes.push_back(mark_pass(inputs, frame));
+        passes.push_back(sweep_pass(settings, inputs, frame.sweep, true));
     }
-    if (settings.resolution != Resolution::full) passes.push_back(last_pass(settings, taken, frame, true));
-    if (settings.resolution != Resolution::half) passes.push_back(last_pass(settings, taken, frame, false));
+    if (settings.resolution != Resolution::full) passes.push_back(last_pass(settings, inputs, frame, true));
+    if (settings.resolution != Resolution::half) passes.push_back(last_pass(settings, inputs, frame, false));
     for (PlannedPass& pass : passes) {
         const bool bends = pass.name != "prepare" && pass.name != "tiles" && pass.name != "mark";
         if (settings.bent_normals && bends) bind_bends(settings, pass);
         if (pass.name == "refine") bind_others(settings, "texels", "bends", pass);
         if (has_tiles(settings) && pass.name == "join")
             bind_others(settings, "full_texels", "full_bends", pass);
-        if (taken.skips || (has_tiles(settings) && pass.name != "sweep")) bind_lists(taken, pass);
+        if (inputs.skips || (has_tiles(settings) && pass.name != "sweep")) bind_lists(inputs, pass);
     }
     return passes;
 }
 
 // The images that the passes write, but for those that the next frame reads.
-std::vector<PlannedImage> written_of(const Settings& settings, const Taken& taken) {
-    const gpu::Extent view = taken.view.extent;
-    const gpu::Format texels = taken.deep ? rg32ui : r32ui;  // gloam/filter/frame_texel.glsl
+std::vector<PlannedImage> written_of(const Settings& settings, const EngineInputs& inputs) {
+    const gpu::Extent view = inputs.view.extent;
+    const gpu::Format texels = inputs.deep ? rg32ui : r32ui;  // gloam/filter/frame_texel.glsl
     const auto written = [](const char* name, gpu::Format format, gpu::Extent extent) {
         return PlannedImage{name, format, PlannedImage::Origin::frame, extent};
     };
@@ -268,15 +272,15 @@ std::vector<PlannedImage> written_of(const Settings& settings, const Taken& take
     return images;
 }
 
-Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& numbers) {
+Plan plan_for(const Settings& settings, const EngineInputs& inputs, const gloam_frame& numbers) {
     using enum PlannedImage::Origin;
-    const gpu::Extent extent = taken.view.extent;
-    const gpu::Format depths = taken.deep ? r32f : r16f;
+    const gpu::Extent extent = inputs.view.extent;
+    const gpu::Format depths = inputs.deep ? r32f : r16f;
     Plan plan;
     plan.images = {{"depth", r32f, engine, extent},                   // as it is stored
                    {"levels", depths, frame, extent, depth_levels}};  // eye-linear depth in radii
-    if (taken.normals) plan.images.push_back({"normal", rgba32f, engine, extent});
-    std::ranges::move(written_of(settings, taken), std::back_inserter(plan.images));
+    if (inputs.normals) plan.images.push_back({"normal", rgba32f, engine, extent});
+    std::ranges::move(written_of(settings, inputs), std::back_inserter(plan.images));
     if (settings.history) {
         plan.images.push_back({"levels_before", depths, history, extent, depth_levels});
         plan.images.push_back({"history_before", rgb10_a2, history, extent});
@@ -287,14 +291,14 @@ Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& n
             plan.exchanged.push_back({"bent_before", "bent"});
         }
     }
-    if (const std::size_t bytes = list_bytes(settings, extent, taken.skips))
+    if (const std::size_t bytes = list_bytes(settings, extent, inputs.skips))
         plan.buffers.push_back({tile_list, std::vector<std::byte>(bytes)});
-    plan.passes = passes_of(settings, taken, numbers);
+    plan.passes = passes_of(settings, inputs, numbers);
     plan.result = "shown";
     return plan;
 }
 
-Taken taken_of(const scene::GBuffer& view, const Settings& settings) {
+EngineInputs engine_inputs_of(const scene::GBuffer& view, const Settings& settings) {
     return {.view = {view.camera, view.extent, view.border},
             .radius = settings.radius,
             .encoding = view.stored ? view.stored->encoding : scene::Encoding{},
@@ -321,14 +325,14 @@ class ThreePasses : public FramePasses {
 
     void take(const scene::GBuffer& view, const Settings& settings, bool follows) override {
         if (!follows) gloam_cut(&frame_);
-        const Taken before = std::exchange(taken_, taken_of(view, settings));
+        const EngineInputs before = std::exchange(inputs_, engine_inputs_of(view, settings));
         if (follows && !view.camera.orthographic())
-            taken_.deep = before.deep;  // a camera that zooms keeps its images
-        taken_.skips = settings.skips && device_->info().type == "cpu";
-        Plan plan = plan_for(settings, taken_, frame_);
-        const bool same_texels = before.view.extent == view.extent && before.deep == taken_.deep &&
+            inputs_.deep = before.deep;  // a camera that zooms keeps its images
+        inputs_.skips = settings.skips && device_->info().type == "cpu";
+        Plan plan = plan_for(settings, inputs_, frame_);
+        const bool same_texels = before.view.extent == view.extent && before.deep == inputs_.deep &&
                                  stride_of(settings_) == stride_of(settings);
-        if (before.skips && taken_.skips && same_texels) plan.buffers.clear();  // they know what is blank
+        if (before.skips && inputs_.skips && same_texels) plan.buffers.clear();  // they know what is blank
         settings_ = settings;
         resources_.provide(plan);
         upload(view, true, resources_);
@@ -337,7 +341,7 @@ class ThreePasses : public FramePasses {
 
     [[nodiscard]] Frame next(int repeat, const PassWatcher& watcher) override {
         advance();
-        const Plan plan = plan_for(settings_, taken_, frame_);
+        const Plan plan = plan_for(settings_, inputs_, frame_);
         const std::vector<Step> steps = executor_.steps(plan.passes, resources_);
         Frame frame;
         frame.times = run(*device_, steps, repeat, watcher);
@@ -346,20 +350,20 @@ class ThreePasses : public FramePasses {
             for (const float mark : resources_.image("marks").download())
                 frame.tiles.push_back(mark > 0.5F ? TileWork::full : TileWork::half);
         if (settings_.bent_normals) frame.bent = bends_of(resources_.image("bent").download());
-        crop(shape_of(taken_.view), frame);
+        crop(shape_of(inputs_.view), frame);
         frame.memory_bytes = memory_of(steps);
         resources_.exchange(plan.exchanged);
-        last_ = taken_.view;
+        last_ = inputs_.view;
         return frame;
     }
 
   private:
     // To the numbers of the next frame.
     void advance() {
-        const std::optional<glm::mat4>& moved = taken_.view.camera.previous_from_current;
-        const bool follows = moved && cut_between(shape_of(last_), shape_of(taken_.view)).empty();
+        const std::optional<glm::mat4>& moved = inputs_.view.camera.previous_from_current;
+        const bool follows = moved && cut_between(shape_of(last_), shape_of(inputs_.view)).empty();
         if (!settings_.history) gloam_cut(&frame_);
-        gloam_next(&frame_, settings_of(settings_, taken_), camera_of(taken_.view),
+        gloam_next(&frame_, settings_of(settings_, inputs_), camera_of(inputs_.view),
                    follows ? &(*moved)[0][0] : nullptr);
     }
 
@@ -367,7 +371,7 @@ class ThreePasses : public FramePasses {
     Executor executor_;
     Resources resources_;
     Settings settings_;
-    Taken taken_;
+    EngineInputs inputs_;
     View last_;            // of the frame before
     gloam_frame frame_{};  // of the last frame, until advance()
 };
@@ -376,19 +380,19 @@ class ThreePasses : public FramePasses {
 
 Plan frame_plan(const Settings& settings, const PlanOptions& options) {
     const View shown = view_of(options);
-    const Taken taken{.view = shown,
-                      .encoding = options.encoding,
-                      .normals = options.normals,
-                      .deep = starts_deep(settings, shown.camera)};
-    Plan plan = plan_for(settings, taken, first_of(settings, taken));
+    const EngineInputs inputs{.view = shown,
+                              .encoding = options.encoding,
+                              .normals = options.normals,
+                              .deep = starts_deep(settings, shown.camera)};
+    Plan plan = plan_for(settings, inputs, first_of(settings, inputs));
     for (PlannedImage& image : plan.images)
         if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
     return plan;
 }
 
 Plan frame_plan(const Settings& settings, const scene::GBuffer& view) {
-    const Taken taken = taken_of(view, settings);
-    return plan_for(settings, taken, first_of(settings, taken));
+    const EngineInputs inputs = engine_inputs_of(view, settings);
+    return plan_for(settings, inputs, first_of(settings, inputs));
 }
 
 std::unique_ptr<FramePasses> frame_passes(const gpu::Device& device, const scene::PassLibrary& passes) {

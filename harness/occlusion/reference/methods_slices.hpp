@@ -24,10 +24,12 @@ struct SliceTaps {
         return at.tap(at.under(side * place((i + sample.jitter) / steps) * sample.direction));
     }
     // Whether what the tap sees may block.
-    [[nodiscard]] bool tells(const Tap& tap) const {
+    [[nodiscard]] bool contributes(const Tap& tap) const {
         return tap.surface && tap.pixel != at.pixel && !tap.rejected;
     }
-    [[nodiscard]] bool counts(const Tap& tap) const { return tells(tap) && at.height(tap) > at.kernel.bias; }
+    [[nodiscard]] bool counts(const Tap& tap) const {
+        return contributes(tap) && at.height(tap) > at.kernel.bias;
+    }
     // Its offset, moved into the slice along the tangent plane: (along view, along tangent).
     [[nodiscard]] dvec2 within(const Tap& tap) const {
         const dvec3 offset = gloam_into_slice(tap.offset, cross(slice.tangent, slice.view), at.normal);
@@ -101,7 +103,7 @@ inline GloamEstimate gloam_sweep(const ShadedPoint& at, const GloamSweep& own) {
                 const dvec2 within = taps.within(tap) * dvec2(1.0, towards) / at.kernel.radius;
                 const double sine = sqrt(max(1.0 - side.horizon * side.horizon, 0.0));
                 side.behind = gloam_sweep_behind({side.horizon, sine}, half_plane);
-                side = gloam_sweep_tap(side, half_plane, within, taps.tells(tap), taps.counts(tap),
+                side = gloam_sweep_tap(side, half_plane, within, taps.contributes(tap), taps.counts(tap),
                                        own.falloff, thickness);
             }
             occluded += side.occluded + side.feature;

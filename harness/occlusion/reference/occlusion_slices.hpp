@@ -133,8 +133,8 @@ inline double gloam_sweep_behind(dvec2 direction, const GloamSlice& slice) {
 }
 
 inline GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, const GloamSlice& slice, dvec2 offset,
-                                          bool tells, bool rises, unsigned falloff) {
-    if (!tells) return side;
+                                          bool contributes, bool rises, unsigned falloff) {
+    if (!contributes) return side;
     const double here = length(offset);
     const dvec2 direction = here > 0.0 ? offset / here : offset;
     const double weight = gloam_falloff_at(falloff, gloam_sweep_distance(side.before, here));
@@ -161,14 +161,14 @@ inline GloamSweepSide gloam_sweep_end(GloamSweepSide side, dvec2 at, double thic
     return side;
 }
 
-inline GloamSweepSide gloam_sweep_tap(GloamSweepSide side, const GloamSlice& slice, dvec2 offset, bool tells,
-                                      bool rises, unsigned falloff, double thickness) {
-    if (!tells) return side;
+inline GloamSweepSide gloam_sweep_tap(GloamSweepSide side, const GloamSlice& slice, dvec2 offset,
+                                      bool contributes, bool rises, unsigned falloff, double thickness) {
+    if (!contributes) return side;
     const dvec2 at{offset.x, abs(offset.y)};
     side = gloam_sweep_end(side, at, thickness);
     GloamSweepSide alone = side;
     alone.occluded = 0.0;
-    alone = gloam_sweep_uncover(alone, slice, offset, tells, rises, falloff);
+    alone = gloam_sweep_uncover(alone, slice, offset, contributes, rises, falloff);
     if (alone.horizon > side.horizon && side.rise <= 0.0) {
         alone.rise = max(at.x - side.last.x, 1e-4);
         alone.start = (at.y + side.last.y) / 2.0;

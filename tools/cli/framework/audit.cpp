@@ -29,7 +29,7 @@ struct AuditCommand {
 
 // Says what is left out; throws where nothing remains.
 void say_left_out(const std::string& file, const FileFunctions& read) {
-    for (const check::LeftOut& function : read.functions.left_out)
+    for (const check::Skipped& function : read.functions.left_out)
         fmt::print("{}\n",
                    base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
     for (const std::string& made : read.file->excerpts.by_macro)

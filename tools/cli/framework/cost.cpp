@@ -75,7 +75,7 @@ std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::files
 
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
     auto [own, functions] = functions_of(file, command.functions, command.own);
-    std::vector<check::LeftOut>& left_out = functions.left_out;
+    std::vector<check::Skipped>& left_out = functions.left_out;
     std::erase_if(functions.found, [&](const check::OwnFunction& one) {
         const bool of_quad = one.team.kind == backend::Team::Kind::quad;
         if (of_quad) left_out.push_back({one.name, "it needs the derivatives of a fragment shader"});
@@ -84,7 +84,7 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
     if (functions.found.empty())
         throw std::runtime_error(
             fmt::format("{}: nothing was counted: {}", file.string(), why_nothing(left_out)));
-    for (const check::LeftOut& one : left_out)
+    for (const check::Skipped& one : left_out)
         fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
     const check::Lab lab = lab_of(own);
     std::vector<shader::Spirv> kernels;

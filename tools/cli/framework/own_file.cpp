@@ -77,7 +77,7 @@ FileFunctions functions_of(const std::filesystem::path& file, const std::vector<
     return all;
 }
 
-std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
+std::string why_nothing(const std::vector<check::Skipped>& left_out) {
     if (left_out.empty())
         return "it defines no function but main in GLSL (HLSL is not read), or its #if conditions leave none";
     if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;

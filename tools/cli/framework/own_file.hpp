@@ -55,6 +55,6 @@ struct FileFunctions {
                                 const std::string& device = std::string(check::interpreter_name));
 
 // Why nothing is left of a file of which these functions were left out.
-[[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
+[[nodiscard]] std::string why_nothing(const std::vector<check::Skipped>& left_out);
 
 }  // namespace gloam::cli

@@ -17,7 +17,7 @@ constexpr int tried_drivers = 3;
 
 // What an operation without a float result gave.
 struct Decision {
-    AuditPlace place;
+    AuditLocation place;
     std::vector<Word> bits;
 
     friend bool operator==(const Decision&, const Decision&) = default;
@@ -49,9 +49,9 @@ std::vector<Decision> decisions_of(InterpretedKernel<N>& kernel, std::span<const
 }
 
 // The first decision of one run that another run takes otherwise.
-AuditPlace first_other(const std::vector<Decision>& a, const std::vector<Decision>& b) {
+AuditLocation first_other(const std::vector<Decision>& a, const std::vector<Decision>& b) {
     const auto [first, other] = std::ranges::mismatch(a, b);
-    return first == a.end() ? AuditPlace{} : first->place;
+    return first == a.end() ? AuditLocation{} : first->place;
 }
 
 // How far a number is outside of bounds.
@@ -105,7 +105,7 @@ std::optional<Parting> AuditRuns::parting_of_driver(std::span<const Word> input,
     return std::nullopt;
 }
 
-AuditPlace AuditRuns::place_of(const Parting& parting, std::span<const Word> input) {
+AuditLocation AuditRuns::place_of(const Parting& parting, std::span<const Word> input) {
     const std::vector<Decision> here = decisions_of(kernel_, input);
     if (parting.driver == 0) return first_other(here, decisions_of(doubles_, input));
     drivers_.machine().set_sampling(static_cast<std::uint64_t>(parting.driver));

@@ -71,7 +71,7 @@ class AuditRuns {
     // another result; the first that does. `reading`: of the input.
     [[nodiscard]] std::optional<Parting> parting_of(std::span<const Word> input, const Reading& reading);
     // The decision that parts them; unknown if it has no line.
-    [[nodiscard]] AuditPlace place_of(const Parting& parting, std::span<const Word> input);
+    [[nodiscard]] AuditLocation place_of(const Parting& parting, std::span<const Word> input);
 
     // Bounds of each output on all paths, in any order of sums.
     [[nodiscard]] std::vector<numeric::Bounds> permitted(std::span<const Word> input);

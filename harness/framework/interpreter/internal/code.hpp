@@ -182,7 +182,7 @@ struct Code {
     std::vector<Resource> resources;
     std::vector<BuiltIn> built_ins;
     std::vector<std::string> variables;  // names; those of the front end are empty
-    std::vector<Place> places;           // one for each line, or each instruction of a module without lines
+    std::vector<Location> places;        // one for each line, or each instruction of a module without lines
     std::uint32_t slots = 0;
     std::uint32_t most_copies = 0;  // largest number of slots that the copies of one edge need
     bool may_be_rearranged = false;

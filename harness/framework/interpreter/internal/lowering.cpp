@@ -226,7 +226,7 @@ void Lowering::lower_function(const Function& function) {
     if (std::ranges::none_of(function.body, has_code))
         fail(Error::Kind::missing, module_.name_of(function.id) + " has no body");
     calls_.push_back(function.id);
-    const Place caller = place_;
+    const Location caller = place_;
     scope_.function = &function;
     allocate_results(function);
     if (module_.meets() && calls_.size() > 1) {

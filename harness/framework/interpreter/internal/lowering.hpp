@@ -118,7 +118,7 @@ class Lowering {
     std::unordered_map<Id, PointerInfo> global_pointers_;
     std::vector<Id> calls_;                             // functions that are being lowered
     std::vector<std::vector<std::uint32_t>> computed_;  // the words of computed constants
-    Place place_;
+    Location place_;
 };
 
 }  // namespace gloam::interpreter::internal

@@ -53,7 +53,7 @@ std::uint32_t results_of(const Instruction& instruction) {
     return known != nullptr && known->form == Form::pair ? 2 * instruction.count : instruction.count;
 }
 
-std::string where_text(const Place& place) {
+std::string where_text(const Location& place) {
     return place.line == 0 && place.function.empty() ? "" : " at " + to_text(place);
 }
 

@@ -129,12 +129,12 @@ struct Construct {
 
 // The way that an invocation of a group has taken: two are at the same dynamic instance of an instruction if
 // they are at the instruction, on the same path.
-class Way {
+class Path {
   public:
     [[nodiscard]] std::uint64_t path() const { return path_; }
 
     // Whether it is in an earlier iteration of a loop than the other; nullopt: in the same ones.
-    [[nodiscard]] std::optional<bool> is_before(const Way& other) const {
+    [[nodiscard]] std::optional<bool> is_before(const Path& other) const {
         for (std::size_t k = 0; k < std::min(constructs_.size(), other.constructs_.size()); ++k) {
             const Construct& a = constructs_[k];
             const Construct& b = other.constructs_[k];
@@ -186,7 +186,7 @@ struct Lane {
     enum class Progress { runs, waits, ended };
     std::vector<Value<N>> slots;
     std::vector<Pointer> pointers;
-    Way way;
+    Path way;
     std::uint32_t next = 0;
     Progress progress = Progress::runs;
     std::uint32_t fenced = 0;  // semantics of its fences since the last barrier
@@ -205,7 +205,7 @@ struct State {
     bool waits = false;          // for other invocations, at the last instruction
     std::vector<Lane<N>> lanes;  // of a group (internal/group.hpp); empty: one invocation alone
     std::uint32_t lane = 0;      // that runs
-    Way way;                     // of that one
+    Path way;                    // of that one
     std::uint32_t subgroup_size = 1;
     std::uint32_t fenced = 0;                 // see Lane
     mutable std::optional<Races> races;       // of a group
@@ -355,7 +355,7 @@ Undefined State<N>::why_undefined(Word origin) const {
     const std::string cause =
         origin == 0 ? "a value was never written or returned" : cause_of(code, code.instructions[origin - 1]);
     if (read) return {cause, code.places[code.instructions[*read].place]};
-    return {cause, origin == 0 ? Place{} : code.places[code.instructions[origin - 1].place], false};
+    return {cause, origin == 0 ? Location{} : code.places[code.instructions[origin - 1].place], false};
 }
 
 // A number stored in 16 bits. Intervals are not rounded here: their operations have that format.

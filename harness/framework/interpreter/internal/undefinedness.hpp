@@ -20,7 +20,7 @@ struct Fault {
 };
 
 // " at tone.glsl:12"; empty if the place is unknown.
-[[nodiscard]] std::string where_text(const Place& place);
+[[nodiscard]] std::string where_text(const Location& place);
 
 // Why a value that this instruction made is undefined.
 [[nodiscard]] std::string cause_of(const Code& code, const Instruction& instruction);

@@ -137,8 +137,8 @@ std::size_t take_number(std::string_view& text) {
     return number;
 }
 
-std::vector<ActiveText::Place> places_in(std::string_view preprocessed, const ActiveText& all) {
-    std::vector<ActiveText::Place> places;
+std::vector<ActiveText::Location> places_in(std::string_view preprocessed, const ActiveText& all) {
+    std::vector<ActiveText::Location> places;
     for (std::size_t at = preprocessed.find(mark); at != std::string_view::npos;
          at = preprocessed.find(mark)) {
         preprocessed.remove_prefix(at + mark.size());

@@ -76,7 +76,7 @@ std::vector<check::Question> functions_in_file(const CheckOptions& options, Chec
     for (const std::string& made : own->excerpts.by_macro)
         outcome.notes.push_back(fmt::format(
             "{}: {}: functions that a macro makes are not looked at; write one out to check it", file, made));
-    for (const check::LeftOut& function : functions.left_out) {
+    for (const check::Skipped& function : functions.left_out) {
         outcome.notes.push_back(
             base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
         outcome.complete = outcome.complete && !function.is_error && words.size() == 1;
