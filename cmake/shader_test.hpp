@@ -2,7 +2,8 @@
 #pragma once
 
 // Everything needed to test a GLSL function from C++:
-//   gloam::check::Lab lab({.include_roots = {"shaders"}});
+//   using namespace gloam::shader_test;
+//   const Lab lab({.include_roots = {"shaders"}});
 //   const Function<float(float)> f(lab, "my.glsl", "my_function");
 //   f(0.5F)                                          runs it on the device
 //   f.compare(reference, {uniform(0, 1)}, {.ulp = 1})    judges many inputs by a reference and a budget
@@ -17,3 +18,11 @@
 #include "gloam/audit/audit.hpp"     // IWYU pragma: export
 #include "gloam/judge/function.hpp"  // IWYU pragma: export
 #include "gloam/pass/pass.hpp"       // IWYU pragma: export
+
+// The words of a test, whichever room has them.
+namespace gloam::shader_test {
+using namespace audit;
+using namespace judge;
+using namespace pass;
+using namespace subject;
+}  // namespace gloam::shader_test

@@ -25,7 +25,7 @@ namespace py = pybind11;
 namespace gloam::python {
 namespace {
 
-using check::Word;
+using subject::Word;
 using Words = py::array_t<Word, py::array::c_style | py::array::forcecast>;
 using RangeOf = std::map<std::string, std::pair<double, double>>;
 
@@ -38,17 +38,17 @@ struct Variable {
     bool is_input = false;
 };
 
-std::string dtype_of(const shader::Type& type) {
-    if (type.scalar == shader::Scalar::bool_) return "bool";
-    if (type.scalar == shader::Scalar::structure) return "words";  // its scalars may differ
-    if (shader::is_float(type.scalar)) return "float" + std::to_string(shader::bits_of(type.scalar));
-    return type.scalar == shader::Scalar::int_ ? "int32" : "uint32";
+std::string dtype_of(const module::Type& type) {
+    if (type.scalar == module::Scalar::bool_) return "bool";
+    if (type.scalar == module::Scalar::structure) return "words";  // its scalars may differ
+    if (module::is_float(type.scalar)) return "float" + std::to_string(module::bits_of(type.scalar));
+    return type.scalar == module::Scalar::int_ ? "int32" : "uint32";
 }
 
-Variable variable_of(const std::string& name, const shader::Type& type, bool is_input) {
-    Variable all{.name = name, .glsl = shader::to_glsl(type), .dtype = dtype_of(type), .is_input = is_input};
+Variable variable_of(const std::string& name, const module::Type& type, bool is_input) {
+    Variable all{.name = name, .glsl = module::to_glsl(type), .dtype = dtype_of(type), .is_input = is_input};
     if (all.dtype == "words") {
-        all.shape = {check::scalars_of(type).size()};
+        all.shape = {subject::scalars_of(type).size()};
         return all;
     }
     all.shape.assign(type.sizes.begin(), type.sizes.end());
@@ -65,23 +65,23 @@ struct RunSettings {
 // A function of a file, compiled.
 class Function {
   public:
-    Function(std::shared_ptr<const check::Lab> lab, check::OwnFunction own)
+    Function(std::shared_ptr<const subject::Lab> lab, subject::OwnFunction own)
         : lab_(std::move(lab)),
           own_(std::move(own)),
           kernel_(lab_->kernel(own_.file, own_.function.name, question({}).signature)) {}
 
-    [[nodiscard]] std::string declaration() const { return shader::to_glsl(own_.function); }
+    [[nodiscard]] std::string declaration() const { return module::to_glsl(own_.function); }
 
     // The inputs in order, then the outputs in order.
     [[nodiscard]] std::vector<Variable> variables() const {
         std::vector<Variable> inputs;
         std::vector<Variable> outputs;
-        if (own_.function.result.scalar != shader::Scalar::void_)
+        if (own_.function.result.scalar != module::Scalar::void_)
             outputs.push_back(variable_of("result", own_.function.result, false));
-        for (const shader::Parameter& p : own_.function.parameters) {
-            if (p.type.scalar == shader::Scalar::sampler) continue;
-            if (p.direction != shader::Direction::out) inputs.push_back(variable_of(p.name, p.type, true));
-            if (p.direction != shader::Direction::in) outputs.push_back(variable_of(p.name, p.type, false));
+        for (const module::Parameter& p : own_.function.parameters) {
+            if (p.type.scalar == module::Scalar::sampler) continue;
+            if (p.direction != source::Direction::out) inputs.push_back(variable_of(p.name, p.type, true));
+            if (p.direction != source::Direction::in) outputs.push_back(variable_of(p.name, p.type, false));
         }
         inputs.insert(inputs.end(), outputs.begin(), outputs.end());
         return inputs;
@@ -94,7 +94,7 @@ class Function {
                                         std::to_string(kernel_.input_words()) + " words");
         const auto count = static_cast<std::size_t>(inputs.shape(0));
         const std::span<const Word> words(inputs.data(), count * kernel_.input_words());
-        check::KernelCore::Result result;
+        subject::KernelCore::Result result;
         {
             const py::gil_scoped_release others;
             result = kernel_.run(words, count, images());
@@ -106,13 +106,13 @@ class Function {
     }
 
     // `reference`: from the words of an input to the outputs as numbers; none: Vulkan's rules judge.
-    [[nodiscard]] check::Answer judge(
-        const RangeOf& ranges, const RunSettings& run, const check::Budget& budget,
+    [[nodiscard]] judge::Answer judge(
+        const RangeOf& ranges, const RunSettings& run, const judge::Budget& budget,
         const std::function<std::vector<double>(std::vector<Word>)>& reference) const {
-        check::Question asked = question(ranges);
+        judge::Question asked = question(ranges);
         asked.budget = budget;
         if (reference)
-            asked.reference = [&reference](const check::ImageSet&, std::span<const Word> words,
+            asked.reference = [&reference](const subject::ImageSet&, std::span<const Word> words,
                                            std::vector<double>& outputs) {
                 const py::gil_scoped_acquire python;
                 try {
@@ -122,33 +122,33 @@ class Function {
                 }
             };
         const py::gil_scoped_release others;
-        return check::run(*lab_, asked, {.inputs = run.inputs, .seed = run.seed});
+        return judge::run(*lab_, asked, {.inputs = run.inputs, .seed = run.seed});
     }
 
     [[nodiscard]] std::string audit(const RangeOf& ranges, const RunSettings& run) const {
         const py::gil_scoped_release others;
-        return check::to_text(
-            check::audit(*lab_, own_, ranges_from(ranges), {.inputs = run.inputs, .seed = run.seed}));
+        return audit::to_text(
+            audit::audit(*lab_, own_, ranges_from(ranges), {.inputs = run.inputs, .seed = run.seed}));
     }
 
     [[nodiscard]] std::string explain(const std::vector<Word>& words, std::size_t most) const {
-        return check::to_text(
-            check::explain(lab_->compile_options(), *kernel_.module().source, words, images()), most);
+        return judge::to_text(
+            judge::explain(lab_->compile_options(), *kernel_.module().source, words, images()), most);
     }
 
     // The values that its parameters have where no range is given: "x: 0 to 1 (comment)".
     [[nodiscard]] std::vector<std::string> domain(const RangeOf& ranges) const {
         std::vector<std::string> lines;
-        for (const check::OrdinaryValues& one : ordinary(ranges))
+        for (const audit::OrdinaryValues& one : ordinary(ranges))
             lines.push_back(one.parameter + ": " + one.text + " (" + one.reason + ")");
         return lines;
     }
 
   private:
-    [[nodiscard]] check::Ranges ranges_from(const RangeOf& ranges) const {
-        check::Ranges all;
+    [[nodiscard]] subject::Ranges ranges_from(const RangeOf& ranges) const {
+        subject::Ranges all;
         for (const auto& [name, range] : ranges) {
-            if (std::ranges::find(own_.function.parameters, name, &shader::Parameter::name) ==
+            if (std::ranges::find(own_.function.parameters, name, &module::Parameter::name) ==
                 own_.function.parameters.end())
                 throw std::invalid_argument(declaration() + ": a range for \"" + name +
                                             "\", which is no input");
@@ -158,25 +158,25 @@ class Function {
         }
         return all;
     }
-    [[nodiscard]] std::vector<check::OrdinaryValues> ordinary(const RangeOf& ranges) const {
-        return check::ordinary_values(own_, ranges_from(ranges));
+    [[nodiscard]] std::vector<audit::OrdinaryValues> ordinary(const RangeOf& ranges) const {
+        return audit::ordinary_values(own_, ranges_from(ranges));
     }
-    [[nodiscard]] check::Question question(const RangeOf& ranges) const {
-        check::Question asked = check::question_of(*lab_, own_, ranges_from(ranges));
-        asked.domain = check::ordinary_domain(own_.function, ordinary(ranges));
+    [[nodiscard]] judge::Question question(const RangeOf& ranges) const {
+        judge::Question asked = judge::question_of(*lab_, own_, ranges_from(ranges));
+        asked.domain = audit::ordinary_domain(own_.function, ordinary(ranges));
         return asked;
     }
     // Random content for samplers and prototypes, always the same.
-    [[nodiscard]] check::ImageSet images() const {
-        const std::vector<check::ImageScenario> scenarios = question({}).scenarios;
+    [[nodiscard]] subject::ImageSet images() const {
+        const std::vector<subject::ImageScenario> scenarios = question({}).scenarios;
         if (scenarios.empty()) return {};
         numeric::Random random(1);
         return scenarios.front().make(scenarios.front().size, random);
     }
 
-    std::shared_ptr<const check::Lab> lab_;
-    check::OwnFunction own_;
-    check::KernelCore kernel_;
+    std::shared_ptr<const subject::Lab> lab_;
+    subject::OwnFunction own_;
+    subject::KernelCore kernel_;
 };
 
 // A GLSL file on a device.
@@ -187,30 +187,30 @@ class File {
         : name_(path.filename().string()) {
         std::vector<std::filesystem::path> all_roots{path.parent_path()};
         all_roots.insert(all_roots.end(), roots.begin(), roots.end());
-        check::LabOptions options{.device = device,
-                                  .file = std::make_shared<const check::OwnFile>(
-                                      path, shader::read_text(path), std::move(all_roots))};
-        if (!variant.empty()) options.variant = shader::variant(variant);
-        functions_ = check::own_functions(options);
-        lab_ = std::make_shared<const check::Lab>(std::move(options));
+        subject::LabOptions options{.device = device,
+                                    .file = std::make_shared<const subject::OwnFile>(
+                                        path, module::read_text(path), std::move(all_roots))};
+        if (!variant.empty()) options.variant = module::variant(variant);
+        functions_ = subject::own_functions(options);
+        lab_ = std::make_shared<const subject::Lab>(std::move(options));
     }
 
     [[nodiscard]] std::vector<std::string> names() const {
         std::vector<std::string> names;
-        for (const check::OwnFunction& own : functions_.found) names.push_back(own.name);
+        for (const subject::OwnFunction& own : functions_.found) names.push_back(own.name);
         return names;
     }
     [[nodiscard]] std::map<std::string, std::string> left_out() const {
         std::map<std::string, std::string> reasons;
-        for (const check::Skipped& one : functions_.left_out) reasons[one.name] = one.why;
+        for (const subject::Skipped& one : functions_.left_out) reasons[one.name] = one.why;
         return reasons;
     }
     [[nodiscard]] std::string device() const { return lab_->info().name; }
 
     [[nodiscard]] Function function(const std::string& name) const {
-        const auto found = std::ranges::find(functions_.found, name, &check::OwnFunction::name);
+        const auto found = std::ranges::find(functions_.found, name, &subject::OwnFunction::name);
         if (found != functions_.found.end()) return {lab_, *found};
-        for (const check::Skipped& one : functions_.left_out)
+        for (const subject::Skipped& one : functions_.left_out)
             if (one.name.starts_with(name + "("))
                 throw std::invalid_argument(name_ + ": " + one.name + ": " + one.why);
         std::string known;
@@ -221,11 +221,11 @@ class File {
 
   private:
     std::string name_;
-    check::OwnFunctions functions_;
-    std::shared_ptr<const check::Lab> lab_;
+    subject::OwnFunctions functions_;
+    std::shared_ptr<const subject::Lab> lab_;
 };
 
-std::string text_of(const check::Answer& answer) {
+std::string text_of(const judge::Answer& answer) {
     std::ostringstream text;
     text << answer;
     return text.str();
@@ -245,14 +245,14 @@ PYBIND11_MODULE(_gloam, module) {
         .def_readonly("dtype", &python::Variable::dtype)
         .def_readonly("shape", &python::Variable::shape)
         .def_readonly("is_input", &python::Variable::is_input);
-    py::class_<check::Answer>(module, "Answer")
-        .def("__bool__", &check::Answer::passed)
+    py::class_<judge::Answer>(module, "Answer")
+        .def("__bool__", &judge::Answer::passed)
         .def("__str__", &python::text_of)
-        .def_property_readonly("passed", &check::Answer::passed)
-        .def_property_readonly("inputs", &check::Answer::inputs)
-        .def_property_readonly("outside", &check::Answer::outside)
+        .def_property_readonly("passed", &judge::Answer::passed)
+        .def_property_readonly("inputs", &judge::Answer::inputs)
+        .def_property_readonly("outside", &judge::Answer::outside)
         .def_property_readonly("worst_ulp",
-                               [](const check::Answer& a) { return a.worst ? a.worst->ulp : 0.0; });
+                               [](const judge::Answer& a) { return a.worst ? a.worst->ulp : 0.0; });
     py::class_<Function>(module, "Function")
         .def_property_readonly("declaration", &Function::declaration)
         .def_property_readonly("variables", &Function::variables)

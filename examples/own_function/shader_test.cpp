@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-using namespace gloam::check;
+using namespace gloam::shader_test;
 
 TEST(Tone, MatchesReinhard) {
     const Lab lab({.validation = true, .include_roots = {SHADER_DIR}});

@@ -5,7 +5,9 @@
 #include "audit/own_domain.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::audit_test {
+namespace gloam::audit::audit_test {
+
+using namespace subject;
 
 using testing::Field;
 
@@ -26,7 +28,7 @@ class Audited {
 
     [[nodiscard]] Audit audit(const std::string& name, const Ranges& ranges = {},
                               std::size_t inputs = 2048) const {
-        return check::audit(*lab_, function(name), ranges, {.inputs = inputs});
+        return audit::audit(*lab_, function(name), ranges, {.inputs = inputs});
     }
 
     [[nodiscard]] std::vector<OrdinaryValues> values(const std::string& name,
@@ -45,7 +47,7 @@ const AuditFinding* find(const Audit& audit, Concern concern) {
 }
 
 const Audited& fixture() {
-    static const Audited audited(shader::read_text(std::filesystem::path(FIXTURES) / "audit.glsl"));
+    static const Audited audited(module::read_text(std::filesystem::path(FIXTURES) / "audit.glsl"));
     return audited;
 }
 
@@ -168,9 +170,9 @@ TEST(Audit, FindsFaultsAndWhatNothingReaches) {
 
 TEST(Audit, IsThatOfAFunctionInCpp) {
     const Lab lab = test::make_lab(FIXTURES);
-    const Function<float(float)> root(lab, "audit.glsl", "undefined_root");
-    EXPECT_FALSE(check::audit(root, {uniform(51, 52)}, {.inputs = 512}).is_broken());
-    EXPECT_TRUE(check::audit(root, {uniform(0, 100)}, {.inputs = 512}).is_broken());
+    const judge::Function<float(float)> root(lab, "audit.glsl", "undefined_root");
+    EXPECT_FALSE(audit::audit(root, {uniform(51, 52)}, {.inputs = 512}).is_broken());
+    EXPECT_TRUE(audit::audit(root, {uniform(0, 100)}, {.inputs = 512}).is_broken());
 }
 
 // Decisions on inexact numbers.
@@ -371,4 +373,4 @@ TEST(Rewrites, KeepTheMeaning) {
     EXPECT_THAT(hash.rewrites, IsEmpty()) << to_text(hash);
 }
 
-}  // namespace gloam::check::audit_test
+}  // namespace gloam::audit::audit_test

@@ -3,9 +3,12 @@
 #include "audit/audit.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::coverage_test {
+namespace gloam::audit::coverage_test {
 
-Coverage of(const Domain& domain, const shader::Variant& variant = {}) {
+using namespace judge;
+using namespace subject;
+
+Coverage of(const Domain& domain, const module::Variant& variant = {}) {
     const Question question{.file = "branches.glsl",
                             .function = "branches",
                             .signature = SignatureOf<float(float, int)>::describe(),
@@ -38,7 +41,7 @@ TEST(CoverageTest, WhatNoInputReachesIsToldWithItsLine) {
 
 // An optimizer removes some branches and copies others; the report must be about the source.
 TEST(CoverageTest, IsTheSameInEveryVariant) {
-    EXPECT_EQ(missed(of(few(), shader::variant("optimized"))), missed(of(few())));
+    EXPECT_EQ(missed(of(few(), module::variant("optimized"))), missed(of(few())));
 }
 
-}  // namespace gloam::check::coverage_test
+}  // namespace gloam::audit::coverage_test

@@ -3,7 +3,10 @@
 #include "audit/worst.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::worst_test {
+namespace gloam::audit::worst_test {
+
+using namespace judge;
+using namespace subject;
 
 Question planted(const std::string& function, Domain domain) {
     return {.file = "peaks.glsl",
@@ -49,4 +52,4 @@ TEST_F(SearchTest, AFoundInputIsPartOfEveryRunAfterwards) {
     EXPECT_GT(run(lab, narrow, {.inputs = 16}).fraction, 0.99);
 }
 
-}  // namespace gloam::check::worst_test
+}  // namespace gloam::audit::worst_test

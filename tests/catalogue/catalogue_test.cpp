@@ -13,10 +13,10 @@ namespace gloam::catalogue::catalogue_test {
 // Functions that a file of the library defines itself, not through its includes: their names stand in its own
 // text before a brace.
 std::set<std::string> functions_of(const std::string& file) {
-    const std::string own = shader::read_text(std::filesystem::path(GLOAM_GLSL_DIR) / file);
+    const std::string own = module::read_text(std::filesystem::path(GLOAM_GLSL_DIR) / file);
     std::set<std::string> names;
-    for (const shader::Function& f :
-         shader::functions({.name = file, .text = "#version 450\n#include \"" + file + "\"\n"},
+    for (const module::Function& f :
+         module::functions({.name = file, .text = "#version 450\n#include \"" + file + "\"\n"},
                            {.include_roots = {GLOAM_GLSL_DIR}})) {
         if (f.defined && own.find(" " + f.name + "(") != std::string::npos) names.insert(f.name);
     }
@@ -48,7 +48,7 @@ TEST(Catalogue, EveryDescriptionHasAnEntryThatNamesItsFunction) {
 
 // Whether an entry returns a float: what holds for every input is then a statement of its own.
 bool returns_floats(const Entry& entry) {
-    return std::ranges::count(entry.question.signature.output_scalars(), shader::Scalar::float_) > 0;
+    return std::ranges::count(entry.question.signature.output_scalars(), module::Scalar::float_) > 0;
 }
 
 // Results without a codomain: any number is possible for some input. With the reason.
@@ -66,7 +66,7 @@ const std::map<std::string, std::string> any_number{
 TEST(Catalogue, EveryResultIsHeldInsideItsCodomain) {
     for (const Entry& entry : all_entries(GLOAM_GLSL_DIR)) {
         if (entry.question.only_rules || !returns_floats(entry)) continue;
-        const check::Codomain& codomain = entry.question.codomain;
+        const judge::Codomain& codomain = entry.question.codomain;
         const std::string& id = entry.description.id;
         EXPECT_LE(codomain.low, codomain.high) << id;
         const bool bounded = !(std::isinf(codomain.low) && codomain.low < 0.0 && std::isinf(codomain.high));
@@ -191,18 +191,18 @@ constexpr double most_slack = 4.0;
 
 // A quotient may have an error of 2.5 ULP. Software drivers have half an ULP, GPUs up to 2.4
 // (docs/drivers.md), so less would be no promise.
-bool is_tightest(const check::Budget& budget) {
+bool is_tightest(const judge::Budget& budget) {
     return budget.ulp <= 2.5 && budget.absolute <= 0x1p-126;
 }
 
-std::vector<std::unique_ptr<check::Lab>> labs_of_all_devices() {
-    std::vector<std::unique_ptr<check::Lab>> labs;
-    for (const gpu::DeviceInfo& info : gpu::list_devices()) {
+std::vector<std::unique_ptr<subject::Lab>> labs_of_all_devices() {
+    std::vector<std::unique_ptr<subject::Lab>> labs;
+    for (const backend::DeviceInfo& info : backend::vulkan::list_devices()) {
         labs.push_back(
-            std::make_unique<check::Lab>(check::LabOptions{.device = std::to_string(info.index),
-                                                           .validation = true,
-                                                           .include_roots = {GLOAM_GLSL_DIR},
-                                                           .cache_directory = test::cache_directory()}));
+            std::make_unique<subject::Lab>(subject::LabOptions{.device = std::to_string(info.index),
+                                                               .validation = true,
+                                                               .include_roots = {GLOAM_GLSL_DIR},
+                                                               .cache_directory = test::cache_directory()}));
     }
     return labs;
 }
@@ -212,19 +212,19 @@ class Budgets : public testing::TestWithParam<std::size_t> {
     static void SetUpTestSuite() { labs_ = labs_of_all_devices(); }
     static void TearDownTestSuite() { labs_.clear(); }
 
-    inline static std::vector<std::unique_ptr<check::Lab>> labs_;
+    inline static std::vector<std::unique_ptr<subject::Lab>> labs_;
 };
 
 TEST_P(Budgets, AreAtMostFourTimesWhatIsMeasured) {
     ASSERT_FALSE(labs_.empty());
-    const check::Question& question = test::entries()[GetParam()].question;
+    const judge::Question& question = test::entries()[GetParam()].question;
     if (question.only_rules || is_tightest(question.budget)) return;
     if (question.budget.ulp == 0.0 && question.budget.absolute == 0.0) return;
     double worst = 0.0;
     for (const auto& lab : labs_)
-        worst = std::max(worst, check::run(*lab, question, {.inputs = inputs_per_equation}).fraction);
+        worst = std::max(worst, judge::run(*lab, question, {.inputs = inputs_per_equation}).fraction);
     EXPECT_GE(worst * most_slack, 1.0)
-        << "documents " << check::to_text(question.budget) << ", of which " << worst << " is used at most";
+        << "documents " << judge::to_text(question.budget) << ", of which " << worst << " is used at most";
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Budgets, test::entry_numbers(), test::entry_name);

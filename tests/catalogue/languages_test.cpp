@@ -13,30 +13,30 @@ namespace fs = std::filesystem;
 
 const std::vector<fs::path> roots{GLOAM_GLSL_DIR};
 
-constexpr shader::Language languages[] = {shader::Language::vulkan450, shader::Language::gl430,
-                                          shader::Language::gl330,     shader::Language::es300,
-                                          shader::Language::es310,     shader::Language::es320};
+constexpr source::Language languages[] = {source::Language::vulkan450, source::Language::gl430,
+                                          source::Language::gl330,     source::Language::es300,
+                                          source::Language::es310,     source::Language::es320};
 
 class EveryInclude : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryInclude, CompilesAlone) {
-    const shader::Source source{.name = GetParam(), .text = "#include \"" + GetParam() + "\"\n"};
-    for (const shader::Language language : languages)
-        EXPECT_NO_THROW(shader::check_compiles(source, language, roots)) << shader::to_string(language);
+    const source::Source source{.name = GetParam(), .text = "#include \"" + GetParam() + "\"\n"};
+    for (const source::Language language : languages)
+        EXPECT_NO_THROW(module::check_compiles(source, language, roots)) << source::to_string(language);
 }
 
 TEST_P(EveryInclude, CompilesPacked) {
-    for (const shader::Language language : languages) {
+    for (const source::Language language : languages) {
         const std::string packed =
-            shader::pack(std::vector{roots.front() / GetParam()}, {.language = language}, roots);
-        EXPECT_EQ(packed.find("#include"), std::string::npos) << shader::to_string(language);
+            module::pack(std::vector{roots.front() / GetParam()}, {.language = language}, roots);
+        EXPECT_EQ(packed.find("#include"), std::string::npos) << source::to_string(language);
     }
 }
 
 TEST_P(EveryInclude, IsTranslated) {
-    const std::string packed = shader::pack(std::vector{roots.front() / GetParam()}, {}, roots);
-    for (const shader::Target target : {shader::Target::hlsl, shader::Target::msl})
-        EXPECT_NO_THROW((void)shader::translated({.name = GetParam(), .text = packed}, target));
+    const std::string packed = module::pack(std::vector{roots.front() / GetParam()}, {}, roots);
+    for (const module::Target target : {module::Target::hlsl, module::Target::msl})
+        EXPECT_NO_THROW((void)module::translated({.name = GetParam(), .text = packed}, target));
 }
 
 INSTANTIATE_TEST_SUITE_P(Library, EveryInclude, testing::ValuesIn(test::library_files()),
@@ -48,20 +48,20 @@ TEST(EveryPass, IsTranslated) {
     for (const auto& file : fs::recursive_directory_iterator(roots.front() / "passes")) {
         const std::vector files{file.path()};
         const bool is_fragment = file.path().extension() == ".frag";
-        for (const shader::Language language : {shader::Language::gl330, shader::Language::es300}) {
-            const shader::PackRequest request{.language = language, .stage = shader::Stage::fragment};
+        for (const source::Language language : {source::Language::gl330, source::Language::es300}) {
+            const source::PackRequest request{.language = language, .stage = source::Stage::fragment};
             if (!is_fragment) break;
-            EXPECT_FALSE(shader::pack(files, request, roots).empty());
+            EXPECT_FALSE(module::pack(files, request, roots).empty());
         }
         if (file.path().extension() != ".comp") continue;
-        const std::string packed = shader::pack(files, {.stage = shader::Stage::compute}, roots);
-        for (const shader::Target target : {shader::Target::hlsl, shader::Target::msl}) {
+        const std::string packed = module::pack(files, {.stage = source::Stage::compute}, roots);
+        for (const module::Target target : {module::Target::hlsl, module::Target::msl}) {
             // SPIRV-Cross writes no gathers of integers in HLSL.
             const bool gathers_integers = packed.find(" usampler2D ") != std::string::npos;
-            if (target == shader::Target::hlsl && gathers_integers) continue;
+            if (target == module::Target::hlsl && gathers_integers) continue;
             const std::string text =
-                shader::translated({file.path().string(), packed}, target, shader::Stage::compute);
-            EXPECT_NE(text.find(target == shader::Target::hlsl ? " main(" : " main0("), std::string::npos)
+                module::translated({file.path().string(), packed}, target, source::Stage::compute);
+            EXPECT_NE(text.find(target == module::Target::hlsl ? " main(" : " main0("), std::string::npos)
                 << file.path();
         }
         ++count;
@@ -69,16 +69,16 @@ TEST(EveryPass, IsTranslated) {
     EXPECT_GE(count, 26U);
 }
 
-class Languages : public testing::TestWithParam<shader::Language> {};
+class Languages : public testing::TestWithParam<source::Language> {};
 
 TEST_P(Languages, TheWholeLibraryCompilesPackedIntoOne) {
     std::vector<fs::path> files;
     for (const std::string& name : test::library_files()) files.push_back(roots.front() / name);
-    EXPECT_NO_THROW((void)shader::pack(files, {.language = GetParam()}, roots));
+    EXPECT_NO_THROW((void)module::pack(files, {.language = GetParam()}, roots));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Languages, testing::ValuesIn(languages),
-                         [](const auto& info) { return "glsl_" + shader::to_string(info.param); });
+                         [](const auto& info) { return "glsl_" + source::to_string(info.param); });
 
 // Every line and every branch of the library is reached by the inputs of some entry, but for those listed
 // here with the reason.
@@ -109,16 +109,16 @@ std::string below_glsl(const std::string& file) {
 }
 
 TEST(CatalogueCoverage, WhatCanBeReachedIs) {
-    const check::Lab lab({.device = std::string(check::interpreter_name),
-                          .include_roots = {GLOAM_GLSL_DIR},
-                          .cache_directory = test::cache_directory()});
+    const subject::Lab lab({.device = std::string(subject::interpreter_name),
+                            .include_roots = {GLOAM_GLSL_DIR},
+                            .cache_directory = test::cache_directory()});
     std::map<Point, bool> reached;
     std::map<Point, std::set<std::size_t>> seen_by;  // the numbers of entries
-    const auto measure = [&](std::size_t number, const check::RunOptions& options) {
+    const auto measure = [&](std::size_t number, const judge::RunOptions& options) {
         const catalogue::Entry& entry = test::entries()[number];
-        const check::Coverage coverage = check::measure_coverage(lab, entry.question, options);
+        const judge::Coverage coverage = audit::measure_coverage(lab, entry.question, options);
         EXPECT_FALSE(coverage.points.empty()) << entry.description.id;
-        for (const check::Coverage::Point& point : coverage.points) {
+        for (const judge::Coverage::Point& point : coverage.points) {
             const Point key{below_glsl(point.file), point.text, point.way};
             reached[key] = reached[key] || point.reached;
             seen_by[key].insert(number);
@@ -148,18 +148,18 @@ TEST(CatalogueCoverage, WhatCanBeReachedIs) {
 // Every include on a device of OpenGL ES, as an engine has it: the whole file, packed for the version. Mesa
 // links also what main() does not call.
 TEST(OpenGlIncludes, EachCompiles) {
-    std::optional<gl::Device> device;
+    std::optional<backend::gl::Device> device;
     try {
         device.emplace("es:llvmpipe-3.0");
-    } catch (const gl::Unavailable& error) {
+    } catch (const backend::gl::Unavailable& error) {
         GTEST_SKIP() << error.what();
     }
     for (const std::string& file : test::library_files()) {
         const std::string text =
-            shader::pack(std::vector{roots.front() / file}, {.language = shader::Language::es300}, roots);
-        const gl::ShaderText shader{file, text + "\nvoid main() {}\n"};
+            module::pack(std::vector{roots.front() / file}, {.language = source::Language::es300}, roots);
+        const backend::gl::ShaderText shader{file, text + "\nvoid main() {}\n"};
         try {
-            const gl::Program program(*device, gl::Program::Stage::fragment, shader);
+            const backend::gl::Program program(*device, backend::gl::Program::Stage::fragment, shader);
         } catch (const backend::Error& error) {  // of the prototypes, which an engine defines
             EXPECT_THAT(error.what(), HasSubstr("unresolved reference to function")) << file;
         }
@@ -174,7 +174,7 @@ constexpr std::size_t strict_inputs = 512;
 class Sweep : public testing::TestWithParam<std::size_t> {
   protected:
     // Of a built-in function the rules may permit every result: determinant(), for example.
-    void expect_ok(const check::Answer& result) const {
+    void expect_ok(const judge::Answer& result) const {
         const bool is_ours = entry_.description.file.starts_with("gloam/");
         EXPECT_TRUE(is_ours ? result.passed() : !result.failed()) << entry_.description.id << ": " << result;
     }
@@ -182,8 +182,8 @@ class Sweep : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(Sweep, StaysWithinItsBudget) {
-    const check::Lab lab = test::make_lab();
-    const check::Answer result = check::run(lab, entry_.question, {.inputs = inputs_per_equation});
+    const subject::Lab lab = test::make_lab();
+    const judge::Answer result = judge::run(lab, entry_.question, {.inputs = inputs_per_equation});
     expect_ok(result);
     EXPECT_EQ(result.inputs(), inputs_per_equation);
 }
@@ -191,10 +191,10 @@ TEST_P(Sweep, StaysWithinItsBudget) {
 // Each operation rounded on its own: the narrowest bounds of Vulkan's rules, which budgets may hide errors
 // inside.
 TEST_P(Sweep, IsPermittedWhenStrict) {
-    const check::Lab lab = test::make_lab({}, shader::variant("strict"));
-    const check::Answer result = check::run(lab, entry_.question, {.inputs = strict_inputs});
+    const subject::Lab lab = test::make_lab({}, module::variant("strict"));
+    const judge::Answer result = judge::run(lab, entry_.question, {.inputs = strict_inputs});
     expect_ok(result);
-    EXPECT_EQ(result.verdict, check::Verdict::rules);
+    EXPECT_EQ(result.verdict, judge::Verdict::rules);
     EXPECT_EQ(result.by_rules, strict_inputs);
 }
 

@@ -13,8 +13,8 @@ std::string fixture(const std::string& name) {
     return std::string(FIXTURES "/") + name;
 }
 
-shader::Spirv compiled(const std::string& name) {
-    return shader::compile({fixture(name), read_file(fixture(name))}, {});
+module::Spirv compiled(const std::string& name) {
+    return module::compile({fixture(name), read_file(fixture(name))}, {});
 }
 
 // As RADV writes it: a loop in a loop, then a branch forward.
@@ -52,7 +52,7 @@ class OfChip : public InFolder {
         try {
             (void)cost::cost_of(compiled("filter3.comp"));
         } catch (const base::WorkError& error) {
-            if (std::string(error.what()) == gpu::no_radv_message) GTEST_SKIP() << error.what();
+            if (std::string(error.what()) == backend::vulkan::no_radv_message) GTEST_SKIP() << error.what();
         }
     }
     static json json_of(const std::vector<std::string>& arguments) {
@@ -80,7 +80,7 @@ TEST_F(OfChip, EveryKindOfBindingIsValid) {
 }
 
 TEST_F(OfChip, ConstantsAreThoseGiven) {
-    const shader::Spirv module = shader::compile(
+    const module::Spirv module = module::compile(
         {"constant.comp",
          "#version 450\nlayout(constant_id = 3) const int n = 1;\nlayout(binding = 0) buffer B { float v; "
          "};\n"
@@ -210,7 +210,7 @@ TEST_F(OfChip, WhatCannotBeCountedIsOneLine) {
                          "derivatives");
     const CommandResult without =
         run_command({"cost", filter}, {.environment = {"VK_DRIVER_FILES=/none", "VK_ICD_FILENAMES=/none"}});
-    expect_could_not_run(without, gpu::no_radv_message);
+    expect_could_not_run(without, backend::vulkan::no_radv_message);
 }
 
 }  // namespace gloam::test::cost_test

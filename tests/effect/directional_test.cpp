@@ -99,7 +99,7 @@ const Lit rows[] = {{0.0F, white, red, {1.5F, 2, 4}, {1.5F, 2, 4}},
 
 // In an image whose sides are no multiples of a group's.
 TEST_F(CompositePass, LightsEachPixel) {
-    const gpu::Extent extent{37, 21};
+    const backend::Extent extent{37, 21};
     std::vector<glm::vec3> ambient, direct;
     std::vector<float> occlusion;
     for (std::size_t i = 0; i < 37 * 21; ++i) {

@@ -10,7 +10,7 @@
 
 namespace gloam::effect::engine_inputs_test {
 
-constexpr gpu::Extent extent{83, 47};
+constexpr backend::Extent extent{83, 47};
 
 using EngineInputs = OnDevice<testing::TestWithParam<Engine>>;
 
@@ -98,11 +98,11 @@ class InputImages : public OnDevice<testing::Test> {
     [[nodiscard]] std::vector<Frame> results(const Settings& settings, scene::Inputs inputs) const {
         scene::PassLibrary passes = passes_;
         passes.inputs = inputs;
-        constexpr gpu::Extent size{75, 43};
+        constexpr backend::Extent size{75, 43};
         AmbientOcclusion effect(device_, passes, size);
         effect.watch([&](const Step& pass, bool) {
             const auto& kinds = pass.pipeline->bindings();
-            EXPECT_EQ(std::ranges::count(kinds, gpu::BindingKind::sampled_image) > 0,
+            EXPECT_EQ(std::ranges::count(kinds, backend::vulkan::BindingKind::sampled_image) > 0,
                       inputs == scene::Inputs::sampled)
                 << pass.name;
         });

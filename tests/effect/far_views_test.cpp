@@ -8,7 +8,7 @@
 
 namespace gloam::effect::far_views_test {
 
-constexpr gpu::Extent extent{110, 72};
+constexpr backend::Extent extent{110, 72};
 constexpr double radius = 0.5;
 
 class FarViews : public OnDevice<testing::TestWithParam<Preset>> {

@@ -8,7 +8,7 @@
 
 namespace gloam::effect::frame_test {
 
-constexpr gpu::Extent odd{83, 45};
+constexpr backend::Extent odd{83, 45};
 
 class Frames : public OnDevice<testing::TestWithParam<Preset>> {
   protected:

@@ -9,7 +9,7 @@
 
 namespace gloam::effect::further_view_test {
 
-constexpr gpu::Extent extent{95, 63};
+constexpr backend::Extent extent{95, 63};
 constexpr std::uint32_t samples = 128;
 
 // The pass's push constants.
@@ -47,12 +47,12 @@ class FurtherView : public OnDevice<testing::Test> {
         Executor executor(device_, passes_);
         Resources resources(device_);
         resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings.own;
-        gpu::Image& result = resources.image("raised", extent, gpu::Format::r32f);
+        backend::vulkan::Image& result = resources.image("raised", extent, backend::vulkan::Format::r32f);
         result.upload(occlusion);
         take_linear(view, resources, executor);
         for (const scene::GBuffer& other : others) {
-            resources.image("other_depth", other.extent, gpu::Format::r32f).upload(other.depth);
-            resources.image("other_normal", other.extent, gpu::Format::rgba32f)
+            resources.image("other_depth", other.extent, backend::vulkan::Format::r32f).upload(other.depth);
+            resources.image("other_normal", other.extent, backend::vulkan::Format::rgba32f)
                 .upload(texels_of(other.normal));
             const PlannedPass pass = single_pass(
                 "further_view", source_for(settings, other),

@@ -23,7 +23,7 @@ struct Row {
     std::string asked;
     std::string known;  // what follows
     std::string scene = "moving";
-    gpu::Extent extent{83, 45};
+    backend::Extent extent{83, 45};
     int frames = 4;
     Settings settings;
     double mean = 0.0;        // thousandths of occlusion

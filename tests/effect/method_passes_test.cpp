@@ -53,7 +53,8 @@ class Prepared : public OnDevice<testing::TestWithParam<std::string>> {};
 
 TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
     const Settings settings = settings_for(GetParam(), 0.5F);
-    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
+    for (const backend::Extent extent :
+         {backend::Extent{1, 1}, backend::Extent{3, 1}, backend::Extent{17, 9}}) {
         for (const float depth : {infinity, 0.0F, -1.0F, nan}) {
             scene::GBuffer view = view_of(extent, false, [](glm::dvec2) { return 3.0; });
             view.depth.back() = depth;  // a surface before nothing
@@ -86,12 +87,12 @@ std::vector<float> shown_by(const std::string& device, const Plan& plan, const s
                             const scene::PassLibrary& passes) {
     PlanMemory memory(plan, view);
     try {
-        run(device.empty() ? test::make_lab() : check::Lab({.device = device}), plan, passes, memory);
-    } catch (const gl::Unavailable& error) {
+        run(device.empty() ? test::make_lab() : subject::Lab({.device = device}), plan, passes, memory);
+    } catch (const backend::gl::Unavailable& error) {
         std::cout << error.what() << '\n';
         return {};
     }
-    const check::Image& result = memory.image(plan.result);
+    const subject::Image& result = memory.image(plan.result);
     std::vector<float> shown;
     for (std::size_t i = 0; i < result.words.size(); i += static_cast<std::size_t>(result.element.rows))
         shown.push_back(std::bit_cast<float>(result.words[i]));
@@ -113,7 +114,7 @@ std::vector<std::string> frames() {
 class OpenGlPasses : public OnDevice<testing::TestWithParam<std::string>> {};
 
 TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
-    constexpr gpu::Extent extent{49, 35};
+    constexpr backend::Extent extent{49, 35};
     const auto has = [](const char* word) { return GetParam().find(word) != std::string::npos; };
     scene::Scene room = scene::make_scene("room");
     room.camera_path = nullptr;

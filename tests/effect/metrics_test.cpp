@@ -96,7 +96,7 @@ TEST(Remap, IsFound) {
 
 // Orthographic, 10 pixels a world unit.
 scene::GBuffer places_view(const std::function<float(std::size_t, std::size_t)>& depth) {
-    constexpr gpu::Extent extent{60, 50};
+    constexpr backend::Extent extent{60, 50};
     scene::GBuffer view{.extent = extent, .normal = std::vector(60 * 50, glm::vec3(0, 0, 1))};
     view.camera = scene::make_frame({.projection = scene::Projection::orthographic, .view_height = 5.0}, 1.2);
     for (std::size_t i = 0; i < 60 * 50; ++i) view.depth.push_back(depth(i % 60, i / 60));

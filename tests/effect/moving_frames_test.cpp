@@ -11,7 +11,7 @@
 
 namespace gloam::effect::moving_frames_test {
 
-constexpr gpu::Extent extent{240, 150};
+constexpr backend::Extent extent{240, 150};
 constexpr int frame_count = 32;
 
 double radical_inverse(int index, int base) {
@@ -95,9 +95,10 @@ class MotionVectors : public OnDevice<testing::Test> {
             motion.insert(motion.end(), {vector.x, vector.y, 0, 0});
         }
         Resources resources(device_);
-        resources.image("depth", extent, gpu::Format::r32f).upload(view.depth);
-        resources.image("motion", extent, gpu::Format::rgba32f).upload(motion);
-        gpu::Image& written = resources.image("previous_position", extent, gpu::Format::rgba32f);
+        resources.image("depth", extent, backend::vulkan::Format::r32f).upload(view.depth);
+        resources.image("motion", extent, backend::vulkan::Format::rgba32f).upload(motion);
+        backend::vulkan::Image& written =
+            resources.image("previous_position", extent, backend::vulkan::Format::rgba32f);
         const View now{view.camera, extent, {}};
         const View before{previous.camera, extent, {}};
         Moment moment;

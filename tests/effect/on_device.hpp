@@ -109,13 +109,13 @@ class OnDevice : public Base {
 
     void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), IsEmpty()); }
 
-    gpu::Device& device_ = *test::SharedDevice::get();
+    backend::vulkan::Device& device_ = *test::SharedDevice::get();
     const scene::PassLibrary& passes_ = shared_->passes;
 
     // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until
     // the next call with another. begin() leaves no trace of what it held before
     // (tests/experiment/configuration_study_test.cpp).
-    [[nodiscard]] AmbientOcclusion& effect_for(gpu::Extent extent) const {
+    [[nodiscard]] AmbientOcclusion& effect_for(backend::Extent extent) const {
         if (!shared_->effect) shared_->effect.emplace(device_, passes_, extent);
         AmbientOcclusion& effect = *shared_->effect;
         if (shared_->extent && *shared_->extent != extent) {
@@ -126,12 +126,12 @@ class OnDevice : public Base {
         return effect;
     }
 
-    [[nodiscard]] scene::GBuffer drawn(const scene::Scene& scene, gpu::Extent extent,
+    [[nodiscard]] scene::GBuffer drawn(const scene::Scene& scene, backend::Extent extent,
                                        const scene::DrawOptions& options = {}) const {
         return scene::draw(scene, extent, options);
     }
     // A view of a built-in scene, drawn once for all tests of a suite.
-    [[nodiscard]] const scene::GBuffer& drawn(const std::string& scene, gpu::Extent extent,
+    [[nodiscard]] const scene::GBuffer& drawn(const std::string& scene, backend::Extent extent,
                                               const scene::DrawOptions& options = {}) const {
         const auto& [frame, motion, ids, color, layers, guard] = options;
         const Drawing drawing{scene, extent.width, extent.height, frame, motion, ids, color, layers, guard};
@@ -169,7 +169,7 @@ class OnDevice : public Base {
     struct Shared {
         scene::PassLibrary passes{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
         std::optional<AmbientOcclusion> effect;
-        std::optional<gpu::Extent> extent;
+        std::optional<backend::Extent> extent;
         std::map<Drawing, scene::GBuffer> drawn;
     };
 

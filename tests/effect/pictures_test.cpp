@@ -11,7 +11,7 @@
 
 namespace gloam::effect::pictures_test {
 
-constexpr gpu::Extent extent{192, 108};
+constexpr backend::Extent extent{192, 108};
 
 Settings settings_of(const Preset& preset, double radius) {
     return with_radius(preset.settings, static_cast<float>(radius));
@@ -19,7 +19,8 @@ Settings settings_of(const Preset& preset, double radius) {
 
 class Pictures : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame, gpu::Extent size = extent) const {
+    [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame,
+                                      backend::Extent size = extent) const {
         return drawn(scene, size, {.frame = frame, .motion = true, .ids = true});
     }
 
@@ -39,20 +40,20 @@ class Pictures : public OnDevice<testing::Test> {
     }
 };
 
-std::size_t at(int x, int y, gpu::Extent size) {
+std::size_t at(int x, int y, backend::Extent size) {
     return static_cast<std::size_t>(y) * size.width + static_cast<std::size_t>(x);
 }
 
 // Calls `seen` with every `step`th pixel that has `reach` neighbours on all sides. reach: a multiple of step.
 template <class Seen>
-void inner_pixels(gpu::Extent size, int reach, int step, const Seen& seen) {
+void inner_pixels(backend::Extent size, int reach, int step, const Seen& seen) {
     for (int y = reach; y + reach < static_cast<int>(size.height); y += step)
         for (int x = reach; x + reach < static_cast<int>(size.width); x += step) seen(x, y);
 }
 
 // How far a pixel is above all its 8 neighbours, or below them all; 0 if it is neither. distance: of the
 // neighbours, in pixels.
-float isolation(const std::vector<float>& image, gpu::Extent size, int x, int y, int distance) {
+float isolation(const std::vector<float>& image, backend::Extent size, int x, int y, int distance) {
     float above = infinity;
     float below = above;
     for (int dy = -distance; dy <= distance; dy += distance) {
@@ -74,7 +75,7 @@ struct Found {
 
 // The pixel that is isolated most beyond the truth. With half the resolution each block of 2 x 2 pixels is
 // one pixel of the estimate.
-Found most_isolated(const std::vector<float>& image, const Truth& truth, gpu::Extent size,
+Found most_isolated(const std::vector<float>& image, const Truth& truth, backend::Extent size,
                     Resolution resolution) {
     const int step = resolution == Resolution::half ? 2 : 1;
     Found most;
@@ -124,7 +125,7 @@ constexpr float most_alone_beside_motion = 0.15F;
 constexpr std::array still_frames{0U, 1U, 2U, 4U, 7U, 8U};
 
 void expect_none_alone(const std::string& what, const std::vector<float>& image, const Truth& truth,
-                       const Settings& settings, float limit, gpu::Extent size = extent) {
+                       const Settings& settings, float limit, backend::Extent size = extent) {
     const Found most = most_isolated(image, truth, size, settings.resolution);
     testing::Test::RecordProperty("alone_" + what,
                                   fmt::format("{:.3f} at {},{}", most.value, most.x, most.y));
@@ -175,7 +176,7 @@ TEST_F(Pictures, NoPixelIsAloneInAStillView) {
 TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
     const std::filesystem::path file = "/usr/share/glmark2/models/horse.3ds";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "glmark2-data is not installed";
-    constexpr gpu::Extent size{640, 360};
+    constexpr backend::Extent size{640, 360};
     const scene::Scene scene =
         scene::mesh_scene(scene::standing(scene::load_mesh(file), {0, 1, 0}, 1.0), "horse",
                           {.aspect = double{size.width} / double{size.height}});

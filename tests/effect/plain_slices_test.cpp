@@ -6,7 +6,7 @@
 
 namespace gloam::effect::plain_slices_test {
 
-constexpr gpu::Extent extent{96, 54};
+constexpr backend::Extent extent{96, 54};
 
 using PlainSlicesTest = OnDevice<testing::Test>;
 

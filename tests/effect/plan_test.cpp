@@ -10,7 +10,7 @@ namespace gloam::effect::plan_test {
 class PlanTest : public OnDevice<testing::Test> {};
 
 TEST_F(PlanTest, IsWhatAFrameRuns) {
-    const gpu::Extent extent{33, 17};
+    const backend::Extent extent{33, 17};
     const std::vector<scene::GBuffer> views{drawn("room", extent), drawn("room", extent, {.frame = 1})};
     for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
         for (const char* history : {" history=on", " history=off"}) {
@@ -39,9 +39,9 @@ TEST_F(PlanTest, NoImageIsReadAndWritten) {
         const PlanOptions options{.moving_objects = true, .normals = false};
         for (const PlannedPass& pass : plan_of(settings, options, passes_).passes) {
             const PassSource& source = pass.source;
-            for (const shader::Binding& binding :
-                 shader::reflect(passes_.compile(source.file, source.defines, source.replaced)).bindings) {
-                const bool stored = binding.type == shader::BindingType::storage_image;
+            for (const module::Binding& binding :
+                 module::reflect(passes_.compile(source.file, source.defines, source.replaced)).bindings) {
+                const bool stored = binding.type == module::BindingType::storage_image;
                 EXPECT_TRUE(!stored || (binding.writes && !binding.reads))
                     << source.file << " " << binding.name;
             }

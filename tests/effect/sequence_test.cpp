@@ -10,7 +10,7 @@
 
 namespace gloam::effect::sequence_test {
 
-constexpr gpu::Extent small{96, 54};
+constexpr backend::Extent small{96, 54};
 constexpr float radius = 1.0F;
 
 class Sequences : public OnDevice<testing::TestWithParam<Preset>> {

@@ -13,7 +13,7 @@ using Guard = OnDevice<testing::Test>;
 
 // Against the geometry, ray-traced.
 TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
-    constexpr gpu::Extent extent{96, 54};
+    constexpr backend::Extent extent{96, 54};
     const scene::Scene scene = scene::make_scene("room");
     const auto error = [&](float guard) {
         const scene::GBuffer wide = drawn(scene, extent, {.motion = true, .guard = double{guard}});
@@ -30,7 +30,7 @@ TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
     EXPECT_LT(error(0.1F), 0.75 * error(0.0F));
 }
 
-constexpr gpu::Extent small{64, 36};
+constexpr backend::Extent small{64, 36};
 
 class Poison : public OnDevice<testing::Test> {
   protected:
@@ -92,7 +92,7 @@ TEST_F(Poison, AnotherKindOfProjectionIsNone) {
     }
 }
 
-constexpr gpu::Extent extent{96, 64};
+constexpr backend::Extent extent{96, 64};
 
 Settings paper() {
     return with_radius(preset_named("tssao-paper").settings, 0.5F);
@@ -105,7 +105,7 @@ TEST_F(Temporal, ACutAndAnotherSizeForget) {
     AmbientOcclusion effect(device_, passes_, extent);
     effect.begin(drawn(scene, extent), paper());
     (void)effect.next();
-    const gpu::Extent other{40, 30};
+    const backend::Extent other{40, 30};
     effect.advance(drawn(scene, other, {.frame = 1, .motion = true}));
     const Frame resized = effect.next();
     EXPECT_EQ(mean_of(resized.kept), 0.0);
@@ -140,7 +140,7 @@ TEST_F(Temporal, WhatCannotBeIsRefused) {
         {[](scene::GBuffer&, Settings& settings) { settings.radius = nan; }, "radius"},
         {[](scene::GBuffer&, Settings& settings) { settings.guard = 0.1F; }, "no guard band"},
         {[](scene::GBuffer& changed, Settings&) { changed.off_centre = {4, 0}; }, "centred"},
-        {[](scene::GBuffer& changed, Settings&) { changed.border = gpu::Extent{4, 0}; }, "no frame"},
+        {[](scene::GBuffer& changed, Settings&) { changed.border = backend::Extent{4, 0}; }, "no frame"},
         {[](scene::GBuffer&, Settings& settings) { settings.own.layers = 2; }, "layers 2: the view has 1"},
         {[](scene::GBuffer& changed, Settings&) { changed.layers = {{1.0F}}; }, ""},
         {[](scene::GBuffer& changed, Settings&) { changed.layers.assign(4, changed.depth); }, ""},

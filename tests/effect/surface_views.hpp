@@ -14,7 +14,7 @@ inline constexpr double view_height = 2.0;
 
 // A view by that camera of a surface whose depth under a ray (orthographic: at a place of the image plane) is
 // given; y up. Its normals face the eye.
-inline scene::GBuffer view_of(gpu::Extent extent, const scene::Camera& camera,
+inline scene::GBuffer view_of(backend::Extent extent, const scene::Camera& camera,
                               const std::function<double(glm::dvec2)>& depth) {
     scene::GBuffer view{.extent = extent};
     view.camera = scene::make_frame(camera, static_cast<double>(extent.width) / extent.height);
@@ -27,7 +27,7 @@ inline scene::GBuffer view_of(gpu::Extent extent, const scene::Camera& camera,
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     return view;
 }
-inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
+inline scene::GBuffer view_of(backend::Extent extent, bool orthographic,
                               const std::function<double(glm::dvec2)>& depth) {
     scene::Camera camera{.view_height = view_height};
     if (orthographic) camera.projection = scene::Projection::orthographic;
@@ -35,12 +35,12 @@ inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
 }
 
 // A wall in perspective.
-inline scene::GBuffer wall(gpu::Extent extent, float depth) {
+inline scene::GBuffer wall(backend::Extent extent, float depth) {
     return view_of(extent, false, [=](glm::dvec2) { return double{depth}; });
 }
 
 // A plane through (0, 0, -5), before the background.
-inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal) {
+inline scene::GBuffer plane(backend::Extent extent, bool orthographic, glm::dvec3 normal) {
     constexpr glm::dvec3 point{0, 0, -5};
     const glm::dvec3 n = glm::normalize(normal);
     const auto depth = [&](glm::dvec2 at) {

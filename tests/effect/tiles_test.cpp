@@ -11,7 +11,7 @@
 
 namespace gloam::effect::tiles_test {
 
-constexpr gpu::Extent odd{83, 45};
+constexpr backend::Extent odd{83, 45};
 
 // Of the preset `quality`, with another mark.
 Settings tiles(float mark, float radius) {
@@ -25,7 +25,7 @@ Settings tiles(float mark, float radius) {
 class Tiles : public OnDevice<testing::Test> {
   protected:
     // Frames of a moving camera.
-    [[nodiscard]] std::vector<scene::GBuffer> moving(const std::string& scene, gpu::Extent extent,
+    [[nodiscard]] std::vector<scene::GBuffer> moving(const std::string& scene, backend::Extent extent,
                                                      int frames) const {
         std::vector<scene::GBuffer> views;
         for (int i = 0; i < frames; ++i) views.push_back(drawn(scene, extent, {.frame = i}));
@@ -68,7 +68,7 @@ TEST_F(Tiles, AreFullSizeOrHalf) {
 
 // More groups than a dimension of a dispatch has.
 TEST_F(Tiles, AreListedInLargeViews) {
-    for (const gpu::Extent extent : {gpu::Extent{3840, 2160}, {7680, 4320}}) {
+    for (const backend::Extent extent : {backend::Extent{3840, 2160}, {7680, 4320}}) {
         scene::GBuffer view = wall({1, 1}, 1.0F);
         view.extent = extent;
         view.normal.clear();
@@ -98,10 +98,10 @@ TEST_F(Tiles, AreAllThatIsRead) {
     Settings settings = tiles(0.08F, 0.6F);
     settings.history = false;
     const Plan plan = frame_plan(settings, view);
-    std::vector<std::vector<check::Word>> shown;
-    for (const check::Word poison : {0U, 0x7FC00000U, 0xFEFF0000U}) {
+    std::vector<std::vector<subject::Word>> shown;
+    for (const subject::Word poison : {0U, 0x7FC00000U, 0xFEFF0000U}) {
         PlanMemory memory(plan, view);
-        std::vector<check::Word>& texels = memory.images.at("full_texels").front().words;
+        std::vector<subject::Word>& texels = memory.images.at("full_texels").front().words;
         for (std::size_t i = 0; i < texels.size(); ++i)
             texels[i] =
                 poison | (poison == 0xFEFF0000U ? glm::packHalf1x16(view.depth[i] / settings.radius) : 0U);
@@ -110,7 +110,7 @@ TEST_F(Tiles, AreAllThatIsRead) {
         shown.push_back(memory.image("shown").words);
         std::ranges::copy(memory.image("bent").words, std::back_inserter(shown.back()));
     }
-    for (const std::vector<check::Word>& poisoned : shown) EXPECT_EQ(poisoned, shown[0]);
+    for (const std::vector<subject::Word>& poisoned : shown) EXPECT_EQ(poisoned, shown[0]);
 }
 
 // Of neighbours on one surface: squares of how much more one of them differs from the truth than the other,
@@ -170,7 +170,7 @@ TEST_F(Tiles, HaveNoSeams) {
 
 // A tile that changes sides while the camera moves slowly changes no more than one that stays.
 TEST_F(Tiles, ChangeSidesWithoutAStep) {
-    constexpr gpu::Extent extent{320, 180};
+    constexpr backend::Extent extent{320, 180};
     for (const char* scene : {"workshop", "stairs", "pipes", "canyon", "town", "room"}) {
         const std::vector<scene::GBuffer> views = moving(scene, extent, 12);
         const std::vector<Frame> frames = run(views, tiles(0.08F, 0.5F));

@@ -11,14 +11,14 @@
 using namespace gloam;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    shader::Spirv module(size / sizeof(std::uint32_t));
+    module::Spirv module(size / sizeof(std::uint32_t));
     if (!module.empty()) std::memcpy(module.data(), data, module.size() * sizeof(std::uint32_t));
     fuzz::read_or_refuse([&] {
-        const shader::Spirv strict = shader::with_no_contraction(module);
-        fuzz::require(shader::with_no_contraction(strict) == strict);
+        const module::Spirv strict = module::with_no_contraction(module);
+        fuzz::require(module::with_no_contraction(strict) == strict);
     });
-    fuzz::read_or_refuse([&] { (void)shader::with_relaxed_precision(module); });
-    fuzz::read_or_refuse([&] { (void)shader::float_constants(shader::without_names(module)); });
+    fuzz::read_or_refuse([&] { (void)module::with_relaxed_precision(module); });
+    fuzz::read_or_refuse([&] { (void)module::float_constants(module::without_names(module)); });
     fuzz::read_or_refuse([&] {
         const interpreter::internal::Module read(module, {});
         (void)interpreter::internal::Lowering(read).run("main");

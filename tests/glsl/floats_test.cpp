@@ -4,11 +4,11 @@
 
 namespace gloam::floats_test {
 
-using check::Function;
+using judge::Function;
 
 class Floats : public testing::Test {
   protected:
-    check::Lab lab = test::make_lab();
+    subject::Lab lab = test::make_lab();
 };
 
 // Whatever the bits of a NaN are.
@@ -64,10 +64,10 @@ TEST_F(Floats, AConvergedPixelReadsNoNeighbour) {
         lab, "gloam/filter/convergence_filter.glsl", "gloam_convergence_filter"};
     const auto run = [&](float convergence) {
         const auto value = [&](glm::ivec2) { return glm::vec2(0.3F, convergence); };
-        const check::ImageSet images{
-            {"gloam_fetch_occlusion_convergence", check::make_image<glm::vec2>({1, 1}, value)},
+        const subject::ImageSet images{
+            {"gloam_fetch_occlusion_convergence", subject::make_image<glm::vec2>({1, 1}, value)},
             {"gloam_fetch_position",
-             check::make_image<glm::vec3>({1, 1}, [](glm::ivec2) { return glm::vec3(0, 0, -5); })}};
+             subject::make_image<glm::vec3>({1, 1}, [](glm::ivec2) { return glm::vec3(0, 0, -5); })}};
         return filter.with_images(images, {glm::ivec2(0), glm::ivec2(1, 0), glm::ivec2(5), 2, 0.2F, 0.0125F});
     };
     EXPECT_EQ(run(0.2F), 0.3F);
@@ -79,15 +79,15 @@ TEST_F(Floats, AConvergedPixelReadsNoNeighbour) {
 // Only drawn angles: one float below half a turn may be reduced to either side, and the hull of both bounds
 // nothing.
 TEST_F(Floats, WhateverOrderADriverTakesTheErrorIsBounded) {
-    const check::Lab shipped(
-        {.device = std::string(check::interpreter_name), .include_roots = {GLOAM_GLSL_DIR}});
-    const auto expect_within = [&](const auto& function, const check::Domain& domain, double most) {
-        const check::Answer answer = function.check_rules(domain, {.inputs = 1024});
-        EXPECT_EQ(answer.verdict, check::Verdict::rules);
+    const subject::Lab shipped(
+        {.device = std::string(subject::interpreter_name), .include_roots = {GLOAM_GLSL_DIR}});
+    const auto expect_within = [&](const auto& function, const subject::Domain& domain, double most) {
+        const judge::Answer answer = function.check_rules(domain, {.inputs = 1024});
+        EXPECT_EQ(answer.verdict, judge::Verdict::rules);
         EXPECT_EQ(answer.unbounded, 0U) << answer.function;
         EXPECT_LT(answer.guarantee.absolute, most) << answer.function;
     };
-    const auto drawn = [](double most) { return check::uniform(-most, most).only_as_drawn(); };
+    const auto drawn = [](double most) { return subject::uniform(-most, most).only_as_drawn(); };
     const std::string forward = "gloam/numeric/sincos.glsl";
     const std::string inverse = "gloam/numeric/inverse_trigonometry.glsl";
     using Wave = Function<glm::vec2(float)>;

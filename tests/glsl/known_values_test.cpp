@@ -16,7 +16,7 @@
 
 namespace gloam::known_values_test {
 
-using check::Word;
+using subject::Word;
 
 struct Row {
     std::string arguments;
@@ -125,54 +125,54 @@ double number_from(const std::string& text) {
 }
 
 // The numbers of a value of a type.
-std::vector<std::string> components_of(const shader::Type& type, const std::string& text) {
+std::vector<std::string> components_of(const module::Type& type, const std::string& text) {
     const bool is_list = text.starts_with('(') && text.ends_with(')');
     std::vector<std::string> all = is_list ? parts_of(text.substr(1, text.size() - 2)) : std::vector{text};
-    const std::size_t count = check::scalars_of(type).size();
+    const std::size_t count = subject::scalars_of(type).size();
     if (all.size() == 1) all.resize(count, all.front());
     if (all.size() != count)
         throw std::invalid_argument(fmt::format("{}: expected {} components", text, count));
     return all;
 }
 
-Word word_from(shader::Scalar scalar, const std::string& text) {
-    if (scalar == shader::Scalar::float_) return check::to_word(std::strtof(text.c_str(), nullptr));
+Word word_from(module::Scalar scalar, const std::string& text) {
+    if (scalar == module::Scalar::float_) return subject::to_word(std::strtof(text.c_str(), nullptr));
     return static_cast<Word>(static_cast<std::int64_t>(number_from(text)));
 }
 
-Word word_of(shader::Scalar scalar, double number) {
-    if (scalar == shader::Scalar::float_) return check::to_word(static_cast<float>(number));
+Word word_of(module::Scalar scalar, double number) {
+    if (scalar == module::Scalar::float_) return subject::to_word(static_cast<float>(number));
     return static_cast<Word>(static_cast<std::int64_t>(number));
 }
 
-double number_of(shader::Scalar scalar, Word word) {
-    if (scalar == shader::Scalar::float_) return double{check::from_word<float>(word)};
-    return scalar == shader::Scalar::int_ ? static_cast<double>(check::from_word<int>(word))
+double number_of(module::Scalar scalar, Word word) {
+    if (scalar == module::Scalar::float_) return double{subject::from_word<float>(word)};
+    return scalar == module::Scalar::int_ ? static_cast<double>(subject::from_word<int>(word))
                                           : static_cast<double>(word);
 }
 
 class KnownValues : public testing::TestWithParam<std::size_t> {
   protected:
     const Known& known = all_known()[GetParam()];
-    check::Lab lab = test::make_lab();
+    subject::Lab lab = test::make_lab();
 
     // As the compiler reads it.
-    [[nodiscard]] shader::Function function() const {
-        for (const shader::Function& one :
-             shader::functions(check::probe_of(known.file), lab.compile_options()))
+    [[nodiscard]] module::Function function() const {
+        for (const module::Function& one :
+             module::functions(subject::probe_of(known.file), lab.compile_options()))
             if (one.name == known.function && one.defined) return one;
         throw std::invalid_argument(fmt::format("{} has no {}", known.file, known.function));
     }
 
     // Words of a row's arguments, for all parameters that take some.
-    [[nodiscard]] static std::vector<Word> inputs_of(const Row& row, const check::Signature& signature) {
+    [[nodiscard]] static std::vector<Word> inputs_of(const Row& row, const subject::Signature& signature) {
         const std::vector<std::string> arguments = parts_of(row.arguments);
         std::vector<Word> words;
         std::size_t next = 0;
-        for (const shader::Parameter& parameter : signature.parameters) {
-            if (parameter.direction == shader::Direction::out) continue;
+        for (const module::Parameter& parameter : signature.parameters) {
+            if (parameter.direction == source::Direction::out) continue;
             if (next == arguments.size()) throw std::invalid_argument(row.arguments + ": too few arguments");
-            const std::vector<shader::Scalar> scalars = check::scalars_of(parameter.type);
+            const std::vector<module::Scalar> scalars = subject::scalars_of(parameter.type);
             const std::vector<std::string> numbers = components_of(parameter.type, arguments[next++]);
             for (std::size_t i = 0; i < scalars.size(); ++i)
                 words.push_back(word_from(scalars[i], numbers[i]));
@@ -183,10 +183,10 @@ class KnownValues : public testing::TestWithParam<std::size_t> {
 
     // The numbers of a row's result and of its out parameters.
     [[nodiscard]] static std::vector<std::string> results_of(const Row& row,
-                                                             const check::Signature& signature) {
-        std::vector<shader::Type> types{signature.result};
-        for (const shader::Parameter& parameter : signature.parameters)
-            if (parameter.direction != shader::Direction::in) types.push_back(parameter.type);
+                                                             const subject::Signature& signature) {
+        std::vector<module::Type> types{signature.result};
+        for (const module::Parameter& parameter : signature.parameters)
+            if (parameter.direction != source::Direction::in) types.push_back(parameter.type);
         const std::vector<std::string> values = parts_of(row.result);
         if (values.size() != types.size())
             throw std::invalid_argument(row.result + ": another number of results");
@@ -197,10 +197,10 @@ class KnownValues : public testing::TestWithParam<std::size_t> {
     }
 
     // rounding: of what calculated the words.
-    void expect_result(const Row& row, const check::Signature& signature, std::span<const Word> words,
+    void expect_result(const Row& row, const subject::Signature& signature, std::span<const Word> words,
                        double rounding = 0.0) const {
         const std::string call = fmt::format("{}({})", known.function, row.arguments);
-        const std::vector<shader::Scalar> scalars = signature.output_scalars();
+        const std::vector<module::Scalar> scalars = signature.output_scalars();
         if (row.result.empty()) {
             ASSERT_FALSE(row.least.empty() && row.most.empty()) << call << " has no result";
             const double got = number_of(scalars[0], words[0]);
@@ -222,16 +222,16 @@ class KnownValues : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(KnownValues, AreItsResults) {
-    const shader::Function compiled = function();
-    const check::Signature signature{.result = compiled.result, .parameters = compiled.parameters};
+    const module::Function compiled = function();
+    const subject::Signature signature{.result = compiled.result, .parameters = compiled.parameters};
     std::vector<std::string> names;
-    for (const shader::Parameter& parameter : compiled.parameters) names.push_back(parameter.name);
+    for (const module::Parameter& parameter : compiled.parameters) names.push_back(parameter.name);
     ASSERT_EQ(names, known.parameters);
     std::vector<Word> inputs;
     for (const Row& row : known.rows)
         for (const Word word : inputs_of(row, signature)) inputs.push_back(word);
-    const check::KernelCore kernel = lab.kernel(known.file, known.function, signature);
-    const check::KernelCore::Result result = kernel.run(inputs, known.rows.size());
+    const subject::KernelCore kernel = lab.kernel(known.file, known.function, signature);
+    const subject::KernelCore::Result result = kernel.run(inputs, known.rows.size());
     lab.require_silent_validation();
     for (std::size_t i = 0; i < known.rows.size(); ++i)
         expect_result(known.rows[i], signature,
@@ -245,8 +245,8 @@ TEST_P(KnownValues, AreTheResultsOfTheReference) {
         return one.description.function == known.function && one.description.file == known.file;
     });
     ASSERT_NE(entry, entries.end());
-    const check::Signature& signature = entry->question.signature;
-    const std::vector<shader::Scalar> scalars = signature.output_scalars();
+    const subject::Signature& signature = entry->question.signature;
+    const std::vector<module::Scalar> scalars = signature.output_scalars();
     for (const Row& row : known.rows) {
         // Nothing is promised of an infinite bias: the shader's quotient is 0 before.
         if (known.function == "gloam_depth_bias" && row.arguments.starts_with("inf")) continue;

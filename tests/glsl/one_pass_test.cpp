@@ -22,20 +22,20 @@ float engine_occlusion(ivec2 pixel) { return gloam_fetch_occlusion(pixel); }
 TEST(OnePass, IsNearTheTruthAndItsBlurNearer) {
     const test::TemporaryDirectory folder;
     for (const std::string name : {"occlusion.glsl", "blur.glsl"}) folder.write(name, engine + name + "\"\n");
-    std::optional<check::Lab> lab;
+    std::optional<subject::Lab> lab;
     try {
-        lab.emplace(check::LabOptions{.device = "es:llvmpipe-3.0",
-                                      .include_roots = {folder.path(), GLOAM_GLSL_DIR},
-                                      .cache_directory = test::cache_directory()});
-    } catch (const gl::Unavailable& error) {
+        lab.emplace(subject::LabOptions{.device = "es:llvmpipe-3.0",
+                                        .include_roots = {folder.path(), GLOAM_GLSL_DIR},
+                                        .cache_directory = test::cache_directory()});
+    } catch (const backend::gl::Unavailable& error) {
         GTEST_SKIP() << error.what();
     }
-    using Occlusion = check::Function<float(glm::ivec2, glm::ivec2, glm::vec2, float)>;
-    using Blur = check::Function<float(glm::ivec2, glm::ivec2, bool)>;
+    using Occlusion = judge::Function<float(glm::ivec2, glm::ivec2, glm::vec2, float)>;
+    using Blur = judge::Function<float(glm::ivec2, glm::ivec2, bool)>;
     const glm::ivec2 size(160, 90);
     const scene::GBuffer view = scene::draw(scene::make_scene("corner"), {160, 90}, {});
     const auto image_of = [&](const std::vector<float>& values) {
-        return check::make_image<float>(size, [&](glm::ivec2 p) { return values[p.y * size.x + p.x]; });
+        return subject::make_image<float>(size, [&](glm::ivec2 p) { return values[p.y * size.x + p.x]; });
     };
     std::vector<Occlusion::Inputs> pixels;
     std::vector<Blur::Inputs> in_rows;
@@ -46,8 +46,8 @@ TEST(OnePass, IsNearTheTruthAndItsBlurNearer) {
         in_rows.emplace_back(pixel, size, false);
         in_columns.emplace_back(pixel, size, true);
     }
-    check::ImageSet images{{"gloam_fetch_depth", image_of(view.depth)},
-                           {"gloam_fetch_occlusion", image_of(view.depth)}};
+    subject::ImageSet images{{"gloam_fetch_depth", image_of(view.depth)},
+                             {"gloam_fetch_occlusion", image_of(view.depth)}};
     const std::vector<float> raw = Occlusion(*lab, "occlusion.glsl", "occlusion_at")(pixels, images);
     const Blur blur(*lab, "blur.glsl", "blurred");
     images["gloam_fetch_occlusion"] = image_of(raw);

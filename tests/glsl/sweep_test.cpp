@@ -30,8 +30,8 @@ enum Falloff : unsigned { step, linear, quadratic, cubic };
 
 class SweepOfAWall : public testing::Test {
   protected:
-    check::Lab lab = test::make_lab();
-    check::Function<SweepEstimate(glm::vec3, glm::vec3, Camera, SweepKernel, Sweep)> sweep{
+    subject::Lab lab = test::make_lab();
+    judge::Function<SweepEstimate(glm::vec3, glm::vec3, Camera, SweepKernel, Sweep)> sweep{
         lab, "gloam/methods/sweep.glsl", "gloam_sweep"};
 
     // A floor that meets a wall at x = 0, both turned by 45 degrees towards the eye, and a point of the floor
@@ -62,13 +62,13 @@ class SweepOfAWall : public testing::Test {
     const double pixel = 4.0 / 1025.0;
 
     // Depths that depend on the column alone.
-    check::ImageSet image_of(const std::function<double(int)>& depth) const {
-        return {{"gloam_fetch_depth", check::make_image<float>(camera_.size, [&](glm::ivec2 p) {
+    subject::ImageSet image_of(const std::function<double(int)>& depth) const {
+        return {{"gloam_fetch_depth", subject::make_image<float>(camera_.size, [&](glm::ivec2 p) {
                      return static_cast<float>(depth(p.x));
                  })}};
     }
 
-    double occlusion(const check::ImageSet& image, glm::vec3 position, glm::vec3 normal,
+    double occlusion(const subject::ImageSet& image, glm::vec3 position, glm::vec3 normal,
                      const Sweep& settings) const {
         const SweepKernel kernel{1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, infinity};
         return static_cast<double>(

@@ -32,6 +32,8 @@ LIBRARY_HOME = {
     "stb_truetype": (re.compile(r"(stb/)?stb_truetype"), "pictures"),
 }
 
+OPENED = re.compile(r"^namespace gloam::(\w+)[\w:]* \{\n(.*?)^\}", re.M | re.S)
+ANNOUNCED = re.compile(r"(GLOAM_MEMBERS|template <>\nconstexpr Form form_of)\b[^;)]*[;)]|(struct|class) \w+;")
 MAX_LINES = 400
 CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".in"}
 TEXT = CODE | {".txt", ".md", ".json", ".supp", ""}
@@ -136,6 +138,14 @@ def include(source):
             yield number, f'{name}: ours are included as "{name}"'
         elif delimiter == '"' and source.area == "harness" and not (ours and rest):
             yield number, f'{name}: include it as "room/file.hpp", or as <{name}> when it is not ours'
+
+
+def namespace(source):
+    """A room declares in the namespace of its name. In that of another it only announces types, or says how its own
+    values are written (GLOAM_MEMBERS, form_of)."""
+    for block in OPENED.finditer(source.text) if source.area == "harness" else ():
+        if block.group(1) != source.room and ANNOUNCED.sub("", block.group(2)).strip():
+            yield line_of(source.text, block.start()), f"expected namespace gloam::{source.room}"
 
 
 def stands_in(source, home):
@@ -272,8 +282,8 @@ def paper_code(source):
             yield line_of(source.text, block.start()), "this code stands in no file of the house"
 
 
-RULES = (include, library_home, shader_statement, shader_include, shader_reference, guard, spdx, length, machine_path,
-         paper_path, paper_code)
+RULES = (include, namespace, library_home, shader_statement, shader_include, shader_reference, guard, spdx, length,
+         machine_path, paper_path, paper_code)
 
 
 def shader_caller(house):

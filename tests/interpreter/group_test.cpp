@@ -29,10 +29,10 @@ std::string group_shader(const std::string& shared, const std::string& body) {
            shared + "\nvoid main() {\n    uint at = gl_LocalInvocationIndex;\n" + body + "}\n";
 }
 
-shader::Spirv group_module(const std::string& shared, const std::string& body,
+module::Spirv group_module(const std::string& shared, const std::string& body,
                            const char* variant = "shipped") {
-    return shader::compile({.name = "test", .text = group_shader(shared, body)},
-                           {.variant = shader::variant(variant), .lines = true});
+    return module::compile({.name = "test", .text = group_shader(shared, body)},
+                           {.variant = module::variant(variant), .lines = true});
 }
 
 std::vector<Word> group_inputs() {
@@ -42,7 +42,7 @@ std::vector<Word> group_inputs() {
 }
 
 template <class N>
-std::vector<Word> in_group(const shader::Spirv& module, Word subgroup_size, Order order = Order::forward) {
+std::vector<Word> in_group(const module::Spirv& module, Word subgroup_size, Order order = Order::forward) {
     const Program program(module);
     Machine<N> machine(program);
     const std::vector<Word> in = group_inputs();
@@ -56,20 +56,20 @@ std::vector<Word> in_group(const shader::Spirv& module, Word subgroup_size, Orde
     return out;
 }
 
-std::vector<Word> group_on_device(const shader::Spirv& module) {
-    static const gpu::Device device({.validation = gpu::Validation::on});
+std::vector<Word> group_on_device(const module::Spirv& module) {
+    static const backend::vulkan::Device device({.validation = backend::vulkan::Validation::on});
     return test::on_device(device, module,
                            {.inputs = group_inputs(), .input_words = lanes, .output_words = lanes});
 }
 
 Word device_subgroup_size() {
-    return gpu::Device(gpu::DeviceOptions{}).info().subgroup_size;
+    return backend::vulkan::Device(backend::vulkan::DeviceOptions{}).info().subgroup_size;
 }
 
 void expect_as_on_device(const std::string& shared, const std::string& body) {
     const Word size = device_subgroup_size();
     for (const char* variant : {"shipped", "optimized"}) {
-        const shader::Spirv module = group_module(shared, body, variant);
+        const module::Spirv module = group_module(shared, body, variant);
         const std::vector<Word> expected = group_on_device(module);
         EXPECT_EQ(in_group<float>(module, size), expected) << variant << ": " << body;
         EXPECT_EQ(in_group<double>(module, size, Order::backward), expected) << variant << ": " << body;
@@ -213,7 +213,7 @@ TEST(Group, InvocationsOfOtherIterationsAreNotHere) {
 }
 
 TEST(Group, WhatDependsOnTheOrderIsUnspecified) {
-    const shader::Spirv module =
+    const module::Spirv module =
         group_module("shared uint one;\n", "if (at == 0u) one = 0u; barrier(); put(atomicAdd(one, 1u));\n");
     EXPECT_NE(in_group<float>(module, 4), in_group<float>(module, 4, Order::backward));
     const auto outcome =
@@ -222,7 +222,7 @@ TEST(Group, WhatDependsOnTheOrderIsUnspecified) {
 }
 
 TEST(Group, SumsOfASubgroupHoldInEveryOrder) {
-    const shader::Spirv module = group_module("", "put(floatBitsToUint(subgroupAdd(1.0 / float(x()))));\n");
+    const module::Spirv module = group_module("", "put(floatBitsToUint(subgroupAdd(1.0 / float(x()))));\n");
     const float got = std::bit_cast<float>(group_on_device(module).front());
     numeric::Bounds bounds{};
     numeric::Paths::explore(numeric::float32, 4, [&] {

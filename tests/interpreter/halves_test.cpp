@@ -66,7 +66,7 @@ TEST(Halves, AreRoundedToTheirFormat) {
     std::string body;
     for (std::size_t c = 0; c < cases.size(); ++c)
         body += fmt::format("put({}, float(float16_t({})));\n", c, cases[c].glsl);
-    const shader::Spirv module = test::strictly_compiled(shader_of(body, cases.size()));
+    const module::Spirv module = test::strictly_compiled(shader_of(body, cases.size()));
     const Program program(module);
     const Rows rows = rows_of(cases.size());
     const std::vector<Word> ours_of = test::rounded_correctly(program, rows);
@@ -96,7 +96,7 @@ TEST(Halves, AreRoundedToTheirFormat) {
 }
 
 TEST(Halves, AnotherNumberIsRefused) {
-    const shader::Spirv module =
+    const module::Spirv module =
         test::strictly_compiled(shader_of("put(0, float(double(word(0)) * 0.1lf));\n", 1));
     EXPECT_THAT([&] { (void)Program(module); },
                 testing::ThrowsMessage<interpreter::Error>(

@@ -257,7 +257,7 @@ bool is_usual(float x) {
 class OpcodeTest : public testing::Test {
   protected:
     void compare(const std::vector<Operation>& operations) {
-        const shader::Spirv module = test::strictly_compiled(text_of(operations));
+        const module::Spirv module = test::strictly_compiled(text_of(operations));
         const Rows rows = rows_of(operations.size());
         const std::vector<Word> device = test::on_device(*test::SharedDevice::get(), module, rows);
         const std::vector<Word> ours = test::rounded_correctly(Program(module), rows);
@@ -309,12 +309,12 @@ TEST_F(OpcodeTest, IntegersAndBoolsAreTheDevices) {
 TEST_F(OpcodeTest, BothAreAmongWhatIsPermitted) {
     std::vector<Operation> operations = float_operations;
     for (const Operation& more : word_operations) operations.push_back(more);
-    const shader::Spirv module = test::strictly_compiled(text_of(operations));
+    const module::Spirv module = test::strictly_compiled(text_of(operations));
     const Rows rows = rows_of(operations.size());
     const std::vector<Word> device = test::on_device(*test::SharedDevice::get(), module, rows);
     const std::vector<Word> ours = test::rounded_correctly(Program(module), rows);
     for (std::size_t n = 0; n < operations.size(); ++n) {
-        const shader::Spirv alone = test::strictly_compiled(text_of({operations[n]}));
+        const module::Spirv alone = test::strictly_compiled(text_of({operations[n]}));
         const Program one(alone);
         Machine<numeric::Interval> intervals(one);
         std::size_t outside = 0;

@@ -10,8 +10,8 @@ using interpreter::Error;
 using interpreter::Machine;
 using interpreter::Program;
 
-shader::Spirv compiled(const std::string& text, const char* variant = "shipped") {
-    return shader::compile({.name = "test", .text = text}, {.variant = shader::variant(variant)});
+module::Spirv compiled(const std::string& text, const char* variant = "shipped") {
+    return module::compile({.name = "test", .text = text}, {.variant = module::variant(variant)});
 }
 
 Error error_of(const std::string& body, const std::vector<Word>& inputs, const std::string& functions = {}) {
@@ -91,7 +91,7 @@ TEST(Program, SpecializationConstantsTakeTheirValues) {
         "layout(std430, binding = 1) buffer Out { uint o[]; };\n"
         "void main() { uint a[n]; for (uint k = 0u; k < n; ++k) a[k] = k; o[0] = a[n - 1u]; o[1] = twice; "
         "o[2] = floatBitsToUint(f * 2.0); }\n";
-    const shader::Spirv module = compiled(text);
+    const module::Spirv module = compiled(text);
     const std::vector<interpreter::Constant> constants{{3, 9}, {5, std::bit_cast<Word>(4.0F)}};
     for (const bool given : {false, true}) {
         Machine<float> machine{given ? Program(module, constants) : Program(module)};
@@ -227,7 +227,7 @@ TEST(Program, AnInstructionThatIsNotKnownIsNamed) {
 
 TEST(Program, WhatIsNoModuleIsRefused) {
     EXPECT_THROW((void)Program({1, 2, 3}), Error);
-    shader::Spirv cut = compiled("#version 450\nlayout(local_size_x = 1) in; void main() {}\n");
+    module::Spirv cut = compiled("#version 450\nlayout(local_size_x = 1) in; void main() {}\n");
     EXPECT_THROW((void)Program(cut, {}, "other"), Error);
     cut.resize(cut.size() - 1);
     EXPECT_THROW((void)Program{cut}, Error);

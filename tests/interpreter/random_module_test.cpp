@@ -13,29 +13,29 @@ constexpr std::size_t inputs_of_each = 64;
 
 // A random function in a lab, compiled strictly.
 struct Subject {
-    Subject(std::uint64_t seed, shader::Variant variant, const std::shared_ptr<backend::Backend>& device)
+    Subject(std::uint64_t seed, module::Variant variant, const std::shared_ptr<backend::Backend>& device)
         : text(test::random_function(seed)),
           lab({.variant = strict(std::move(variant)),
-               .file =
-                   std::make_shared<const check::OwnFile>(file, text, std::vector<std::filesystem::path>{})},
+               .file = std::make_shared<const subject::OwnFile>(file, text,
+                                                                std::vector<std::filesystem::path>{})},
               device),
-          question(check::question_of(lab, check::own_functions(lab.options(), {name(seed)}).found.at(0),
-                                      {check::range_from(test::random_function_range)})) {}
+          question(judge::question_of(lab, subject::own_functions(lab.options(), {name(seed)}).found.at(0),
+                                      {subject::range_from(test::random_function_range)})) {}
 
     static constexpr const char* file = "random.glsl";
     static std::string name(std::uint64_t seed) { return "random_" + std::to_string(seed); }
-    static shader::Variant strict(shader::Variant variant) {
+    static module::Variant strict(module::Variant variant) {
         variant.strict = true;
         return variant;
     }
 
-    [[nodiscard]] check::Answer answer() const {
-        return check::run(lab, question, {.inputs = inputs_of_each});
+    [[nodiscard]] judge::Answer answer() const {
+        return judge::run(lab, question, {.inputs = inputs_of_each});
     }
 
     std::string text;
-    check::Lab lab;
-    check::Question question;
+    subject::Lab lab;
+    judge::Question question;
 };
 
 class RandomModule : public testing::TestWithParam<int> {
@@ -49,11 +49,12 @@ class RandomModule : public testing::TestWithParam<int> {
 };
 
 TEST_P(RandomModule, MeansTheSameToEveryDevice) {
-    for (const gpu::DeviceInfo& info : test::devices_at_hand()) {
-        const auto device = std::make_shared<gpu::Device>(gpu::DeviceOptions{.device = info.name});
+    for (const backend::DeviceInfo& info : test::devices_at_hand()) {
+        const auto device =
+            std::make_shared<backend::vulkan::Device>(backend::vulkan::DeviceOptions{.device = info.name});
         for (const std::uint64_t seed : seeds()) {
-            const Subject subject(seed, shader::variant("strict"), device);
-            const check::Answer answer = subject.answer();
+            const Subject subject(seed, module::variant("strict"), device);
+            const judge::Answer answer = subject.answer();
             ASSERT_TRUE(answer.passed()) << info.name << "\n" << answer << subject.text;
         }
     }
@@ -63,8 +64,8 @@ TEST_P(RandomModule, MeansTheSameToEveryDevice) {
 TEST_P(RandomModule, MeansTheSameWhenItIsOptimised) {
     for (const std::uint64_t seed : seeds()) {
         for (const char* variant : {"strict | spirv-opt -O", "strict | spirv-opt -Os"}) {
-            const Subject subject(seed, shader::variant(variant), check::interpreter());
-            const check::Answer answer = subject.answer();
+            const Subject subject(seed, module::variant(variant), subject::interpreter_backend());
+            const judge::Answer answer = subject.answer();
             EXPECT_TRUE(answer.passed()) << variant << "\n" << answer << subject.text;
         }
     }

@@ -43,22 +43,24 @@ inline std::string row_shader(std::size_t input_words, std::size_t output_words,
            functions + "\nvoid main() {\n" + body + "}\n";
 }
 
-inline shader::Spirv strictly_compiled(const std::string& text) {
-    return shader::compile({.name = "test", .text = text}, {.variant = shader::variant("strict")});
+inline module::Spirv strictly_compiled(const std::string& text) {
+    return module::compile({.name = "test", .text = text}, {.variant = module::variant("strict")});
 }
 
-inline std::vector<Word> on_device(const gpu::Device& device, const shader::Spirv& module, const Rows& rows) {
-    const gpu::ComputePipeline pipeline(
+inline std::vector<Word> on_device(const backend::vulkan::Device& device, const module::Spirv& module,
+                                   const Rows& rows) {
+    const backend::vulkan::ComputePipeline pipeline(
         device, {.spirv = module,
-                 .bindings = {gpu::BindingKind::storage_buffer, gpu::BindingKind::storage_buffer},
+                 .bindings = {backend::vulkan::BindingKind::storage_buffer,
+                              backend::vulkan::BindingKind::storage_buffer},
                  .push_constant_bytes = 0,
                  .constants = {}});
-    gpu::Buffer inputs(device, rows.inputs.size() * sizeof(Word));
-    gpu::Buffer outputs(device, rows.count() * rows.output_words * sizeof(Word));
+    backend::vulkan::Buffer inputs(device, rows.inputs.size() * sizeof(Word));
+    backend::vulkan::Buffer outputs(device, rows.count() * rows.output_words * sizeof(Word));
     std::ranges::copy(rows.inputs, inputs.as<Word>().begin());
     std::ranges::fill(outputs.as<Word>(), 0U);
-    gpu::Commands commands(device);
-    const std::vector<gpu::Resource> buffers{std::cref(inputs), std::cref(outputs)};
+    backend::vulkan::Commands commands(device);
+    const std::vector<backend::vulkan::Resource> buffers{std::cref(inputs), std::cref(outputs)};
     commands.dispatch(pipeline, buffers, {static_cast<Word>(rows.count()), 1, 1});
     commands.submit();
     const auto words = outputs.as<Word>();

@@ -4,12 +4,15 @@
 #include "subject/fixture_functions.hpp"
 #include "support/test_name.hpp"
 
-namespace gloam::check::devices_test {
+namespace gloam::judge::devices_test {
+
+using namespace subject;
 
 // In this process nobody has told the loader of it.
 TEST(SwiftShader, IsFoundByItsName) {
-    if (gpu::drivers_are_chosen()) GTEST_SKIP() << "the environment chooses the drivers";
-    if (!gpu::find_swiftshader()) GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
+    if (backend::vulkan::drivers_are_chosen()) GTEST_SKIP() << "the environment chooses the drivers";
+    if (!backend::vulkan::find_swiftshader())
+        GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
     const Lab lab({.device = "SwiftShader", .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
     EXPECT_THAT(lab.info().name, HasSubstr("SwiftShader"));
     EXPECT_EQ((Function<float(float, float)>(lab, "wrong.glsl", "weight")(1.0F, 2.0F)), 0.75F);
@@ -24,13 +27,13 @@ KernelCore two_pixels(const Lab& lab) {
 class EachDevice : public testing::TestWithParam<const char*> {
   protected:
     static bool has_compute() {
-        const auto opengl = gl::device_name_from(GetParam());
-        return !opengl || gl::has_compute(opengl->version);
+        const auto opengl = backend::gl::device_name_from(GetParam());
+        return !opengl || backend::gl::has_compute(opengl->version);
     }
     void SetUp() override {
         try {
             lab.emplace(LabOptions{.device = GetParam(), .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
-        } catch (const gl::Unavailable& error) {
+        } catch (const backend::gl::Unavailable& error) {
             GTEST_SKIP() << error.what();
         }
     }
@@ -83,7 +86,7 @@ TEST_P(EachDevice, ServesImagesAndReportsAnAccessOutside) {
     const std::vector<Word> inputs{0, 0, 2, 1, 2, 0};
     const auto value = [](glm::ivec2 p) { return float(1 + p.x + 10 * p.y); };
     const ImageSet inside{{"fetch", make_image<float>({3, 2}, value, Border::clamp)}};
-    const Lab other({.include_roots = {FIXTURES}}, interpreter());
+    const Lab other({.include_roots = {FIXTURES}}, interpreter_backend());
     EXPECT_EQ(kernel.run(inputs, 3, inside).outputs, two_pixels(other).run(inputs, 3, inside).outputs);
     const KernelCore::Result result = kernel.run(inputs, 3, {{"fetch", make_image<float>({3, 2}, value)}});
     ASSERT_TRUE(result.fault);
@@ -94,8 +97,9 @@ TEST_P(EachDevice, ServesImagesAndReportsAnAccessOutside) {
 
 // Section 4.7.1 of GLSL 4.60 and of GLSL ES 3.20 has precisions, and none for sin().
 TEST_P(OpenGlDevice, AsksTheRulesWhereTheLanguageHasThem) {
-    const gl::Version version = gl::device_name_from(GetParam())->version;
-    const bool rules = version == gl::Version{gl::Api::gl, 4, 5} || version == gl::Version{gl::Api::es, 3, 2};
+    const backend::gl::Version version = backend::gl::device_name_from(GetParam())->version;
+    const bool rules = version == backend::gl::Version{backend::gl::Api::gl, 4, 5} ||
+                       version == backend::gl::Version{backend::gl::Api::es, 3, 2};
     const Answer quotient = Function<float(float)>(*lab, "rules.glsl", "reciprocal")
                                 .check_rules({uniform(1, 2)}, {.inputs = 600});
     EXPECT_EQ(quotient.by_rules, rules ? quotient.inputs() : 0U);
@@ -140,7 +144,7 @@ TEST_P(OpenGlDevice, RunsTextsOfChangedModules) {
     const auto changed = [] {
         return Lab({.device = GetParam(),
                     .include_roots = {FIXTURES},
-                    .variant = shader::variant("shipped | spirv-opt -O")});
+                    .variant = module::variant("shipped | spirv-opt -O")});
     };
     if (!has_compute()) {
         EXPECT_THAT(changed, ThrowsMessage<std::invalid_argument>(HasSubstr("those with compute shaders")));
@@ -155,7 +159,7 @@ TEST_P(OpenGlDevice, RunsTextsOfChangedModules) {
 
 TEST_P(OpenGlDevice, HasTheVariantShippedOnly) {
     expect_error<std::invalid_argument>(
-        [] { const Lab strict({.device = GetParam(), .variant = shader::variant("strict")}); },
+        [] { const Lab strict({.device = GetParam(), .variant = module::variant("strict")}); },
         {"have the variant shipped only"});
     expect_error<std::invalid_argument>([] { const Lab watched({.device = GetParam(), .validation = true}); },
                                         {"validation layers"});
@@ -168,4 +172,4 @@ INSTANTIATE_TEST_SUITE_P(All, OpenGlDevice, opengl_devices, name_of_device);
 INSTANTIATE_TEST_SUITE_P(All, EachDevice, opengl_devices, name_of_device);
 INSTANTIATE_TEST_SUITE_P(Interpreter, EachDevice, testing::Values("interpreter"), name_of_device);
 
-}  // namespace gloam::check::devices_test
+}  // namespace gloam::judge::devices_test

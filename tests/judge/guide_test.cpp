@@ -4,10 +4,13 @@
 #include "pass/pass.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::guide_test {
+namespace gloam::judge::guide_test {
 
-Lab guide_lab() {
-    LabOptions options = test::make_lab(FIXTURES "/guide").options();
+using namespace pass;
+using namespace subject;
+
+subject::Lab guide_lab() {
+    subject::LabOptions options = test::make_lab(FIXTURES "/guide").options();
     options.include_roots.emplace_back(GUIDE);
     return {std::move(options), test::SharedDevice::get()};
 }
@@ -28,7 +31,7 @@ TEST(Guide, AMatcherNamesTheWorstComponent) {
 
 // The snippets of docs/copy-a-shader.md: near = 1, reversed, infinite far plane, so p22 = 0 and p32 = 1.
 TEST(Guide, AnEnginesDepthAndLight) {
-    const Lab lab = guide_lab();
+    const subject::Lab lab = guide_lab();
     const Function<float(float, float, float)> depth(lab, "engine.glsl", "engine_depth");
     EXPECT_EQ(depth(0.25F, 0.0F, 1.0F), 4.0F);
     EXPECT_EQ(depth(0.0F, 0.0F, 1.0F), INFINITY);
@@ -36,4 +39,4 @@ TEST(Guide, AnEnginesDepthAndLight) {
     EXPECT_EQ(light(glm::vec3(4), glm::vec3(1), 0.75F), glm::vec3(2));
 }
 
-}  // namespace gloam::check::guide_test
+}  // namespace gloam::judge::guide_test

@@ -5,7 +5,9 @@
 #include "module/steps.hpp"
 #include "subject/fixture_functions.hpp"
 
-namespace gloam::check::judge_test {
+namespace gloam::judge::judge_test {
+
+using namespace subject;
 
 class JudgeTest : public testing::Test {
   protected:
@@ -237,9 +239,9 @@ TEST(OutcomeTest, ErrorsSayOfWhichKindTheyAre) {
     EXPECT_EQ(base::reason_of(std::bad_alloc()), Reason::out_of_memory);
     EXPECT_EQ(base::reason_of(backend::Unsupported("x")), Reason::unsupported);
     EXPECT_EQ(base::reason_of(backend::Fault("x")), Reason::error);
-    EXPECT_EQ(base::reason_of(shader::StepUnavailable("x")), Reason::unsupported);
-    EXPECT_EQ(base::reason_of(shader::StepError("x")), Reason::error);
-    EXPECT_EQ(base::reason_of(shader::Unchanged()), Reason::unchanged);
+    EXPECT_EQ(base::reason_of(module::StepUnavailable("x")), Reason::unsupported);
+    EXPECT_EQ(base::reason_of(module::StepError("x")), Reason::error);
+    EXPECT_EQ(base::reason_of(module::Unchanged()), Reason::unchanged);
     EXPECT_EQ(base::reason_of(Error(Error::Kind::unknown_instruction, "x")), Reason::unsupported);
     EXPECT_EQ(base::reason_of(Error(Error::Kind::race, "x")), Reason::race);
     EXPECT_EQ(base::reason_of(Error(Error::Kind::divergent_barrier, "x")), Reason::divergent);
@@ -327,4 +329,4 @@ TEST(OutcomeByRules, TheyJudgeWhereNothingElseIsPromised) {
     EXPECT_EQ(many.outcome(), Outcome::not_judged) << "the rules were asked for some inputs only";
 }
 
-}  // namespace gloam::check::judge_test
+}  // namespace gloam::judge::judge_test

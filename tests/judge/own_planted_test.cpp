@@ -6,9 +6,11 @@
 
 #include "support/test.hpp"
 
-namespace gloam::check::own_planted_test {
+namespace gloam::judge::own_planted_test {
 
-using shader::Scalar;
+using namespace subject;
+
+using module::Scalar;
 
 // What a device makes of its outputs, and of the images before it reads them; then how many inputs are
 // outside.
@@ -148,4 +150,4 @@ TEST(OwnSamplers, OpenGlReadsTheSameImages) {
         opengl, name);
 }
 
-}  // namespace gloam::check::own_planted_test
+}  // namespace gloam::judge::own_planted_test

@@ -6,7 +6,9 @@
 #include "subject/signature.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::permitted_test {
+namespace gloam::judge::permitted_test {
+
+using namespace subject;
 
 using numeric::Bounds;
 
@@ -15,7 +17,7 @@ template <class Signature>
 class Rules {
   public:
     Rules(const std::string& file, const std::string& function)
-        : kernel_(test::make_lab(FIXTURES, shader::variant("strict"))
+        : kernel_(test::make_lab(FIXTURES, module::variant("strict"))
                       .kernel(file, function, SignatureOf<Signature>::describe())),
           modules_{std::make_shared<const KernelModule>(kernel_.module())},
           decoded_(modules_, images_),
@@ -35,7 +37,7 @@ class Rules {
     KernelModules modules_;
     ImageSet images_;
     Decoded decoded_;
-    std::vector<shader::Scalar> outputs_;
+    std::vector<module::Scalar> outputs_;
     Interpretation interpretation_;
 };
 
@@ -106,7 +108,7 @@ TEST(NearWholeNumbers, OnlyWhatSomeNumberLeadsToIsPermitted) {
 template <class Signature, class Reference>
 void expect_guaranteed(const char* file, const char* function, Reference reference, const Domain& domain,
                        const Budget& limit) {
-    const Answer answer = Function<Signature>(test::make_lab({}, shader::variant("strict")), file, function)
+    const Answer answer = Function<Signature>(test::make_lab({}, module::variant("strict")), file, function)
                               .compare(reference, domain, limit, {.inputs = 8192});
     EXPECT_TRUE(answer.passed()) << answer;
     EXPECT_LT(answer.guarantee.fraction, 1.0) << function;
@@ -143,4 +145,4 @@ TEST(ErrorBound, InverseFunctionsAndRoots) {
                                            {uniform(0.001, 1), constant(-1.0F)}, {.absolute = 1e-6});
 }
 
-}  // namespace gloam::check::permitted_test
+}  // namespace gloam::judge::permitted_test

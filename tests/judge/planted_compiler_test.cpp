@@ -15,11 +15,14 @@
 #include "support/lab.hpp"
 #include "support/random_function.hpp"
 
-namespace gloam::check::planted_compiler_test {
+namespace gloam::judge::planted_compiler_test {
 namespace {
 
-using shader::Instruction;
-using shader::Spirv;
+using namespace module;
+using namespace subject;
+
+using module::Instruction;
+using module::Spirv;
 
 // Faults as compilers have them, planted in modules: each changes every instruction that it applies to.
 
@@ -46,13 +49,13 @@ struct CompilerFault {
 
     [[nodiscard]] Spirv plant(const Spirv& module) const {
         std::map<std::uint32_t, Instruction> all;
-        for (const Instruction& one : shader::instructions(module)) {
-            const auto [result, type] = shader::spirv::result_shape(one.opcode);
+        for (const Instruction& one : module::instructions(module)) {
+            const auto [result, type] = module::spirv::result_shape(one.opcode);
             if (result) all[one.word(type ? 2 : 1)] = one;
         }
         Spirv changed(module.begin(), module.begin() + 5);
         std::size_t number = 0;
-        for (const Instruction& one : shader::instructions(module)) {
+        for (const Instruction& one : module::instructions(module)) {
             Spirv words(one.words.begin(), one.words.end());
             if (one.opcode == opcode) change({one, ++number, all}, words);
             changed.insert(changed.end(), words.begin(), words.end());
@@ -108,7 +111,7 @@ void contract(const Location& sum, Spirv& words) {
     if (product == nullptr) return;
     for (const auto& [id, one] : sum.all)
         if (one.opcode == SpvOpExtInstImport)
-            words = shader::instruction(
+            words = module::instruction(
                 SpvOpExtInst, std::vector<std::uint32_t>{sum.at.word(1), sum.at.word(2), id, GLSLstd450Fma,
                                                          product->word(3), product->word(4), sum.at.word(4)});
 }
@@ -193,9 +196,9 @@ std::vector<Subject> subjects() {
     const auto add = [&](const std::filesystem::path& path, const std::string& text, const Ranges& ranges) {
         const auto file = std::make_shared<const OwnFile>(path, text, no_roots);
         for (const char* name : {"optimized", "strict"}) {
-            shader::Variant variant = shader::variant(name);
+            module::Variant variant = module::variant(name);
             variant.strict = true;
-            const Lab lab({.variant = variant, .file = file}, interpreter());
+            const Lab lab({.variant = variant, .file = file}, interpreter_backend());
             for (const OwnFunction& own : own_functions(lab.options()).found) {
                 if (own.name.starts_with("random_") == ranges.empty()) continue;
                 Question question = question_of(lab, own, ranges);
@@ -205,7 +208,7 @@ std::vector<Subject> subjects() {
         }
     };
     const std::string file = FIXTURES "/compiled.glsl";
-    add(file, shader::read_text(file), {});
+    add(file, module::read_text(file), {});
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
         add("random.glsl", test::random_function(seed), {range_from(test::random_function_range)});
     return all;
@@ -251,7 +254,7 @@ TEST(PlantedCompiler, EachFaultIsFound) {
         EXPECT_TRUE(found.found) << fault.name << " " << where;
         found.print(fault.name, where);
     };
-    const std::shared_ptr<backend::Backend> exact = interpreter();
+    const std::shared_ptr<backend::Backend> exact = interpreter_backend();
     for (const CompilerFault& fault : compiler_faults()) {
         look(fault, "as a step", [&](KernelModule module) {
             module.before = module.spirv;
@@ -286,10 +289,10 @@ TEST(PlantedCompiler, NaNAndInfinityAreItsOwnWhereADeviceMayDoAsItLikes) {
          "float f(float x, float y) { return isnan(x) ? 0.0 : x + y; }"}};
     for (const auto& [before, after] : rows) {
         const auto kernel = [&](const std::string& text, Question* question) {
-            shader::Variant variant = shader::variant("strict");
+            module::Variant variant = module::variant("strict");
             const Lab lab(
                 {.variant = variant, .file = std::make_shared<const OwnFile>("f.glsl", text, no_roots)},
-                interpreter());
+                interpreter_backend());
             const OwnFunction own = own_functions(lab.options()).found.at(0);
             if (question != nullptr) *question = question_of(lab, own, {});
             return lab.kernel("f.glsl", "f", own.signature()).module();
@@ -299,7 +302,7 @@ TEST(PlantedCompiler, NaNAndInfinityAreItsOwnWhereADeviceMayDoAsItLikes) {
         module.before = std::exchange(module.spirv, kernel(after, nullptr).spirv);
         module.rounds_to_even = true;
         Found found;
-        found.add(question, KernelCore(*interpreter(), std::move(module)));
+        found.add(question, KernelCore(*interpreter_backend(), std::move(module)));
         EXPECT_EQ(found.found, std::string_view(after).find("isnan") != std::string_view::npos) << after;
     }
 }
@@ -325,16 +328,16 @@ int joined(int rounds, int p) {
 TEST(PlantedCompiler, AVariantOfOurOwnIsJudgedAsAStep) {
     const auto file = std::make_shared<const OwnFile>("joined.glsl", joined, no_roots);
     const auto answer_in = [&](const std::string& name, const std::shared_ptr<backend::Backend>& device) {
-        const Lab lab({.variant = shader::variant(name), .file = file}, device);
+        const Lab lab({.variant = module::variant(name), .file = file}, device);
         const OwnFunction own = own_functions(lab.options()).found.at(1);
         const Question question = question_of(lab, own, {{"rounds", {0, 5}}});
         return run(lab, question, {.inputs = inputs_of_each});
     };
     for (const auto& [variant, step] :
          {std::pair{"optimized", "spirv-opt -O"}, {"small", "spirv-opt -Os"}, {"literals", "spirv-opt -O"}}) {
-        const Answer as_step = answer_in(fmt::format("shipped | {}", step), interpreter());
+        const Answer as_step = answer_in(fmt::format("shipped | {}", step), interpreter_backend());
         for (const auto& device :
-             {interpreter(), std::shared_ptr<backend::Backend>(test::SharedDevice::get())}) {
+             {interpreter_backend(), std::shared_ptr<backend::Backend>(test::SharedDevice::get())}) {
             const Answer answer = answer_in(variant, device);
             EXPECT_EQ(answer.failed(), as_step.failed()) << variant << " on " << device->info().name;
             EXPECT_EQ(answer.story.find("SPIRV-Tools is at fault") != std::string::npos, answer.failed())
@@ -345,4 +348,4 @@ TEST(PlantedCompiler, AVariantOfOurOwnIsJudgedAsAStep) {
 }
 
 }  // namespace
-}  // namespace gloam::check::planted_compiler_test
+}  // namespace gloam::judge::planted_compiler_test

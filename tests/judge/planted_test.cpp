@@ -9,7 +9,9 @@
 #include "support/lab.hpp"
 #include "support/test_name.hpp"
 
-namespace gloam::check::planted_test {
+namespace gloam::judge::planted_test {
+
+using namespace subject;
 
 using catalogue::Entry;
 
@@ -104,7 +106,7 @@ void expect_noticed_on(const Lab& lab, const Entry& entry) {
 class Planted : public testing::TestWithParam<std::tuple<const char*, std::size_t>> {
   protected:
     static Lab lab_on(const std::string& where) {
-        if (!gl::device_name_from(where)) return test::make_lab({}, shader::variant(where));
+        if (!backend::gl::device_name_from(where)) return test::make_lab({}, module::variant(where));
         return Lab(
             {.device = where, .include_roots = {GLOAM_GLSL_DIR}, .cache_directory = test::cache_directory()});
     }
@@ -114,7 +116,7 @@ TEST_P(Planted, FailsForEveryEquationThatIsJudged) {
     std::optional<Lab> lab;
     try {
         lab.emplace(lab_on(std::get<0>(GetParam())));
-    } catch (const gl::Unavailable& error) {
+    } catch (const backend::gl::Unavailable& error) {
         GTEST_SKIP() << error.what();
     }
     for (std::size_t i = std::get<1>(GetParam()); i < test::entries().size(); i += shards)
@@ -129,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, Planted,
                                     std::to_string(std::get<1>(info.param));
                          });
 
-}  // namespace gloam::check::planted_test
+}  // namespace gloam::judge::planted_test

@@ -2,7 +2,9 @@
 #include "judge/reproduction.hpp"
 #include "subject/fixture_functions.hpp"
 
-namespace gloam::check::reproduction_test {
+namespace gloam::judge::reproduction_test {
+
+using namespace subject;
 
 using numeric::Bounds;
 
@@ -30,14 +32,14 @@ TEST(Reproduction, AFailureComesWithItsSimplestInputAndAShaderOfItsOwn) {
 
     EXPECT_EQ(all.glsl.find("#include"), std::string::npos);
     EXPECT_TRUE(all.glsl.starts_with("#version 450\n"));
-    EXPECT_FALSE(shader::compile({.name = "alone", .text = all.glsl}, {}).empty());
+    EXPECT_FALSE(module::compile({.name = "alone", .text = all.glsl}, {}).empty());
     EXPECT_EQ(all.spirv.at(0), 0x07230203U);
     EXPECT_THAT(all.assembly, HasSubstr("OpEntryPoint GLCompute"));
 }
 
 TEST(Reproduction, InputsThatAreConstantsStayConstants) {
     for (const char* variant : {"literals", "specialization"}) {
-        const Lab lab = test::make_lab(FIXTURES, shader::variant(variant));
+        const Lab lab = test::make_lab(FIXTURES, module::variant(variant));
         const Answer result = run(lab, wrong_weight(), {});
         ASSERT_FALSE(result.passed()) << variant;
         const Reproduction all = reproduce(lab, wrong_weight(), {}, *result.worst);
@@ -78,7 +80,7 @@ Question two_pixels() {
 TEST(Reproduction, AnAccessOutsideAnImageIsAFaultInEveryVariant) {
     for (const char* variant : {"shipped", "literals", "specialization"})
         EXPECT_THAT(
-            run(test::make_lab(FIXTURES, shader::variant(variant)), two_pixels(), {.inputs = 50}).fault,
+            run(test::make_lab(FIXTURES, module::variant(variant)), two_pixels(), {.inputs = 50}).fault,
             HasSubstr("is outside the 3 x 2 image"))
             << variant;
 }
@@ -125,4 +127,4 @@ TEST(AllowedOutcomes, AreThoseOfTheRulesWhereTheyForbidTheResult) {
     EXPECT_EQ(allowed_outcomes(question, {}, sample), sample.outcomes);
 }
 
-}  // namespace gloam::check::reproduction_test
+}  // namespace gloam::judge::reproduction_test

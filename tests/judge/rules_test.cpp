@@ -8,7 +8,9 @@
 #include "subject/fixture_functions.hpp"
 #include "subject/interpreted_kernel.hpp"
 
-namespace gloam::check::rules_test {
+namespace gloam::judge::rules_test {
+
+using namespace subject;
 
 using numeric::Bounds;
 
@@ -75,7 +77,7 @@ class TamperedTest : public RulesTest {
     template <class Change>
     static Answer changed(const char* variant, const std::string& function, const Domain::Inputs& inputs,
                           Change change) {
-        const Lab other = test::make_lab(FIXTURES, shader::variant(variant));
+        const Lab other = test::make_lab(FIXTURES, module::variant(variant));
         const Signature signature = SignatureOf<float(float, float)>::describe();
         const KernelCore kernel = other.kernel("rules.glsl", function, signature);
         KernelCore::Result result = kernel.run(inputs.words, inputs.count());
@@ -243,12 +245,12 @@ TEST_F(RulesTest, AnUndecidedBranchPermitsBothSidesAndIntegersInReach) {
 TEST_F(RulesTest, EveryVariantIsAskedTheRulesAndSomeTheRulesAlone) {
     const Question question = question_with<float(float, float)>(
         "rules.glsl", "quotient", pairs, [](double x, double y) { return x / y; }, {.ulp = 2.5});
-    for (const shader::Variant& variant : shader::variants()) {
+    for (const module::Variant& variant : module::variants()) {
         const Lab other = test::make_lab(FIXTURES, variant);
         const Answer result = run(other, question, {.inputs = 512});
         EXPECT_TRUE(result.passed()) << variant.name << result;
         EXPECT_EQ(result.differs, 0U) << variant.name;
-        const bool constants = variant.constants != shader::Variant::Constants::none;
+        const bool constants = variant.constants != module::Variant::Constants::none;
         EXPECT_EQ(result.inputs(), constants ? 64U : 512U) << variant.name;
         EXPECT_EQ(result.by_rules, result.inputs()) << variant.name;
         EXPECT_EQ(result.verdict, variant.strict ? Verdict::rules : Verdict::budget) << variant.name;
@@ -274,4 +276,4 @@ TEST(FractionOfWidth, IsMeasuredFromTheExactResultToItsSide) {
         EXPECT_EQ(fraction_of_width(got, exact, bounds), fraction) << got << " beside " << exact;
 }
 
-}  // namespace gloam::check::rules_test
+}  // namespace gloam::judge::rules_test

@@ -2,9 +2,9 @@
 #include "module/include.hpp"
 #include "module/support.hpp"
 
-namespace gloam::shader::cache_test {
+namespace gloam::module::cache_test {
 
-const Source source = kernel("#include \"math/hypot.glsl\"", "fx_hypot(3.0, 4.0)");
+const source::Source source = kernel("#include \"math/hypot.glsl\"", "fx_hypot(3.0, 4.0)");
 
 std::size_t files_in(const std::filesystem::path& directory) {
     return static_cast<std::size_t>(
@@ -23,7 +23,7 @@ using SpirvCacheTest = InFolder;
 // An entry that is exchanged for another valid one is what comes back: so it is really read.
 TEST_F(SpirvCacheTest, ReadsTheEntryInsteadOfCompiling) {
     const auto lib = folder.write("lib.glsl", "float f() { return 1.0; }\n");
-    const Source user = kernel("#include \"lib.glsl\"", "f()");
+    const source::Source user = kernel("#include \"lib.glsl\"", "f()");
     const CompileOptions options{.include_roots = {folder.path()}};
     const SpirvCache cache(folder.path() / "cache");
     const Spirv stored = cache.compile(user, options);
@@ -41,7 +41,8 @@ TEST_F(SpirvCacheTest, ReadsTheEntryInsteadOfCompiling) {
 TEST_F(SpirvCacheTest, FunctionsSurviveTheRoundTrip) {
     const SpirvCache cache(folder.path());
     for (const char* name : {"types.glsl", "fetch.glsl"}) {
-        const Source text{"text", "#version 450\n#include \"" + std::string(name) +
+        const source::Source text{"text",
+                                  "#version 450\n#include \"" + std::string(name) +
                                       "\"\nfloat f(float a[2], out double d) { d = 1.0LF; return a[0]; }\n"};
         const auto expected = prototypes(functions(text, with_fixtures()));
         EXPECT_EQ(prototypes(cache.functions(text, with_fixtures())), expected);
@@ -52,17 +53,18 @@ TEST_F(SpirvCacheTest, FunctionsSurviveTheRoundTrip) {
 
 TEST_F(SpirvCacheTest, KeepsApartWhateverDiffers) {
     const SpirvCache cache(folder.path());
-    std::vector<std::pair<Source, CompileOptions>> all{{source, with_fixtures()},
-                                                       {source, with_fixtures(Optimization::performance)},
-                                                       {source, with_fixtures(Optimization::size)},
-                                                       {{"other", source.text}, with_fixtures()},
-                                                       {{source.name, source.text + " "}, with_fixtures()}};
+    std::vector<std::pair<source::Source, CompileOptions>> all{
+        {source, with_fixtures()},
+        {source, with_fixtures(Optimization::performance)},
+        {source, with_fixtures(Optimization::size)},
+        {{"other", source.text}, with_fixtures()},
+        {{source.name, source.text + " "}, with_fixtures()}};
     for (const char* name : {"strict", "relaxed"}) {
         all.emplace_back(source, with_fixtures());
         all.back().second.variant = variant(name);
     }
-    const Source any_stage{"any", "#version 450\nvoid main() {}\n"};
-    for (const Stage stage : {Stage::compute, Stage::vertex, Stage::fragment})
+    const source::Source any_stage{"any", "#version 450\nvoid main() {}\n"};
+    for (const source::Stage stage : {source::Stage::compute, source::Stage::vertex, source::Stage::fragment})
         all.emplace_back(any_stage, CompileOptions{.stage = stage});
     for (int again = 0; again < 2; ++again)
         for (const auto& [text, options] : all)
@@ -76,7 +78,7 @@ TEST_F(SpirvCacheTest, KeepsApartWhateverDiffers) {
 TEST_F(SpirvCacheTest, AnotherIncludeIsCompiledAgain) {
     const SpirvCache cache(folder.path() / "cache");
     const CompileOptions options{.include_roots = {folder.path() / "first", folder.path() / "second"}};
-    Source user = kernel("#include \"outer.glsl\"", "f()");
+    source::Source user = kernel("#include \"outer.glsl\"", "f()");
     user.name = (folder.path() / "home" / "user.comp").string();
     folder.write("second/outer.glsl", "#include \"inner.glsl\"\n");
     folder.write("second/inner.glsl", "float f() { return 1.0; }\n");
@@ -93,15 +95,15 @@ TEST_F(SpirvCacheTest, AnotherIncludeIsCompiledAgain) {
     folder.write("second/inner.glsl", "float f() { return 1.0; }\n");
     EXPECT_EQ(cache.compile(user, options), first);
     folder.write("second/inner.glsl", "float f() { return x; }\n");
-    EXPECT_THROW(static_cast<void>(cache.compile(user, options)), CompileError);
+    EXPECT_THROW(static_cast<void>(cache.compile(user, options)), source::CompileError);
 }
 
 TEST_F(SpirvCacheTest, ErrorsAreThrownEveryTimeAndNotStored) {
     const SpirvCache cache(folder.path());
-    const Source bad = kernel("#include \"broken/outer.glsl\"", "1.0");
+    const source::Source bad = kernel("#include \"broken/outer.glsl\"", "1.0");
     for (int i = 0; i < 2; ++i) {
-        EXPECT_THROW(static_cast<void>(cache.compile(bad, with_fixtures())), CompileError);
-        EXPECT_THROW(static_cast<void>(cache.functions(bad, with_fixtures())), CompileError);
+        EXPECT_THROW(static_cast<void>(cache.compile(bad, with_fixtures())), source::CompileError);
+        EXPECT_THROW(static_cast<void>(cache.functions(bad, with_fixtures())), source::CompileError);
     }
     EXPECT_EQ(files_in(folder.path()), 0u);
 }
@@ -160,4 +162,4 @@ TEST_F(DamagedEntry, AndAFolderThatCannotBeWrittenCostOnlySpeed) {
     EXPECT_EQ(base::read_file(file), "in the way");
 }
 
-}  // namespace gloam::shader::cache_test
+}  // namespace gloam::module::cache_test

@@ -4,21 +4,23 @@
 #include "module/support.hpp"
 #include "support/environment.hpp"
 
-namespace gloam::shader::compile_test {
+namespace gloam::module::compile_test {
 
 TEST(Compile, ServesEveryStage) {
-    const Source vertex{"v", "#version 450\nvoid main() { gl_Position = vec4(0.0); }\n"};
-    const Source fragment{
+    const source::Source vertex{"v", "#version 450\nvoid main() { gl_Position = vec4(0.0); }\n"};
+    const source::Source fragment{
         "f", "#version 450\nlayout(location = 0) out vec4 c;\nvoid main() { c = gl_FragCoord; }\n"};
-    EXPECT_THAT(disassemble(compile(vertex, {.stage = Stage::vertex})), HasSubstr("OpEntryPoint Vertex"));
-    EXPECT_THAT(disassemble(compile(fragment, {.stage = Stage::fragment})),
+    EXPECT_THAT(disassemble(compile(vertex, {.stage = source::Stage::vertex})),
+                HasSubstr("OpEntryPoint Vertex"));
+    EXPECT_THAT(disassemble(compile(fragment, {.stage = source::Stage::fragment})),
                 HasSubstr("OpEntryPoint Fragment"));
-    EXPECT_THROW(static_cast<void>(compile(vertex, {.stage = Stage::fragment})), CompileError);
+    EXPECT_THROW(static_cast<void>(compile(vertex, {.stage = source::Stage::fragment})),
+                 source::CompileError);
 }
 
 TEST(Compile, IncludesLookInTheFolderOfTheSource) {
-    Source source = kernel("#include \"neighbour.glsl\"", "fx_cube(2.0)");
-    EXPECT_THROW(static_cast<void>(compile(source, with_fixtures())), CompileError);
+    source::Source source = kernel("#include \"neighbour.glsl\"", "fx_cube(2.0)");
+    EXPECT_THROW(static_cast<void>(compile(source, with_fixtures())), source::CompileError);
     source.name = fixture("math/kernel.comp").string();
     EXPECT_NO_THROW(static_cast<void>(compile(source, {})));
 }
@@ -32,12 +34,12 @@ TEST(Compile, NamesItsTools) {
                 AllOf(HasSubstr("glslang "), HasSubstr("SPIRV-Tools "), HasSubstr("SPIRV-Cross ")));
 }
 
-std::string error_of(const Source& source) {
-    return message_of<CompileError>([&] { static_cast<void>(compile(source, with_fixtures())); });
+std::string error_of(const source::Source& source) {
+    return message_of<source::CompileError>([&] { static_cast<void>(compile(source, with_fixtures())); });
 }
 
 struct ErrorRow {
-    Source source;
+    source::Source source;
     testing::Matcher<std::string> message;
 };
 
@@ -47,7 +49,9 @@ TEST(CompileErrorMessage, NamesFileLineAndCause) {
     const std::string a = fixture("cycle/a.glsl").string();
     const std::string b = fixture("cycle/b.glsl").string();
     const std::string self = fixture("cycle/self.glsl").string();
-    const auto text = [](const std::string& lines) { return Source{"t.comp", "#version 450\n" + lines}; };
+    const auto text = [](const std::string& lines) {
+        return source::Source{"t.comp", "#version 450\n" + lines};
+    };
     const std::string oops = "void main() { oops = 1; }\n";
     const std::string hypot = "#include \"math/hypot.glsl\"\n";
     const ErrorRow rows[] = {
@@ -101,10 +105,10 @@ TEST(CompileErrorMessage, VersionLineMustComeFirstAndSuitVulkan) {
 TEST(CompileErrorMessage, NothingIsPrinted) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    for (const Source& source :
-         {Source{"a.comp", "#version 110\nvoid main() {}\n"}, Source{"a.comp", "void main() {}\n"},
-          kernel("#include \"broken/outer.glsl\"", "1.0")})
-        EXPECT_THROW((void)compile(source, with_fixtures()), CompileError);
+    for (const source::Source& source :
+         {source::Source{"a.comp", "#version 110\nvoid main() {}\n"},
+          source::Source{"a.comp", "void main() {}\n"}, kernel("#include \"broken/outer.glsl\"", "1.0")})
+        EXPECT_THROW((void)compile(source, with_fixtures()), source::CompileError);
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
@@ -213,4 +217,4 @@ TEST_F(Include, ClosureHasEachFileOnce) {
     }
 }
 
-}  // namespace gloam::shader::compile_test
+}  // namespace gloam::module::compile_test

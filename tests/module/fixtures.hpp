@@ -3,7 +3,7 @@
 
 #include "support/files.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 // Files that texts of tests include: names and texts.
 inline constexpr std::pair<const char*, const char*> fixture_texts[] = {
@@ -152,4 +152,4 @@ inline const std::filesystem::path& fixtures() {
     return path;
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

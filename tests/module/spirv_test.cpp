@@ -3,7 +3,7 @@
 #include "module/reflection.hpp"
 #include "module/support.hpp"
 
-namespace gloam::shader::spirv_test {
+namespace gloam::module::spirv_test {
 
 Spirv module() {
     return compile(kernel("", "sqrt(float(gl_GlobalInvocationID.x))"), {});
@@ -28,10 +28,10 @@ TEST(Spirv, NewerModuleIsInvalidForVulkan12) {
 }
 
 TEST(Spirv, UnrollingAsksForItOnEveryLoop) {
-    const Source source{"loop.comp",
-                        "#version 450\nlayout(binding = 0) buffer B { float sum; };\n"
-                        "void main() { for (int i = 0; i < 9; ++i) sum += 1.0; }\n"};
-    const CompileOptions options{.stage = Stage::compute};
+    const source::Source source{"loop.comp",
+                                "#version 450\nlayout(binding = 0) buffer B { float sum; };\n"
+                                "void main() { for (int i = 0; i < 9; ++i) sum += 1.0; }\n"};
+    const CompileOptions options{.stage = source::Stage::compute};
     const Spirv looped = compile(source, options);
     const Spirv unrolled = optimize(looped, Optimization::unrolling);
     EXPECT_EQ(reason_against(unrolled), "");
@@ -47,7 +47,8 @@ std::vector<std::string> arithmetic() {
 }
 
 // One of each kind of float operation, in functions, on structs, vectors and matrices.
-const Source everything = kernel(R"(
+const source::Source everything =
+    kernel(R"(
 struct Pair { float a; vec3 b; };
 layout(std430, binding = 1) buffer In { uint words[]; };
 Pair halves(Pair p) { p.a *= 0.5; p.b = p.b * 0.5; return p; }
@@ -59,12 +60,12 @@ float all_of(float x, vec3 v, mat3 m) {
     int i = int(words[1]) * 3 + int(y);
     return y > 0.5 ? y : float(i);
 })",
-                                 "all_of(uintBitsToFloat(words[0]), vec3(words[1]), mat3(float(words[2])))");
+           "all_of(uintBitsToFloat(words[0]), vec3(words[1]), mat3(float(words[2])))");
 
-const Source integers{"integers",
-                      "#version 450\nlayout(local_size_x = 1) in;\n"
-                      "layout(std430, binding = 0) buffer Out { uint result[]; };\n"
-                      "void main() { result[0] = result[1] * 3u + result[2]; }\n"};
+const source::Source integers{"integers",
+                              "#version 450\nlayout(local_size_x = 1) in;\n"
+                              "layout(std430, binding = 0) buffer Out { uint result[]; };\n"
+                              "void main() { result[0] = result[1] * 3u + result[2]; }\n"};
 
 std::set<std::string> arithmetic_results(const Disassembly& module) {
     std::set<std::string> ids;
@@ -88,7 +89,7 @@ TEST(NoContraction, IsOnEveryFloatArithmeticResultAndNothingElse) {
 }
 
 TEST(NoContraction, KeepsThatOfPreciseAndChangesNothingTwice) {
-    Source source = kernel("", "result[5] / result[6] - p");
+    source::Source source = kernel("", "result[5] / result[6] - p");
     source.text.replace(source.text.find("result[gl"), 0,
                         "precise float p = float(gl_LocalInvocationIndex) * 2.0 + 1.0; ");
     const Spirv plain = compile(source, {});
@@ -119,7 +120,7 @@ TEST(RelaxedPrecision, IsOnEveryFloatResultButConstantsAndBitPatterns) {
 }
 
 TEST(RelaxedPrecision, LeavesDoublesAlone) {
-    const Source doubles =
+    const source::Source doubles =
         kernel("layout(std430, binding = 1) buffer In { double d; };", "float(d * d + 0.5LF)");
     const Disassembly module(with_relaxed_precision(compile(doubles, {})));
     EXPECT_EQ(module.decorated("RelaxedPrecision"), each_once(module.results("OpFConvert")));
@@ -131,7 +132,7 @@ TEST(Spirv, WhatIsNoModuleIsRefusedEverywhere) {
         [](const Spirv& m) { validate(m); },
         [](const Spirv& m) { (void)disassemble(m); },
         [](const Spirv& m) { (void)optimize(m, Optimization::performance); },
-        [](const Spirv& m) { (void)opengl_text(m, Language::es310, 0); },
+        [](const Spirv& m) { (void)opengl_text(m, source::Language::es310, 0); },
         [](const Spirv& m) { (void)reflect(m); },
         [](const Spirv& m) { (void)float_constants(m); },
         [](const Spirv& m) { (void)with_no_contraction(m); },
@@ -151,4 +152,4 @@ TEST(Spirv, WhatIsNoModuleIsRefusedEverywhere) {
     }
 }
 
-}  // namespace gloam::shader::spirv_test
+}  // namespace gloam::module::spirv_test

@@ -6,7 +6,7 @@
 #include "module/support.hpp"
 #include "module/texts.hpp"
 
-namespace gloam::shader::steps_test {
+namespace gloam::module::steps_test {
 
 const Spirv& module() {
     static const Spirv made = compile(
@@ -100,12 +100,12 @@ TEST_F(Hostile, IncludesFromOutsideTheRoots) {
          {"#include \"" + secret.string() + "\"", std::string("#include \"../../secret.glsl\""),
           "#include <" + secret.string() + ">", std::string("#include <../../secret.glsl>"),
           std::string("#include \"link.glsl\""), std::string("#include \"folder/secret.glsl\"")}) {
-        const Source source{(home / "top.comp").string(),
-                            "#version 450\n" + directive + "\nvoid main() {}\n"};
+        const source::Source source{(home / "top.comp").string(),
+                                    "#version 450\n" + directive + "\nvoid main() {}\n"};
         const CompileOptions options{.include_roots = {home}};
         for (const auto& message :
-             {message_of<CompileError>([&] { (void)compile(source, options); }),
-              message_of<CompileError>([&] { (void)pack({source}, {}, options.include_roots); })})
+             {message_of<source::CompileError>([&] { (void)compile(source, options); }),
+              message_of<source::CompileError>([&] { (void)pack({source}, {}, options.include_roots); })})
             EXPECT_THAT(message, AllOf(HasSubstr(":2: include \""), HasSubstr(home.string()),
                                        HasSubstr("outside the include roots, expected a file below")))
                 << directive;
@@ -119,11 +119,11 @@ TEST_F(Hostile, IncludesFromOutsideTheRoots) {
 // #line can name any file; an include is not searched beside it.
 TEST_F(Hostile, ALineDirectiveOpensNoFolder) {
     (void)folder.write("secret.glsl", "float secret;\n");
-    const Source source{(folder.path() / "home" / "top.comp").string(),
-                        "#version 450\n#line 2 \"" + (folder.path() / "x.glsl").string() +
-                            "\"\n#include \"secret.glsl\"\nvoid main() {}\n"};
-    EXPECT_THROW((void)compile(source, {}), CompileError);
-    EXPECT_THROW((void)pack({source}, {}, {}), CompileError);
+    const source::Source source{(folder.path() / "home" / "top.comp").string(),
+                                "#version 450\n#line 2 \"" + (folder.path() / "x.glsl").string() +
+                                    "\"\n#include \"secret.glsl\"\nvoid main() {}\n"};
+    EXPECT_THROW((void)compile(source, {}), source::CompileError);
+    EXPECT_THROW((void)pack({source}, {}, {}), source::CompileError);
 }
 
 TEST_F(Hostile, IncludesThatAreNestedWithoutEnd) {
@@ -133,8 +133,9 @@ TEST_F(Hostile, IncludesThatAreNestedWithoutEnd) {
     folder.write("i" + std::to_string(length), "\n");
     const CompileOptions options{.include_roots = {folder.path()}};
     EXPECT_EQ(include_closure("#include \"i0\"\n", options.include_roots).size(), length + 1U);
-    EXPECT_THAT(message_of<CompileError>([&] { (void)compile(kernel("#include \"i0\"", "1.0"), options); }),
-                HasSubstr("includes are nested more than 256 deep"));
+    EXPECT_THAT(
+        message_of<source::CompileError>([&] { (void)compile(kernel("#include \"i0\"", "1.0"), options); }),
+        HasSubstr("includes are nested more than 256 deep"));
 }
 
 TEST_F(Hostile, IncludesThatAreLongTogether) {
@@ -165,4 +166,4 @@ TEST_F(Hostile, FilesThatAreNoText) {
     EXPECT_THAT(why(folder.path() / "none.glsl"), HasSubstr("none.glsl"));
 }
 
-}  // namespace gloam::shader::steps_test
+}  // namespace gloam::module::steps_test

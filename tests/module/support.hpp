@@ -5,7 +5,7 @@
 #include "module/fixtures.hpp"
 #include "module/spirv.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 inline std::filesystem::path fixture(std::string_view name) {
     return fixtures() / name;
@@ -27,7 +27,7 @@ std::string message_of(Action&& action) {
 }
 
 // A compute shader that stores `expression`, behind `head`.
-inline Source kernel(std::string_view head, std::string_view expression) {
+inline source::Source kernel(std::string_view head, std::string_view expression) {
     std::string text = "#version 450\n";
     text.append(head).append("\nlayout(local_size_x = 1) in;\n");
     text.append("layout(std430, binding = 0) buffer Out { float result[]; };\n");
@@ -77,4 +77,4 @@ class Disassembly {
     std::vector<Row> rows_;
 };
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

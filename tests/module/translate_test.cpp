@@ -3,7 +3,7 @@
 #include "module/support.hpp"
 #include "module/texts.hpp"
 
-namespace gloam::shader::translate_test {
+namespace gloam::module::translate_test {
 
 constexpr const char* functions = R"(// SPDX-License-Identifier: MIT
 float fetch_depth(ivec2 pixel);
@@ -34,12 +34,13 @@ void main() {
 )";
 
 std::string text_of(const std::string& glsl, Target target) {
-    const std::string packed = pack({Source{"folder/some_file.comp", glsl}}, {}, {});
+    const std::string packed = pack({source::Source{"folder/some_file.comp", glsl}}, {}, {});
     return translated({"folder/some_file.comp", packed}, target);
 }
 
 TEST(Translate, AWholeShaderIsTheTextOfSpirvCross) {
-    const Spirv module = compile({"some_file.comp", pack({Source{"some_file.comp", pass}}, {}, {})}, {});
+    const Spirv module =
+        compile({"some_file.comp", pack({source::Source{"some_file.comp", pass}}, {}, {})}, {});
     EXPECT_THAT(text_of(pass, Target::hlsl),
                 AllOf(StartsWith("// HLSL of shader model 6.0 by SPIRV-Cross. "),
                       testing::EndsWith(" (dxc -Gis).\n" + internal::to_direct3d_hlsl(module)),
@@ -62,11 +63,13 @@ TEST(Translate, AFileOfFunctionsHasThemAll) {
 }
 
 TEST(Translate, EveryStage) {
-    const Source fragment{"f.frag",
-                          "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) out vec4 c;\n"
-                          "void main() { c = gl_FragCoord * uv.x; }\n"};
-    EXPECT_THAT(translated(fragment, Target::hlsl, Stage::fragment), HasSubstr("SV_Target0"));
-    EXPECT_THAT(translated(fragment, Target::msl, Stage::fragment), HasSubstr("fragment main0_out main0("));
+    const source::Source fragment{
+        "f.frag",
+        "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) out vec4 c;\n"
+        "void main() { c = gl_FragCoord * uv.x; }\n"};
+    EXPECT_THAT(translated(fragment, Target::hlsl, source::Stage::fragment), HasSubstr("SV_Target0"));
+    EXPECT_THAT(translated(fragment, Target::msl, source::Stage::fragment),
+                HasSubstr("fragment main0_out main0("));
 }
 
 TEST(Translate, WhatCannotBeTranslatedIsSaid) {
@@ -82,9 +85,9 @@ TEST(Translate, WhatCannotBeTranslatedIsSaid) {
     EXPECT_THAT(
         message_of<std::invalid_argument>([&] { (void)translated({"far.comp", pointers}, Target::hlsl); }),
         HasSubstr("far.comp: SPIRV-Cross cannot write the module as HLSL"));
-    EXPECT_THAT(message_of<CompileError>(
+    EXPECT_THAT(message_of<source::CompileError>(
                     [] { (void)translated({"x", "#version 450\nfloat f() { return y; }\n"}, Target::hlsl); }),
                 HasSubstr("y"));
 }
 
-}  // namespace gloam::shader::translate_test
+}  // namespace gloam::module::translate_test

@@ -5,7 +5,7 @@
 #include "source/declarations.hpp"
 #include "support/library_files.hpp"
 
-namespace gloam::shader::variant_test {
+namespace gloam::module::variant_test {
 
 TEST(Variants, HaveTheirNamesInOrder) {
     std::vector<std::string> names;
@@ -24,8 +24,8 @@ TEST(Variants, AnUnknownNameListsThoseThereAre) {
 }
 
 Spirv module_of(const std::string& name) {
-    const Source source = kernel("float f(float x) { return x * x + x; }",
-                                 "f(result[1]) - uintBitsToFloat(1u + uint(result[2]))");
+    const source::Source source = kernel("float f(float x) { return x * x + x; }",
+                                         "f(result[1]) - uintBitsToFloat(1u + uint(result[2]))");
     return compile(source, {.variant = variant(name)});
 }
 
@@ -45,17 +45,18 @@ TEST(Variants, EachMakesAModuleOfItsOwn) {
     EXPECT_EQ(module_of("literals"), module_of("optimized"));
 }
 
-constexpr Language all[] = {Language::vulkan450, Language::gl430, Language::gl330, Language::gl150,
-                            Language::es300,     Language::es310, Language::es320};
+constexpr source::Language all[] = {
+    source::Language::vulkan450, source::Language::gl430, source::Language::gl330, source::Language::gl150,
+    source::Language::es300,     source::Language::es310, source::Language::es320};
 
-std::string error_of(const std::string& body, Language language) {
-    return message_of<CompileError>([&] { check_compiles({"body", body}, language, {fixtures()}); });
+std::string error_of(const std::string& body, source::Language language) {
+    return message_of<source::CompileError>([&] { check_compiles({"body", body}, language, {fixtures()}); });
 }
 
 // The languages that accept the body.
 std::string accepted_by(const std::string& body) {
     std::string names;
-    for (const Language language : all)
+    for (const source::Language language : all)
         if (error_of(body, language).empty()) names += to_string(language) + " ";
     return names;
 }
@@ -84,14 +85,14 @@ TEST(Language, AcceptsABodyThatIsWrittenForIt) {
 
 TEST(Language, ErrorsNameTheLineOfTheBodyOrTheInclude) {
     const std::string inner = fixture("broken/inner.glsl").string() + ":5: ";
-    for (const Language language : all) {
+    for (const source::Language language : all) {
         EXPECT_THAT(error_of("\nfloat f() {\n    return oops;\n}\n", language), StartsWith("body:3: 'oops'"))
             << to_string(language);
         EXPECT_THAT(error_of("#include \"broken/outer.glsl\"\n", language), StartsWith(inner))
             << to_string(language);
     }
-    EXPECT_THAT(error_of("#include \"none.glsl\"\n", Language::es300),
+    EXPECT_THAT(error_of("#include \"none.glsl\"\n", source::Language::es300),
                 StartsWith("body:1: cannot find include"));
 }
 
-}  // namespace gloam::shader::variant_test
+}  // namespace gloam::module::variant_test

@@ -4,7 +4,9 @@
 #include "backend/gl/device.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::pass_test {
+namespace gloam::pass::pass_test {
+
+using namespace subject;
 
 Lab pass_lab() {
     return test::make_lab(FIXTURES);
@@ -42,7 +44,7 @@ class OnEachDevice : public testing::TestWithParam<Lab (*)()> {
     void SetUp() override {
         try {
             lab_.emplace(GetParam()());
-        } catch (const gl::Unavailable& error) {
+        } catch (const backend::gl::Unavailable& error) {
             GTEST_SKIP() << error.what();
         }
     }
@@ -296,4 +298,4 @@ TEST_F(PassErrors, NameTheFileAndWhatAPassCannotHave) {
                                         {"box.comp: result: is compared with float, expected vec4"});
 }
 
-}  // namespace gloam::check::pass_test
+}  // namespace gloam::pass::pass_test

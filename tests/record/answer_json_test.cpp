@@ -11,8 +11,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
-    const check::Answer row = from_line<check::Answer>(line_of(failing_row()));
-    const check::Answer want = failing_row();
+    const judge::Answer row = from_line<judge::Answer>(line_of(failing_row()));
+    const judge::Answer want = failing_row();
     EXPECT_EQ(line_of(row), line_of(want));
     EXPECT_EQ(row.fraction_of_allowed(), 1.25);
     EXPECT_EQ(row.worst.value().inputs, want.worst->inputs);
@@ -20,11 +20,11 @@ TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
 }
 
 TEST(AnswerJson, SaysTheOutcomeAndHowManyInputsWereJudged) {
-    check::Answer row = passing_row("A");
+    judge::Answer row = passing_row("A");
     row.classes.back() = {.inputs = 40, .recorded = 30, .open = 4};
     EXPECT_THAT(line_of(row), AllOf(HasSubstr("\"outcome\":\"ok\",\"not_judged_because\":\"\""),
                                     HasSubstr("\"inputs\":90,\"judged\":56,")));
-    EXPECT_EQ(from_line<check::Answer>(line_of(row)).classes.back().open, 4U);
+    EXPECT_EQ(from_line<judge::Answer>(line_of(row)).classes.back().open, 4U);
     EXPECT_THAT(line_of(unjudged_row("A")),
                 AllOf(HasSubstr("\"outcome\":\"not judged\""), HasSubstr("the device promises nothing"),
                       HasSubstr("\"judged\":0,")));
@@ -32,61 +32,61 @@ TEST(AnswerJson, SaysTheOutcomeAndHowManyInputsWereJudged) {
 }
 
 TEST(AnswerJson, SeveralOutcomesAreListedBesideTheirHull) {
-    check::Answer row = failing_row();
+    judge::Answer row = failing_row();
     EXPECT_THAT(line_of(row), Not(HasSubstr("\"outcomes\"")));
     row.worst->outcomes = {{numeric::Bounds::point(0.0)}, {{.low = 0.25, .high = 0.25, .nan = true}}};
     const std::string text = line_of(row);
     EXPECT_THAT(text, HasSubstr("\"allowed\":[{\"low\":0.0,\"high\":0.25,\"nan\":true}]"));
-    EXPECT_EQ(from_line<check::Answer>(text).worst->outcomes, row.worst->outcomes);
+    EXPECT_EQ(from_line<judge::Answer>(text).worst->outcomes, row.worst->outcomes);
     row.worst->outcomes.back().push_back(numeric::Bounds::point(0.0));
-    EXPECT_THAT([&] { (void)from_line<check::Answer>(line_of(row)); },
+    EXPECT_THAT([&] { (void)from_line<judge::Answer>(line_of(row)); },
                 says("worst.outcomes[1]: expected a range for each of \"allowed\""));
 }
 
 // Files of earlier versions do not say the outcome.
 TEST(AnswerJson, TheOutcomeFollowsFromTheCounts) {
     std::string text = line_of(unjudged_row("A"));
-    EXPECT_THAT([&] { (void)from_line<check::Answer>(replaced(text, "\"not judged\"", "\"ok\"")); },
+    EXPECT_THAT([&] { (void)from_line<judge::Answer>(replaced(text, "\"not judged\"", "\"ok\"")); },
                 says("outcome: expected not judged, by its counts, found \"ok\""));
     text = replaced(text, "\"outcome\"", "\"earlier\"");
-    EXPECT_EQ(from_line<check::Answer>(replaced(text, ",\"open\":0", "")).outcome(),
-              check::Outcome::not_judged);
-    EXPECT_THAT([&] { (void)from_line<check::Answer>(replaced(text, "\"open\":0", "\"open\":60")); },
+    EXPECT_EQ(from_line<judge::Answer>(replaced(text, ",\"open\":0", "")).outcome(),
+              judge::Outcome::not_judged);
+    EXPECT_THAT([&] { (void)from_line<judge::Answer>(replaced(text, "\"open\":0", "\"open\":60")); },
                 says("classes.ordinary: expected counts within its inputs"));
 }
 
 TEST(AnswerJson, CountsTheAnswersOfAPredicate) {
-    check::Answer row = passing_row("A");
+    judge::Answer row = passing_row("A");
     row.predicate = {{{.inputs = 40, .judged = 30}, {.inputs = 10}}};
     const std::string text = line_of(row);
     EXPECT_THAT(text, HasSubstr("\"predicate\":{\"false\":{\"inputs\":40,\"judged\":30},\"true\":"
                                 "{\"inputs\":10,\"judged\":0}}"));
-    EXPECT_EQ(from_line<check::Answer>(text).outcome(), check::Outcome::not_judged);
-    EXPECT_THAT([&] { (void)from_line<check::Answer>(replaced(text, "\"judged\":30", "\"judged\":41")); },
+    EXPECT_EQ(from_line<judge::Answer>(text).outcome(), judge::Outcome::not_judged);
+    EXPECT_THAT([&] { (void)from_line<judge::Answer>(replaced(text, "\"judged\":30", "\"judged\":41")); },
                 says("predicate.false: expected counts within its inputs"));
 }
 
 TEST(AnswerJson, IsOneLineWhateverItHolds) {
     EXPECT_EQ(line_of(failing_row()).find('\n'), std::string::npos);
-    check::Answer row = passing_row("A");
+    judge::Answer row = passing_row("A");
     row.error = "a driver's \xff byte\nand line";
     EXPECT_EQ(line_of(row).find('\n'), std::string::npos);
-    EXPECT_THAT(from_line<check::Answer>(line_of(row)).error, HasSubstr("byte\nand line"));
+    EXPECT_THAT(from_line<judge::Answer>(line_of(row)).error, HasSubstr("byte\nand line"));
 }
 
 TEST(AnswerJson, WhatWasNotCalculatedIsNull) {
     const std::string text = line_of(passing_row("A"));
     EXPECT_THAT(text, AllOf(HasSubstr("\"width_fraction\":null"), HasSubstr("\"guarantee\":null"),
                             HasSubstr("\"coverage\":null"), HasSubstr("\"worst\":null")));
-    EXPECT_EQ(line_of(from_line<check::Answer>(text)), text);
+    EXPECT_EQ(line_of(from_line<judge::Answer>(text)), text);
 }
 
 TEST(AnswerJson, EveryReasonHasANameOfItsOwn) {
     for (std::size_t i = 0; i < base::reason_names.size(); ++i) {
-        const auto reason = static_cast<check::Reason>(i);
-        check::Answer row = passing_row("A");
+        const auto reason = static_cast<judge::Reason>(i);
+        judge::Answer row = passing_row("A");
         row.reason = reason;
-        EXPECT_EQ(from_line<check::Answer>(line_of(row)).reason, reason) << name_of(reason);
+        EXPECT_EQ(from_line<judge::Answer>(line_of(row)).reason, reason) << name_of(reason);
     }
 }
 
@@ -108,10 +108,10 @@ TEST(AnswerJson, WhatIsWrongIsNamed) {
         {"\"got_words\":[", "\"got_words\":[true,", "worst.got_words[0]: expected a count"}};
     const std::string good = line_of(failing_row());
     for (const Wrong& row : rows)
-        EXPECT_THAT([&] { (void)from_line<check::Answer>(replaced(good, row.from, row.to)); },
+        EXPECT_THAT([&] { (void)from_line<judge::Answer>(replaced(good, row.from, row.to)); },
                     says(row.named));
-    EXPECT_THAT([&] { (void)from_line<check::Answer>(good.substr(0, 40)); }, says("no JSON"));
-    EXPECT_THAT([&] { (void)from_line<check::Answer>("[1]"); }, says("expected an object"));
+    EXPECT_THAT([&] { (void)from_line<judge::Answer>(good.substr(0, 40)); }, says("no JSON"));
+    EXPECT_THAT([&] { (void)from_line<judge::Answer>("[1]"); }, says("expected an object"));
 }
 
 }  // namespace gloam::record::answer_json_test

@@ -7,10 +7,10 @@ namespace gloam::record::check_report_test {
 
 using testing::_;
 
-check::Answer crashed(const std::string& equation) {
-    check::Answer row = passing_row(equation);
+judge::Answer crashed(const std::string& equation) {
+    judge::Answer row = passing_row(equation);
     row.error = "ended by signal 9 (Killed)\x1b[0m";
-    row.reason = check::Reason::crash;
+    row.reason = judge::Reason::crash;
     return row;
 }
 
@@ -24,7 +24,7 @@ TEST(CheckReport, OneDeviceIsAnObjectSeveralAnArrayAndBothAreReadBack) {
         EXPECT_EQ(to_json(back), to_json(reports));
         EXPECT_TRUE(back.front().device.float32.preserves_signed_zero_inf_nan);
         EXPECT_FALSE(back.front().device.float32.flushes_denormals);
-        EXPECT_EQ(back.front().count(check::Outcome::failed), 1U);
+        EXPECT_EQ(back.front().count(judge::Outcome::failed), 1U);
     }
 }
 
@@ -54,7 +54,7 @@ TEST(CheckReport, WhatWasNotJudgedIsCountedApart) {
 }
 
 TEST(CheckReport, TheExitStatusSaysWhetherAnythingWasJudged) {
-    const auto status = [](std::vector<check::Answer> rows) {
+    const auto status = [](std::vector<judge::Answer> rows) {
         return counts_of({report_of("A", std::move(rows))}).exit_status();
     };
     EXPECT_EQ(status({passing_row("EQ-1"), unjudged_row("EQ-2")}), 0);
@@ -67,8 +67,8 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
     EXPECT_THAT(table_line(passing_row("EQ-2")), HasSubstr("ok"));
     EXPECT_THAT(table_line(failing_row()), HasSubstr("3 outside, reads outside its image"));
     EXPECT_THAT(table_line(crashed("EQ-3")), AllOf(HasSubstr("crash"), Not(HasSubstr("budget"))));
-    check::Answer row = crashed("EQ-3");
-    row.reason = check::Reason::error;
+    judge::Answer row = crashed("EQ-3");
+    row.reason = judge::Reason::error;
     EXPECT_THAT(table_line(row), HasSubstr("could not run"));
     EXPECT_THAT(table_line(unjudged_row("EQ-3")), HasSubstr("not judged; the device promises nothing"));
     EXPECT_THAT(table_line(unsupported_row("EQ-4")), HasSubstr("unsupported"));
@@ -76,10 +76,10 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
 
 // By the rules, an overflow may be right. By a budget it never is.
 TEST(CheckReport, AnInfiniteErrorIsSaidToBePermittedWhereItIs) {
-    check::Answer row = passing_row("EQ-2");
+    judge::Answer row = passing_row("EQ-2");
     row.max_ulp = std::numeric_limits<double>::infinity();
     EXPECT_THAT(table_line(row), HasSubstr(" inf "));
-    row.verdict = check::Verdict::rules;
+    row.verdict = judge::Verdict::rules;
     EXPECT_THAT(table_line(row), AllOf(HasSubstr(" permitted "), Not(HasSubstr("inf"))));
     ordinary(row).outside = 1;
     EXPECT_THAT(table_line(row), HasSubstr(" inf "));
@@ -87,7 +87,7 @@ TEST(CheckReport, AnInfiniteErrorIsSaidToBePermittedWhereItIs) {
 
 // A verdict that says less than "ok" does not read as if it said all.
 TEST(CheckReport, WhatWasNotJudgedIsRemarked) {
-    check::Answer row = passing_row("EQ-2");
+    judge::Answer row = passing_row("EQ-2");
     row.classes.back() = {.inputs = 10, .recorded = 10};
     ordinary(row).open = 3;
     EXPECT_EQ(verdict_of(row), "ok");
@@ -109,7 +109,7 @@ std::vector<std::vector<std::string>> merged(const std::vector<CheckReport>& fil
     std::vector<std::vector<std::string>> names;
     for (const CheckReport& report : all.reports)
         for (auto& of_one = names.emplace_back(1, report.device.driver);
-             const check::Answer& row : report.rows)
+             const judge::Answer& row : report.rows)
             of_one.push_back(row.equation + " " + row.variant);
     return names;
 }
@@ -124,7 +124,7 @@ TEST(Merge, ShardsBecomeTheWholeAndDriversAreToldApartByAllTheySay) {
     EXPECT_THAT(merged({report_of("A", {passing_row("EQ-1")}), newer, report_of("B", {crashed("EQ-1")})}),
                 ElementsAre(ElementsAre("driver 1.2", _), ElementsAre("driver 1.3", _),
                             ElementsAre("driver 1.2", _)));
-    check::Answer later = passing_row("EQ-1");
+    judge::Answer later = passing_row("EQ-1");
     later.seconds = 9.0;
     EXPECT_THAT(merged({report_of("A", {passing_row("EQ-1")}), report_of("A", {later})}),
                 ElementsAre(ElementsAre("driver 1.2", "EQ-1 shipped")))
@@ -132,18 +132,18 @@ TEST(Merge, ShardsBecomeTheWholeAndDriversAreToldApartByAllTheySay) {
 }
 
 TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
-    check::Answer little = passing_row("EQ-1");
+    judge::Answer little = passing_row("EQ-1");
     ordinary(little).outside = 1;
-    check::Answer larger_error = passing_row("EQ-1");
+    judge::Answer larger_error = passing_row("EQ-1");
     larger_error.budget_fraction = 0.9;
-    check::Answer fault = passing_row("EQ-1");
+    judge::Answer fault = passing_row("EQ-1");
     fault.fault = "pixel";
-    const std::vector<check::Answer> ascending{passing_row("EQ-1"), larger_error, little, fault,
+    const std::vector<judge::Answer> ascending{passing_row("EQ-1"), larger_error, little, fault,
                                                crashed("EQ-1")};
     for (std::size_t i = 1; i < ascending.size(); ++i) {
         for (const bool swapped : {false, true}) {
-            const check::Answer& first = ascending[swapped ? i : i - 1];
-            const check::Answer& second = ascending[swapped ? i - 1 : i];
+            const judge::Answer& first = ascending[swapped ? i : i - 1];
+            const judge::Answer& second = ascending[swapped ? i - 1 : i];
             const MergedReports merged =
                 merge({{"a.json", report_of("A", {first})}, {"b.json", report_of("A", {second})}});
             ASSERT_EQ(merged.reports.at(0).rows.size(), 1U);
@@ -155,8 +155,8 @@ TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
     }
 }
 
-check::Answer with_error(const std::string& equation, double fraction, const char* variant = "shipped") {
-    check::Answer row = passing_row(equation, variant);
+judge::Answer with_error(const std::string& equation, double fraction, const char* variant = "shipped") {
+    judge::Answer row = passing_row(equation, variant);
     row.budget.ulp = 4;
     row.budget_fraction = fraction;
     return row;
@@ -185,13 +185,13 @@ TEST(Changes, TwoBuildsAreCompared) {
 }
 
 std::vector<CheckReport> two_drivers() {
-    check::Answer lost{{.equation = "device"}};
+    judge::Answer lost{{.equation = "device"}};
     lost.error = "the device cannot be opened";
-    lost.reason = check::Reason::crash;
-    check::Answer strict = passing_row("EQ-2", "strict");
-    strict.verdict = check::Verdict::rules;
+    lost.reason = judge::Reason::crash;
+    judge::Answer strict = passing_row("EQ-2", "strict");
+    strict.verdict = judge::Verdict::rules;
     strict.fraction = 0.5;
-    check::Answer wrong = passing_row("EQ-2");
+    judge::Answer wrong = passing_row("EQ-2");
     ordinary(wrong).outside = 3;
     return {report_of("A", {passing_row("EQ-1"), strict}), report_of("B|C", {crashed("EQ-1"), wrong, lost})};
 }
@@ -232,9 +232,9 @@ TEST(Matrix, MarkdownHoldsTheSame) {
     EXPECT_THAT(page, HasSubstr("| 2 | B\\|C (driver 1.2) | 3 checks, 3 failed"));
 }
 
-check::Answer strict(const std::string& equation, double width, double guaranteed_ulp) {
-    check::Answer by_rules = with_error(equation, 0.2, "strict");
-    by_rules.verdict = check::Verdict::rules;
+judge::Answer strict(const std::string& equation, double width, double guaranteed_ulp) {
+    judge::Answer by_rules = with_error(equation, 0.2, "strict");
+    by_rules.verdict = judge::Verdict::rules;
     by_rules.fraction = width;
     by_rules.bounded = 500;
     by_rules.guarantee = {.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = guaranteed_ulp / 4};
@@ -242,7 +242,7 @@ check::Answer strict(const std::string& equation, double width, double guarantee
 }
 
 TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {
-    check::Answer alone = strict("E", 0.5, 2);
+    judge::Answer alone = strict("E", 0.5, 2);
     alone.variant = "shipped";
     const Table table = accuracy_table({report_of("one", {alone})});
     ASSERT_EQ(table.rows.size(), 1U);
@@ -251,14 +251,14 @@ TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {
 }
 
 TEST(Accuracy, TheTableOfAllHasEveryEquationAndDriver) {
-    check::Answer open = strict("B", 0.9, 7.5);
+    judge::Answer open = strict("B", 0.9, 7.5);
     open.unbounded = 125;
     CheckReport newer = report_of("one", {with_error("A", 0.75), with_error("B", 0.25), open,
                                           with_error("B", 0.5, "optimized"), with_error("B", 0.4, "small")});
     newer.device.driver = "newer";
-    check::Answer gone{{.equation = "C", .variant = "shipped"}};
+    judge::Answer gone{{.equation = "C", .variant = "shipped"}};
     gone.error = "gone";
-    gone.reason = check::Reason::crash;
+    gone.reason = judge::Reason::crash;
     const Table table = accuracy_table(
         {report_of("one", {with_error("A", 0.0), strict("A", 0.5, 2)}), newer, report_of("two", {gone})});
     std::vector<std::vector<std::string>> rows(1);

@@ -4,14 +4,14 @@
 
 namespace gloam::record::failure_text_test {
 
-std::string text_of(const check::Answer& row, const std::optional<check::Sample>& smallest = {},
+std::string text_of(const judge::Answer& row, const std::optional<judge::Sample>& smallest = {},
                     const std::string& note = "") {
     return failure_text(report_of("GPU", {}).device, row, smallest, note);
 }
 
 TEST(FailureText, TellsAllThatAReportNeeds) {
-    const check::Answer row = failing_row();
-    check::Sample smallest = *row.worst;
+    const judge::Answer row = failing_row();
+    judge::Sample smallest = *row.worst;
     smallest.values = "float 1 (0x3f800000)";
     const std::string text = text_of(row, smallest);
     for (const char* part : {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
@@ -24,7 +24,7 @@ TEST(FailureText, TellsAllThatAReportNeeds) {
 }
 
 TEST(FailureText, ListsEachOutcomeAndWhichArePermittedTogether) {
-    check::Answer row = failing_row();
+    judge::Answer row = failing_row();
     row.worst->got = {0x3f000000U};
     row.worst->want = {0.0};
     row.worst->permitted = {{.low = 0.0, .high = 1.0, .nan = false}};
@@ -39,13 +39,13 @@ TEST(FailureText, ListsEachOutcomeAndWhichArePermittedTogether) {
     EXPECT_THAT(text_of(row), HasSubstr("permitted 0 (0x0p+0), or 1 (0x1p+0)\n"
                                         "  permitted together: 0 (0x0p+0); 0 (0x0p+0)\n"
                                         "  or together:        1 (0x1p+0); 1 (0x1p+0)\n  error"));
-    row.worst->outcomes.resize(check::Sample::most_outcomes, row.worst->outcomes.back());
+    row.worst->outcomes.resize(judge::Sample::most_outcomes, row.worst->outcomes.back());
     EXPECT_THAT(text_of(row), HasSubstr("beyond 16 outcomes, neighbours are merged\n"));
 }
 
 TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
-    check::Answer row = passing_row("EQ-2");
-    row.reason = check::Reason::hang;
+    judge::Answer row = passing_row("EQ-2");
+    row.reason = judge::Reason::hang;
     row.error = "not finished after 5 s";
     const std::string text = text_of(row, std::nullopt, "A note.");
     EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
@@ -54,7 +54,7 @@ TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
 }
 
 TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {
-    check::Answer row = failing_row();
+    judge::Answer row = failing_row();
     row.worst->want.assign(row.worst->want.size(), 129'708'002.0);
     const std::string text = text_of(row);
     EXPECT_THAT(text, HasSubstr("want 129708002"));

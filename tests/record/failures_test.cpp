@@ -9,16 +9,16 @@ namespace gloam::record::failures_test {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Expected {
-    shader::Scalar scalar;
+    module::Scalar scalar;
     std::uint32_t found;
     numeric::Bounds allowed;
 };
 
-check::Reproduction failure_of(const std::vector<Expected>& all) {
-    check::Reproduction made{.assembly = "; SPIR-V\nOpName %BLEND \"BLEND\"\n",
+judge::Reproduction failure_of(const std::vector<Expected>& all) {
+    judge::Reproduction made{.assembly = "; SPIR-V\nOpName %BLEND \"BLEND\"\n",
                              .inputs = {0x3f800000U, 7U},
                              .outcomes = {{}},
-                             .failure = check::Sample{}};
+                             .failure = judge::Sample{}};
     for (const Expected& one : all) {
         made.outputs.push_back(one.scalar);
         made.outcomes.front().push_back(one.allowed);
@@ -29,18 +29,18 @@ check::Reproduction failure_of(const std::vector<Expected>& all) {
 }
 
 Expected number(double low, double high, bool nan = false) {
-    return {shader::Scalar::float_, 0x3e000000U, {.low = low, .high = high, .nan = nan}};
+    return {module::Scalar::float_, 0x3e000000U, {.low = low, .high = high, .nan = nan}};
 }
 Expected integer(double low, double high) {
-    return {shader::Scalar::uint_, 99U, {.low = low, .high = high, .nan = false}};
+    return {module::Scalar::uint_, 99U, {.low = low, .high = high, .nan = false}};
 }
 Expected integer(double value) {
     return integer(value, value);
 }
 
 // A number and an integer that are permitted together: 0 and 1, or 1 and 2, or 4 and 1.
-check::Reproduction three_outcomes(float found, std::uint32_t integer_found) {
-    check::Reproduction made = failure_of({number(0, 0), integer(1)});
+judge::Reproduction three_outcomes(float found, std::uint32_t integer_found) {
+    judge::Reproduction made = failure_of({number(0, 0), integer(1)});
     made.outcomes.push_back({numeric::Bounds::point(1), numeric::Bounds::point(2)});
     made.outcomes.push_back({numeric::Bounds::point(4), numeric::Bounds::point(1)});
     made.failure->got = {std::bit_cast<std::uint32_t>(found), integer_found};
@@ -48,7 +48,7 @@ check::Reproduction three_outcomes(float found, std::uint32_t integer_found) {
 }
 
 // What "EXPECT floats IDX 0 GE 1" and its like say of the first output: "floats GE 1".
-std::vector<std::string> expectations(const check::Reproduction& of) {
+std::vector<std::string> expectations(const judge::Reproduction& of) {
     std::istringstream lines(to_amber(of, {}));
     std::vector<std::string> found;
     for (std::string line; std::getline(lines, line);) {
@@ -97,7 +97,7 @@ TEST(Amber, OfSeveralOutcomesTheHullIsExpectedAndNotWhatFailedBetweenThem) {
 }
 
 TEST(Amber, AWholeScript) {
-    check::Reproduction all = failure_of({number(0.25, 1), integer(3)});
+    judge::Reproduction all = failure_of({number(0.25, 1), integer(3)});
     all.specialized = true;
     all.images = {{.name = "depth", .words = std::vector<std::uint32_t>(9, 5U)}};
     const auto pipeline = [](const std::string& view) {
@@ -140,7 +140,7 @@ TEST(Amber, AWholeScript) {
 }
 
 TEST(Amber, WhatWasNotJudgedMustOnlyEnd) {
-    check::Reproduction not_judged = failure_of({number(0, 1)});
+    judge::Reproduction not_judged = failure_of({number(0, 1)});
     not_judged.failure.reset();
     not_judged.outcomes.clear();
     const std::string script = to_amber(not_judged, {});
@@ -150,7 +150,7 @@ TEST(Amber, WhatWasNotJudgedMustOnlyEnd) {
 }
 
 TEST(Amber, AFunctionWithoutInputsHasABufferAllTheSame) {
-    check::Reproduction none = failure_of({number(0, 1)});
+    judge::Reproduction none = failure_of({number(0, 1)});
     none.inputs.clear();
     EXPECT_THAT(to_amber(none, {}), HasSubstr("BUFFER inputs DATA_TYPE uint32 DATA\n0x00000000\nEND\n"));
 }

@@ -72,9 +72,9 @@ TEST(Page, ARowWithoutItsCellsIsRefused) {
 }
 
 TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {
-    check::Answer crashed = passing_row("EQ-9");
+    judge::Answer crashed = passing_row("EQ-9");
     crashed.error = hostile;
-    crashed.reason = check::Reason::crash;
+    crashed.reason = judge::Reason::crash;
     const std::vector<CheckReport> reports{report_of("A", {passing_row("EQ-1"), failing_row()}),
                                            report_of(hostile, {crashed})};
     const Table table = check_table(reports);
@@ -93,9 +93,9 @@ TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {
 }
 
 TEST(CheckPage, ALongValueIsCutAndManyStoriesAreCounted) {
-    check::Answer row = failing_row();
+    judge::Answer row = failing_row();
     row.worst->values = std::string(100'000, 'x');
-    const std::vector<CheckReport> reports{report_of("A", std::vector<check::Answer>(150, row))};
+    const std::vector<CheckReport> reports{report_of("A", std::vector<judge::Answer>(150, row))};
     const std::string html = to_check_page(reports);
     EXPECT_LT(html.size(), 400'000U);
     EXPECT_EQ(count_of(html, "<pre>"), 100U);

@@ -11,24 +11,24 @@ inline auto says(const std::string& text) {
 }
 
 // The first class of an answer's inputs.
-inline check::ClassCount& ordinary(check::Answer& row) {
+inline judge::ClassCount& ordinary(judge::Answer& row) {
     return row.classes.front();
 }
 
 // A row with something in every field; it failed.
-inline check::Answer failing_row() {
-    check::Answer row{{.equation = "EQ-1",
+inline judge::Answer failing_row() {
+    judge::Answer row{{.equation = "EQ-1",
                        .function = "f",
                        .file = "gloam/f.glsl",
                        .variant = "strict",
-                       .verdict = check::Verdict::rules,
+                       .verdict = judge::Verdict::rules,
                        .budget = {.ulp = 4.0, .absolute = 1e-7, .backward_ulp = 1}},
                       {.by_rules = 93, .forbidden = 3, .bounded = 90, .unbounded = 5, .differs = 2},
                       {.max_ulp = std::numeric_limits<double>::infinity(),
                        .max_absolute = 0.1,
                        .fraction = 1.25,
                        .budget_fraction = 0.5,
-                       .worst = check::Sample{.index = 17,
+                       .worst = judge::Sample{.index = 17,
                                               .scenario = "3 x 3",
                                               .values = "float 0.5 (0x3f000000)",
                                               .inputs = {0x3f000000U, 0xffffffffU},
@@ -37,11 +37,11 @@ inline check::Answer failing_row() {
                                               .ulp = 1e9,
                                               .absolute = 0.1,
                                               .permitted = {{.low = 0.0, .high = 0.25, .nan = true}}},
-                       .first_unbounded = check::Sample{.values = "float 4 (0x40800000)"}},
+                       .first_unbounded = judge::Sample{.values = "float 4 (0x40800000)"}},
                       {.ulp = 2.5, .absolute = 1e-6, .fraction = 0.75}};
-    row.coverage = check::Coverage{.inputs = 100, .points = {{"f.glsl", 7, "return 0.0;", "", true}}};
+    row.coverage = judge::Coverage{.inputs = 100, .points = {{"f.glsl", 7, "return 0.0;", "", true}}};
     row.fault = "gloam_fetch_depth: pixel (-1, 0)";
-    row.reason = check::Reason::fault;
+    row.reason = judge::Reason::fault;
     row.seconds = 0.125;
     row.story = "line one\nline <two> & \"three\"\n";
     ordinary(row) = {.inputs = 90, .outside = 3, .recorded = 0};
@@ -49,30 +49,30 @@ inline check::Answer failing_row() {
     return row;
 }
 
-inline check::Answer passing_row(const std::string& equation, const std::string& variant = "shipped") {
-    check::Answer row{{.equation = equation, .function = "g", .file = "gloam/g.glsl", .variant = variant}};
+inline judge::Answer passing_row(const std::string& equation, const std::string& variant = "shipped") {
+    judge::Answer row{{.equation = equation, .function = "g", .file = "gloam/g.glsl", .variant = variant}};
     row.budget_fraction = 0.25;
     ordinary(row).inputs = 50;
     return row;
 }
 
 // A row whose inputs were only recorded.
-inline check::Answer unjudged_row(const std::string& equation) {
-    check::Answer row = passing_row(equation);
+inline judge::Answer unjudged_row(const std::string& equation) {
+    judge::Answer row = passing_row(equation);
     ordinary(row).recorded = ordinary(row).inputs;
     row.budget_fraction = 0.0;
     return row;
 }
 
 // A row of a function that the device's language lacks.
-inline check::Answer unsupported_row(const std::string& equation) {
-    check::Answer row{{.equation = equation, .function = "h", .file = "gloam/h.glsl", .variant = "shipped"}};
+inline judge::Answer unsupported_row(const std::string& equation) {
+    judge::Answer row{{.equation = equation, .function = "h", .file = "gloam/h.glsl", .variant = "shipped"}};
     row.error = "h is no GLSL 3.30";
-    row.reason = check::Reason::unsupported;
+    row.reason = judge::Reason::unsupported;
     return row;
 }
 
-inline CheckReport report_of(const std::string& device, std::vector<check::Answer> rows) {
+inline CheckReport report_of(const std::string& device, std::vector<judge::Answer> rows) {
     return {.device = {.name = device,
                        .driver = "driver 1.2",
                        .type = "cpu",

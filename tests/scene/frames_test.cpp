@@ -52,18 +52,19 @@ TEST(FrameLink, MotionThatIsNotValid) {
 }
 
 TEST(GuardBand, IsWholePixelsOfEachSide) {
-    EXPECT_EQ(guard_border({640, 360}, 0.1), (gpu::Extent{64, 36}));
-    EXPECT_EQ(guard_border({33, 47}, 0.05), (gpu::Extent{2, 2}));  // 1.65 and 2.35
-    EXPECT_EQ(guard_border({5, 4}, 0.1), (gpu::Extent{1, 0}));     // one half is rounded up
-    EXPECT_EQ(guard_border({640, 360}, 0.0), gpu::Extent{});
-    EXPECT_EQ(with_border({640, 360}, gpu::Extent{64, 36}), (gpu::Extent{768, 432}));
-    for (const gpu::Extent border : {gpu::Extent{4, 0}, gpu::Extent{0, 3}, gpu::Extent{0xFFFFFFFF, 0}})
+    EXPECT_EQ(guard_border({640, 360}, 0.1), (backend::Extent{64, 36}));
+    EXPECT_EQ(guard_border({33, 47}, 0.05), (backend::Extent{2, 2}));  // 1.65 and 2.35
+    EXPECT_EQ(guard_border({5, 4}, 0.1), (backend::Extent{1, 0}));     // one half is rounded up
+    EXPECT_EQ(guard_border({640, 360}, 0.0), backend::Extent{});
+    EXPECT_EQ(with_border({640, 360}, backend::Extent{64, 36}), (backend::Extent{768, 432}));
+    for (const backend::Extent border :
+         {backend::Extent{4, 0}, backend::Extent{0, 3}, backend::Extent{0xFFFFFFFF, 0}})
         expect_error<std::invalid_argument>([&] { (void)frame_of({.extent = {8, 6}, .border = border}); },
                                             {"guard band", "no frame"});
 }
 
 TEST(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
-    GBuffer view{.extent = {6, 4}, .border = gpu::Extent{1, 1}};
+    GBuffer view{.extent = {6, 4}, .border = backend::Extent{1, 1}};
     view.depth.assign(24, 1.0F);
     view.motion.assign(24, glm::vec3(1.0F, 0.0F, 1.0F));  // what is now in the first column was in the band
     const GBuffer inner = cropped(view);

@@ -48,7 +48,7 @@ TEST_F(GBufferTest, WhatIsWrittenIsRead) {
         frames.push_back(example({.eye = {1, 2, 3}, .projection = projection}));
         frames.push_back(example({.eye = {1, 2, 3}, .projection = projection, .reversed_z = true}));
         frames.back().border =
-            projection == Projection::perspective ? Border(gpu::Extent{1, 0}) : Border(0, 0, 2, 1);
+            projection == Projection::perspective ? Border(backend::Extent{1, 0}) : Border(0, 0, 2, 1);
         frames.back().camera.previous_view = make_frame({.eye = {1, 2, 3.5}}, 1.5).view;
     }
     constexpr double endless = std::numeric_limits<double>::infinity();

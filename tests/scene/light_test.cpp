@@ -14,13 +14,13 @@ using effect::wall;
 using namespace scene;
 
 // A view of walls that face the eye, with these depths.
-GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
+GBuffer walls(backend::Extent extent, const std::vector<float>& depth) {
     GBuffer view = wall(extent, 1.0F);
     view.depth = depth;
     return view;
 }
 
-constexpr gpu::Extent size{33, 33};
+constexpr backend::Extent size{33, 33};
 
 // A floor, and a ball above its middle; seen from right above, so that no pixel sees what is below the ball.
 Scene ball_on_floor() {

@@ -152,7 +152,7 @@ TEST(ClosedFormViews, HaveTheOcclusionThatTheySay) {
             const std::size_t middle = std::size_t{65} * 32 + 32;
             EXPECT_NEAR(double{buffer.depth[middle]}, glm::length(view.scene.camera.eye), 1e-5);
             EXPECT_EQ(buffer.normal[middle], glm::vec3(view_rotation(view.scene.camera)[2]));
-            EXPECT_EQ(buffer.border, (gpu::Extent{32, 32}));
+            EXPECT_EQ(buffer.border, (backend::Extent{32, 32}));
             for (std::size_t i = 0; i < buffer.depth.size(); ++i)
                 EXPECT_NEAR(glm::length(glm::dvec3(buffer.normal[i])),
                             std::isfinite(buffer.depth[i]) ? 1.0 : 0.0, 1e-6);

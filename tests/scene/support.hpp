@@ -19,7 +19,7 @@ inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
 }
 
 // Of texels that come with their rows from the top.
-inline std::string pfm_text(gpu::Extent extent, const std::vector<float>& texels) {
+inline std::string pfm_text(backend::Extent extent, const std::vector<float>& texels) {
     const int channels = texels.size() == std::size_t{extent.width} * extent.height ? 1 : 3;
     return base::to_pfm(texels, extent.width, extent.height, channels);
 }

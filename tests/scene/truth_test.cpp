@@ -6,7 +6,7 @@
 
 namespace gloam::scene::test::truth_test {
 
-GBuffer shot(const Scene& scene, gpu::Extent extent, int frame = 0) {
+GBuffer shot(const Scene& scene, backend::Extent extent, int frame = 0) {
     return draw(scene, extent, {.frame = frame, .ids = true});
 }
 
@@ -148,7 +148,8 @@ TEST(DepthField, BackgroundIsOpenAndTheEdgeOfAnObjectShadesNothing) {
 TEST(DepthField, OfNothingIsRefusedAndOfOnePixelIsOpen) {
     const GBuffer sky = effect::wall({4, 4}, infinity);
     expect_error<std::invalid_argument>([&] { (void)trace_depth(sky, few_rays); }, {"no geometry"});
-    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{1, 5}, gpu::Extent{5, 1}}) {
+    for (const backend::Extent extent :
+         {backend::Extent{1, 1}, backend::Extent{1, 5}, backend::Extent{5, 1}}) {
         GBuffer view = effect::wall(extent, 5.0F);
         view.normal.clear();
         EXPECT_EQ(largest(trace_depth(view, few_rays).occlusion), 0.0);

@@ -3,12 +3,14 @@
 #include "module/support.hpp"
 #include "module/texts.hpp"
 
-namespace gloam::shader::excerpts_test {
+namespace gloam::source::excerpts_test {
+
+using namespace module;
 
 // Functions of a text from elsewhere, each as a text that a compute shader can contain.
 
 Excerpts excerpts_of(const std::string& text) {
-    return excerpts({"own.frag", text}, {});
+    return module::excerpts({"own.frag", text}, {});
 }
 
 // The compiled function, in the order of definitions.
@@ -22,11 +24,11 @@ std::vector<std::string> compiled(const Excerpt& excerpt) {
 TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
     const TemporaryDirectory folder;
     (void)folder.write("other.glsl", "float f(float x) { return x; }\nfloat g(float x) { return x; }\n");
-    const Excerpts all = excerpts({"own.glsl",
-                                   "#include \"other.glsl\"\n"
-                                   "float f(const in vec2 x, out float y) { y = 1.0; return x.x; }\n"
-                                   "float f(float x[2], sampler2D) { return f(x[0]); }\n"},
-                                  {folder.path()});
+    const Excerpts all = module::excerpts({"own.glsl",
+                                           "#include \"other.glsl\"\n"
+                                           "float f(const in vec2 x, out float y) { y = 1.0; return x.x; }\n"
+                                           "float f(float x[2], sampler2D) { return f(x[0]); }\n"},
+                                          {folder.path()});
     EXPECT_EQ(all.version, "");
     ASSERT_EQ(all.functions.size(), 1U);
     EXPECT_THAT(all.functions[0].definitions, ElementsAre("", "f(vec2, float)", "f(float[2], sampler2D)"));
@@ -132,7 +134,7 @@ TEST(Excerpts, FunctionsSayWhatTheyNeedOthersFor) {
         "uint place(float x) { return gl_GlobalInvocationID.x + gl_LocalInvocationIndex; }\n";
     const auto needs = [&](const std::string& file) {
         std::map<std::string, Needs> all;
-        for (const Excerpt& one : excerpts({file, text}, {}).functions) all[one.function] = one.needs;
+        for (const Excerpt& one : module::excerpts({file, text}, {}).functions) all[one.function] = one.needs;
         return all;
     };
     std::map<std::string, Needs> expected{
@@ -152,7 +154,7 @@ TEST(Excerpts, ATextWithoutFunctionsHasNone) {
 // "12 comparison: '<' -> '<='", of each fault of a text.
 std::vector<std::string> faults_of(const std::string& text, const std::string& kind = {}) {
     std::vector<std::string> found;
-    for (const Mutation& one : mutations({"own.glsl", text}, {}))
+    for (const Mutation& one : module::mutations({"own.glsl", text}, {}))
         if (kind.empty() || one.kind == kind)
             found.push_back(std::to_string(one.line) + " " + one.kind + ": '" + one.before + "' -> '" +
                             one.after + "'");
@@ -166,7 +168,7 @@ std::vector<std::string> changed(const std::string& expression, const std::strin
         "float f(float a, float b, vec3 u, vec3 v, S s) { return ";
     const std::string text = head + expression + "; }\n";
     std::vector<std::string> results;
-    for (const Mutation& one : mutations({"own.glsl", text}, {}))
+    for (const Mutation& one : module::mutations({"own.glsl", text}, {}))
         if (one.kind == kind) {
             const std::string whole = mutated(text, one);
             results.push_back(whole.substr(head.size(), whole.size() - head.size() - 4));
@@ -230,7 +232,7 @@ TEST(Mutations, LeaveCommentsDirectivesInterfaceAndIncludesAlone) {
         "/* 4.0\n*/ float f(float x) { return TWICE(g(x)) + third + texture(image, uv).x; }\n";
     const std::string file = folder.write("own.frag", text).string();
     std::vector<std::string> found;
-    for (const Mutation& one : mutations({file, text}, {folder.path()})) {
+    for (const Mutation& one : module::mutations({file, text}, {folder.path()})) {
         found.push_back(std::to_string(one.line) + " " + one.before + " " + one.after);
         EXPECT_EQ(text.substr(one.begin, one.end - one.begin), one.before);
     }
@@ -245,7 +247,7 @@ TEST(Mutations, OfTheLibraryCompile) {
     std::size_t refused = 0;
     for (const char* name : {"gloam/occlusion/blocked.glsl", "gloam/sampling/halton.glsl"}) {
         const Source source{(root / name).string(), read_text(root / name)};
-        for (const Mutation& one : mutations(source, {root})) {
+        for (const Mutation& one : module::mutations(source, {root})) {
             ++tried;
             try {
                 (void)functions({source.name, "#version 450\n" + mutated(source.text, one)},
@@ -270,4 +272,4 @@ TEST(Mutations, ATextIsValidInSomeStage) {
     EXPECT_EQ(message(""), "");
 }
 
-}  // namespace gloam::shader::excerpts_test
+}  // namespace gloam::source::excerpts_test

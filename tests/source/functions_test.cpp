@@ -2,7 +2,9 @@
 #include "module/support.hpp"
 #include "module/texts.hpp"
 
-namespace gloam::shader::functions_test {
+namespace gloam::source::functions_test {
+
+using namespace module;
 
 std::vector<Function> functions_of(const std::string& text) {
     return functions({"text", "#version 450\n" + text}, with_fixtures());
@@ -111,4 +113,4 @@ TEST(Functions, DeeplyNestedStructuresAreOversized) {
     EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
 }
 
-}  // namespace gloam::shader::functions_test
+}  // namespace gloam::source::functions_test

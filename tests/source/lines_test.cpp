@@ -2,7 +2,7 @@
 #include "source/lines.hpp"
 #include "module/support.hpp"
 
-namespace gloam::shader::lines_test {
+namespace gloam::source::lines_test {
 
 using namespace internal;  // lines of a text
 
@@ -55,4 +55,4 @@ TEST(Tokens, HaveTheirPlaceInTheText) {
     EXPECT_EQ(tokens[9].line, 4);
 }
 
-}  // namespace gloam::shader::lines_test
+}  // namespace gloam::source::lines_test

@@ -3,7 +3,9 @@
 #include "module/support.hpp"
 #include "module/texts.hpp"
 
-namespace gloam::shader::pack_test {
+namespace gloam::source::pack_test {
+
+using namespace module;
 
 using Files = std::vector<std::filesystem::path>;
 
@@ -328,4 +330,4 @@ TEST(Pack, CountsLinesOfCode) {
     EXPECT_EQ(code_lines("// one\n\nfloat f() {  // two\n    /* three */\n}\n"), 2U);
 }
 
-}  // namespace gloam::shader::pack_test
+}  // namespace gloam::source::pack_test

@@ -6,17 +6,17 @@
 #include "subject/lab.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::constant_kernel_test {
+namespace gloam::subject::constant_kernel_test {
 
-using Constants = shader::Variant::Constants;
+using Constants = module::Variant::Constants;
 
 std::string module_of(const char* variant, Constants constants) {
-    const Lab lab = test::make_lab(FIXTURES, shader::variant(variant));
+    const Lab lab = test::make_lab(FIXTURES, module::variant(variant));
     KernelSource source = lab.source("wrong.glsl", "weight", SignatureOf<float(float, float)>::describe());
     source.preserve_nan = false;  // as a check has it
     const std::vector<Word> inputs{std::bit_cast<Word>(0.3F), std::bit_cast<Word>(0.7F)};
     const std::string text = constant_kernel_code(source, constants, inputs, 1);
-    return shader::disassemble(
+    return module::disassemble(
         lab.cache().compile({.name = "constants", .text = text}, lab.compile_options()));
 }
 
@@ -46,7 +46,7 @@ TEST(BrokenKernels, AreCaught) {
             "layout(std430, binding = 2) buffer Faults {{ uint faults[]; }};\n"
             "void main() {{ uint i = gl_GlobalInvocationID.x; if (i >= count) return; {} }}\n",
             body);
-        shader::Spirv spirv = shader::compile({.name = "broken kernel", .text = text}, {});
+        module::Spirv spirv = module::compile({.name = "broken kernel", .text = text}, {});
         return lab.core({{.spirv = std::move(spirv), .input_words = 1, .output_words = 1, .name = "broken"}});
     };
     const std::vector<Word> inputs(count, 7U);
@@ -62,4 +62,4 @@ TEST(BrokenKernels, AreCaught) {
     expect_error<std::invalid_argument>([&] { (void)kernel(right).run(inputs, 4); }, {"4 words, got 100"});
 }
 
-}  // namespace gloam::check::constant_kernel_test
+}  // namespace gloam::subject::constant_kernel_test

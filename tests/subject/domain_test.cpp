@@ -4,7 +4,9 @@
 #include "numeric/numbers.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::domain_test {
+namespace gloam::subject::domain_test {
+
+using namespace judge;
 
 using glm::vec3;
 
@@ -357,4 +359,4 @@ TEST(Shrink, ManyCandidatesCostOneEvaluation) {
     EXPECT_LT(planted.evaluations, 40U);
 }
 
-}  // namespace gloam::check::domain_test
+}  // namespace gloam::subject::domain_test

@@ -2,7 +2,9 @@
 #include "judge/function.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::kernel_test {
+namespace gloam::subject::kernel_test {
+
+using namespace judge;
 
 // The C++ side of the fixture's struct: matched by layout, no description needed.
 struct Texel {
@@ -181,4 +183,4 @@ TEST_F(KernelTest, APropertyThatFailsShrinksInsideItsDomain) {
     EXPECT_THAT(text.str(), AllOf(HasSubstr("the property does not hold for float 16"), HasSubstr("0.0625")));
 }
 
-}  // namespace gloam::check::kernel_test
+}  // namespace gloam::subject::kernel_test

@@ -4,7 +4,9 @@
 #include "subject/fixture_functions.hpp"
 #include "support/lab.hpp"
 
-namespace gloam::check::own_function_test {
+namespace gloam::subject::own_function_test {
+
+using namespace judge;
 
 class OwnFunctionTest : public testing::Test {
   protected:
@@ -85,7 +87,7 @@ const std::vector<Judged> judged{
 TEST_F(OwnFunctionTest, AreWithinTheRulesOnEachDevice) {
     for (const auto& [file, names, in_variants, ranges, inputs] : judged) {
         const Lab driver(options_of(file), test::SharedDevice::get());
-        const Lab interpreted(options_of(file), interpreter());
+        const Lab interpreted(options_of(file), interpreter_backend());
         for (const char* name : names)
             for (const Lab* each : {&driver, &interpreted}) {
                 const Answer answer = answer_of(*each, file, name, ranges, inputs);
@@ -100,8 +102,8 @@ TEST_F(OwnFunctionTest, AreWithinTheRulesOnEachDevice) {
 
 // A quad has no kernel with constants. With constants each few inputs of images are a module of their own.
 TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
-    for (const shader::Variant& variant : shader::variants()) {
-        const bool constants = variant.constants != shader::Variant::Constants::none;
+    for (const module::Variant& variant : module::variants()) {
+        const bool constants = variant.constants != module::Variant::Constants::none;
         for (const auto& [file, names, in_variants, ranges, inputs] : judged) {
             const Lab other(options_of(file, variant), test::SharedDevice::get());
             for (const char* name : std::span(names).first(in_variants)) {
@@ -275,4 +277,4 @@ TEST_F(ForeignCode, NoNameCollidesWithOurs) {
     EXPECT_EQ(kernel<float(float)>("twice")(4.0F), 8.0F);
 }
 
-}  // namespace gloam::check::own_function_test
+}  // namespace gloam::subject::own_function_test

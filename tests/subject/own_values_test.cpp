@@ -6,7 +6,9 @@
 #include "judge/function.hpp"
 #include "subject/fixture_functions.hpp"
 
-namespace gloam::check::own_values_test {
+namespace gloam::subject::own_values_test {
+
+using namespace judge;
 
 // Values that C++ gives.
 
@@ -124,7 +126,7 @@ TEST(OwnTypes, WhatIsOutsideIsTheInputsFault) {
           {"samplers.glsl", "fetched"},
           {"samplers.glsl", "fetched", "shipped", {{"p", {0, 3}}}, false},
           {"samplers.glsl", "fetched_beside", "shipped", {{"p", {1, 2}}}, false}}) {
-        const Lab lab(options_of(file, shader::variant(variant)), test::SharedDevice::get());
+        const Lab lab(options_of(file, module::variant(variant)), test::SharedDevice::get());
         const Answer answer = answer_of(lab, file, function, ranges);
         EXPECT_EQ(answer.undefined > 0, undefined) << function;
         EXPECT_EQ(answer.undefined, answer.recorded()) << function;
@@ -195,4 +197,4 @@ TEST(OwnRules, AFunctionOfYourOwn) {
     EXPECT_LE(answer.guarantee.ulp, 4.0);
 }
 
-}  // namespace gloam::check::own_values_test
+}  // namespace gloam::subject::own_values_test

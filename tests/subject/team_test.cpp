@@ -5,7 +5,9 @@
 #include "judge/function.hpp"
 #include "subject/fixture_functions.hpp"
 
-namespace gloam::check::team_test {
+namespace gloam::subject::team_test {
+
+using namespace judge;
 
 Lab lab_for(const char* file) {
     return {options_of(file), test::SharedDevice::get()};
@@ -68,7 +70,7 @@ auto fails_with(Kind kind, const testing::Matcher<const char*>& message) {
 
 TEST(Groups, RacesAndDivergentBarriersAreErrorsOfTheShader) {
     const Lab lab = lab_for("groups.comp");
-    const Lab interpreted(options_of("groups.comp"), interpreter());
+    const Lab interpreted(options_of("groups.comp"), interpreter_backend());
     for (const Lab* each : {&lab, &interpreted})
         for (const auto& [name, kind] : {std::pair{"without_barrier", Kind::race},
                                          {"sometimes_without", Kind::race},
@@ -101,4 +103,4 @@ TEST(Groups, AreCalledFromCpp) {
     EXPECT_THROW((void)SignatureOf<Mixed>::describe(), std::invalid_argument);
 }
 
-}  // namespace gloam::check::team_test
+}  // namespace gloam::subject::team_test

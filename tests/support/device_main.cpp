@@ -19,12 +19,12 @@ int main(int argc, char** argv) {
     const std::span arguments(argv, static_cast<std::size_t>(argc));
     if (std::ranges::any_of(arguments,
                             [](const char* a) { return std::string_view(a) == "--swiftshader"; })) {
-        const auto manifest = gloam::gpu::find_swiftshader();
+        const auto manifest = gloam::backend::vulkan::find_swiftshader();
         if (!manifest) {
             std::puts("skipped: no SwiftShader here (Debian's package chromium has it)");
             return skipped;
         }
-        gloam::gpu::add_drivers(std::array{*manifest});
+        gloam::backend::vulkan::add_drivers(std::array{*manifest});
         ::setenv("GLOAM_TEST_DEVICE", "SwiftShader", 1);
     }
     gloam::test::keep_a_list_for_each_test();

@@ -11,7 +11,7 @@ namespace gloam::test {
 // legal result, whatever the order that a compiler chooses. The same seed gives the same text.
 [[nodiscard]] std::string random_function(std::uint64_t seed);
 
-// The range of its parameter x (check::range_from()). The others take any integers.
+// The range of its parameter x (subject::range_from()). The others take any integers.
 inline constexpr const char* random_function_range = "x=-16:16";
 
 }  // namespace gloam::test

@@ -10,12 +10,12 @@ namespace gloam::test {
 // Opened when it is first asked for, closed after the last test.
 class SharedDevice : public testing::Environment {
   public:
-    [[nodiscard]] static std::shared_ptr<gpu::Device> get() {
+    [[nodiscard]] static std::shared_ptr<backend::vulkan::Device> get() {
         if (!device()) {
-            device() = std::make_shared<gpu::Device>(
-                gpu::DeviceOptions{.device = variable("GLOAM_TEST_DEVICE"),
-                                   .validation = gpu::Validation::on,
-                                   .cache_directory = variable("GLOAM_CACHE_DIR")});
+            device() = std::make_shared<backend::vulkan::Device>(
+                backend::vulkan::DeviceOptions{.device = variable("GLOAM_TEST_DEVICE"),
+                                               .validation = backend::vulkan::Validation::on,
+                                               .cache_directory = variable("GLOAM_CACHE_DIR")});
         }
         return device();
     }
@@ -23,8 +23,8 @@ class SharedDevice : public testing::Environment {
     void TearDown() override { device().reset(); }
 
   private:
-    static std::shared_ptr<gpu::Device>& device() {
-        static std::shared_ptr<gpu::Device> opened;
+    static std::shared_ptr<backend::vulkan::Device>& device() {
+        static std::shared_ptr<backend::vulkan::Device> opened;
         return opened;
     }
 };

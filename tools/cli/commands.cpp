@@ -17,7 +17,7 @@
 namespace gloam::cli {
 
 std::string versions() {
-    return "gloam " + base::version() + ", " + base::one_line(shader::compiler_version());
+    return "gloam " + base::version() + ", " + base::one_line(module::compiler_version());
 }
 
 namespace {

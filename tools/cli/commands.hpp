@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace gloam::check {
+namespace gloam::judge {
 struct Question;
 }
 
@@ -92,7 +92,7 @@ struct PresetFrame;
 
 // What is about ambient occlusion, for the commands of the framework: the equations that names stand for, or
 // all without names; the passes of a preset with NAME=VALUE set. Both throw std::invalid_argument.
-using EquationsNamed = std::vector<check::Question>(const std::vector<std::string>& names);
+using EquationsNamed = std::vector<judge::Question>(const std::vector<std::string>& names);
 // tiles: the share of tiles that are swept in full; otherwise the preset's own, that of unseen views.
 using FrameOf = PresetFrame(const std::string& preset, const std::vector<std::string>& set,
                             std::optional<double> tiles);

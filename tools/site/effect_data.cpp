@@ -17,15 +17,15 @@ using nlohmann::ordered_json;
 // A pass as one text in GLSL ES 3.00: it has loose uniforms, as OpenGL ES has them, and the specialization
 // constants of Vulkan.
 std::string file_text(const fs::path& file, const fs::path& library) {
-    const shader::PackRequest request{.language = shader::Language::es300,
-                                      .stage = shader::stage_of_file(file)};
-    return shader::code_of(shader::pack({file}, request, {library}));
+    const source::PackRequest request{.language = source::Language::es300,
+                                      .stage = source::stage_of_file(file)};
+    return source::code_of(module::pack({file}, request, {library}));
 }
 
 // A function of the library with what it uses, as a text that another shader can contain: without its head.
 std::string function_text(const std::string& file, const std::string& function, const fs::path& library) {
-    const shader::PackRequest request{.language = shader::Language::es300, .functions = {function}};
-    std::istringstream lines(shader::code_of(shader::pack({library / file}, request, {library})));
+    const source::PackRequest request{.language = source::Language::es300, .functions = {function}};
+    std::istringstream lines(source::code_of(module::pack({library / file}, request, {library})));
     std::string text;
     for (std::string line; std::getline(lines, line);)
         if (!line.starts_with("#version") && !line.starts_with("precision ")) text += line + "\n";
@@ -74,7 +74,7 @@ std::string effect_json(const fs::path& library, const fs::path& files) {
           {"refine_from_depth", "frame/sweep.frag", {"GLOAM_MARKS", "GLOAM_NORMALS_FROM_DEPTH"}},
           {"filter_of_tiles", "frame/filter.frag", {"GLOAM_MARKS"}},
           {"join_of_tiles", "frame/join.frag", {"GLOAM_MARKS"}}})
-        json[name] = shader::code_of(passes.text(file, defines, {}, {}, shader::Language::es300));
+        json[name] = source::code_of(passes.text(file, defines, {}, {}, source::Language::es300));
     json["multi_bounce"] = function_text("gloam/shading/ambient.glsl", "gloam_multi_bounce", library);
     return text_of(json);
 }

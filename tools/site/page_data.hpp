@@ -11,7 +11,7 @@ namespace gloam::site {
 [[nodiscard]] std::string effect_classes(const std::filesystem::path& files);
 
 // What AmbientOcclusion needs (effect/ambient-occlusion.js), as JSON: gloam's own presets, and the passes by
-// name. library: the folder with gloam/ and passes/. Throws like shader::pack().
+// name. library: the folder with gloam/ and passes/. Throws like module::pack().
 [[nodiscard]] std::string effect_json(const std::filesystem::path& library,
                                       const std::filesystem::path& files);
 

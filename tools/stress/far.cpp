@@ -15,7 +15,7 @@
 namespace gloam::stress {
 namespace {
 
-constexpr gpu::Extent image{64, 36};
+constexpr backend::Extent image{64, 36};
 constexpr int frames = 4;
 constexpr const char* rejected = "points that TSSAO-8 (0.01) rejects, %";
 constexpr const char* bare = "occlusion of a bare wall (gtao)";
@@ -29,8 +29,8 @@ struct Cameras {
     glm::vec3 eye{0};
     glm::vec3 previous_eye{0};
 };
-using Previous =
-    check::Function<glm::vec3(glm::vec3, glm::vec4, float, Cameras, check::Out<glm::vec4>, check::Out<bool>)>;
+using Previous = judge::Function<glm::vec3(glm::vec3, glm::vec4, float, Cameras, subject::Out<glm::vec4>,
+                                           subject::Out<bool>)>;
 
 // A scene and its moving camera, so far from the origin; moved by whole numbers, so that nothing is rounded.
 scene::Scene scene_at(double distance) {

@@ -27,7 +27,7 @@ struct Sequence {
 enum Pattern : unsigned { third, alternating, jumping, noise, rare, pattern_count };
 
 constexpr const char* accumulate_file = "accumulate.glsl";
-using Accumulate = check::Function<glm::vec4(glm::vec4, Sequence, glm::vec2&)>;
+using Accumulate = judge::Function<glm::vec4(glm::vec4, Sequence, glm::vec2&)>;
 
 constexpr glm::vec2 no_range{1.0F, 0.0F};
 
@@ -166,7 +166,7 @@ bool safe(const glm::vec4& texel) {
            texel.z >= 0.0F && texel.z < static_cast<float>(sequence.table_size) && texel.w > 0.0F;
 }
 
-using OneFrame = check::Function<glm::vec4(glm::vec4, float, Sequence)>;
+using OneFrame = judge::Function<glm::vec4(glm::vec4, float, Sequence)>;
 
 // Each channel of a good history made bad; one frame.
 void poison_texels(const Context& context, const OneFrame& frame) {

@@ -17,7 +17,7 @@
 namespace gloam::stress {
 namespace {
 
-constexpr gpu::Extent extent{37, 26};
+constexpr backend::Extent extent{37, 26};
 constexpr float poison_radius = 0.4F;
 
 // Which buffer holds the bad value.
@@ -90,14 +90,14 @@ double changed(const std::vector<float>& now, const std::vector<float>& before, 
     double count = 0;
     for (std::size_t i = 0; i < now.size(); ++i)
         if (allowed.empty() || !allowed[i])
-            count += check::to_word(now[i]) == check::to_word(before[i]) ? 0 : 1;
+            count += subject::to_word(now[i]) == subject::to_word(before[i]) ? 0 : 1;
     return count;
 }
 
 // The passes on two devices. What all methods share is compiled once.
 class Experiment {
   public:
-    Experiment(const Context& context, const gpu::Device& fragile)
+    Experiment(const Context& context, const backend::vulkan::Device& fragile)
         : full_(!context.scope.brief),
           robust_(context.lab.device(), context.passes, extent),
           fragile_(fragile, context.passes, extent) {}
@@ -200,11 +200,12 @@ class Experiment {
 }  // namespace
 
 void poisoned_passes(const Context& context) {
-    const check::LabOptions& options = context.lab.options();
-    gpu::Device fragile({.device = options.device,
-                         .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                         .cache_directory = options.cache_directory,
-                         .robust_buffer_access = false});
+    const subject::LabOptions& options = context.lab.options();
+    backend::vulkan::Device fragile({.device = options.device,
+                                     .validation = options.validation ? backend::vulkan::Validation::on
+                                                                      : backend::vulkan::Validation::off,
+                                     .cache_directory = options.cache_directory,
+                                     .robust_buffer_access = false});
     Experiment experiment(context, fragile);
     for (const effect::MethodInfo& method : context.methods) {
         std::size_t number = 0;
@@ -228,7 +229,7 @@ using effect::GatherCamera;
 using effect::GatherKernel;
 
 // Of a method: (sum, count); reads depths by gloam_fetch_depth.
-using Gather = check::Function<effect::MethodGather>;
+using Gather = judge::Function<effect::MethodGather>;
 
 // What a method prepares for the image; mssao for so many resolutions.
 std::optional<effect::Preparation> gather_preparation(const effect::MethodInfo& method) {
@@ -240,20 +241,20 @@ std::optional<effect::Preparation> gather_preparation(const effect::MethodInfo& 
 
 // The images that a method reads: depths of 3 with all bad values strewn in, or one of these everywhere,
 // normals as bad as they, and for one that prepares something its image, every texel alike.
-check::ImageSet gather_images(std::optional<float> everywhere,
-                              const std::optional<effect::Preparation>& preparation, float prepared) {
+subject::ImageSet gather_images(std::optional<float> everywhere,
+                                const std::optional<effect::Preparation>& preparation, float prepared) {
     const auto depth = [=](glm::ivec2 at) {
         const auto index = static_cast<std::size_t>(at.y * size.x + at.x);
         return everywhere.value_or(index % 4 == 0 ? bad_values[index / 4 % std::size(bad_values)] : 3.0F);
     };
-    check::ImageSet images{{"gloam_fetch_depth", check::make_image<float>(size, depth)},
-                           {"gloam_fetch_normal", check::make_image<glm::vec3>(size, [&](glm::ivec2 at) {
-                                return glm::vec3(0, 0, depth(at));
-                            })}};
+    subject::ImageSet images{{"gloam_fetch_depth", subject::make_image<float>(size, depth)},
+                             {"gloam_fetch_normal", subject::make_image<glm::vec3>(size, [&](glm::ivec2 at) {
+                                  return glm::vec3(0, 0, depth(at));
+                              })}};
     if (!preparation) return images;
     const glm::ivec2 texels(preparation->image.width, preparation->image.height);
     images.emplace("gloam_fetch_prepared",
-                   check::make_image<glm::vec4>(texels, [=](glm::ivec2) { return glm::vec4(prepared); }));
+                   subject::make_image<glm::vec4>(texels, [=](glm::ivec2) { return glm::vec4(prepared); }));
     return images;
 }
 
@@ -295,13 +296,13 @@ void poison_gather(const Context& context, const effect::MethodInfo& method) {
     double results_outside = 0;
     const auto call = [&](float bad, std::optional<float> everywhere, float prepared) {
         const std::vector<Gather::Inputs> inputs = gather_inputs(bad);
-        std::vector<check::Word> words;
-        for (const Gather::Inputs& input : inputs) check::append_words(input, words);
-        const check::KernelCore::Result result =
+        std::vector<subject::Word> words;
+        for (const Gather::Inputs& input : inputs) subject::append_words(input, words);
+        const subject::KernelCore::Result result =
             gather.core().run(words, inputs.size(), gather_images(everywhere, preparation, prepared));
         if (result.fault) fetches_outside += static_cast<double>(result.fault->count);
-        for (std::span<const check::Word> rest = result.outputs; !rest.empty();) {
-            const auto sum = check::take_words<glm::vec2>(rest);  // (samples times occlusion, samples)
+        for (std::span<const subject::Word> rest = result.outputs; !rest.empty();) {
+            const auto sum = subject::take_words<glm::vec2>(rest);  // (samples times occlusion, samples)
             results_outside += sum.x >= 0.0F && sum.x <= sum.y && sum.y <= most ? 0 : 1;
         }
     };

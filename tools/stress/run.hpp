@@ -45,7 +45,7 @@ struct Scope {
 // What a run works with. The lab's include roots hold the shader library, tools/stress/shaders and the folder
 // of effect::MethodFunctions.
 struct Context {
-    const check::Lab& lab;
+    const subject::Lab& lab;
     const scene::PassLibrary& passes;
     Scope scope{};
     std::vector<effect::MethodInfo> methods = effect::methods();  // whose passes and gathers are tried
@@ -99,7 +99,7 @@ inline constexpr float bad_values[]{NAN,    -NAN,  INFINITY,     -INFINITY,     
                                     1e-20F, 1e20F, -1e20F,       FLT_MAX,         -FLT_MAX};
 
 // A wall across the whole view, at depth 3 along the axis. slope: by how much it recedes to the right.
-[[nodiscard]] inline scene::GBuffer wall(gpu::Extent extent, double slope = 0.0) {
+[[nodiscard]] inline scene::GBuffer wall(backend::Extent extent, double slope = 0.0) {
     scene::GBuffer view{.extent = extent};
     view.camera =
         scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));

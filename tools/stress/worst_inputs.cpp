@@ -9,7 +9,7 @@ namespace gloam::stress {
 namespace {
 
 // The input in a few words: those of a matrix would hide the rest of the line.
-std::string input_text(const check::Answer& answer) {
+std::string input_text(const judge::Answer& answer) {
     if (!answer.worst) return "every input: exact";
     std::string text = answer.worst->values;
     constexpr std::size_t longest = 120;
@@ -22,10 +22,10 @@ std::string input_text(const check::Answer& answer) {
 void worst_inputs(const Context& context, const catalogue::Entry& entry) {
     const std::string& equation = entry.description.id;
     context.progress(equation);
-    const check::SearchResult found =
-        check::search(context.lab, entry.question,
+    const audit::SearchResult found =
+        audit::search(context.lab, entry.question,
                       {.inputs = context.scope.brief ? 2'048U : 262'144U, .seed = context.scope.seed});
-    const check::Answer& answer = found.answer;
+    const judge::Answer& answer = found.answer;
     const char* limit = answer.rules_alone() ? "permitted" : "documented";
     context.add(fmt::format("{} {}", equation, input_text(answer)),
                 fmt::format("worst error found, of what is {}", limit), answer.fraction, 1.0);

@@ -15,7 +15,10 @@
 #include "judge/session.hpp"
 #include "numeric/numbers.hpp"
 
-namespace gloam::check {
+namespace gloam::audit {
+
+using namespace judge;
+using namespace subject;
 
 std::string name_of(Concern concern) {
     static constexpr std::array names{"fault",    "not finite",   "undefined",     "unspecified",
@@ -275,7 +278,7 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
     AuditRuns runs(lab, question, source, options.seed);
     internal::AuditSearch search = internal::search(runs, options);
     Audit all{.function = question.name.empty() ? question.function : question.name,
-              .declaration = shader::to_glsl({.name = question.function,
+              .declaration = module::to_glsl({.name = question.function,
                                               .result = question.signature.result,
                                               .parameters = question.signature.parameters,
                                               .defined = true}),
@@ -304,7 +307,7 @@ Audit audit(const Lab& lab, const OwnFunction& own, const Ranges& ranges, const 
 
 void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options) {
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
-    const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
+    const std::vector<module::Scalar> scalars = question.signature.output_scalars();
     const ImageSet images = images_of(question.first_scenario(), options.seed);
     for (AuditFinding& finding : audit.findings) {
         const bool may_fault = finding.concern == Concern::parting && std::isnan(finding.exact);
@@ -315,4 +318,4 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
     }
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::audit

@@ -16,7 +16,7 @@
 
 // Where a shader function itself goes wrong, whatever the driver. The interpreter runs it correctly rounded,
 // in double and on intervals, and searches for the worst inputs of its domain. It needs no reference.
-namespace gloam::check {
+namespace gloam::audit {
 
 // Decimal digits of a float32 (24 bits).
 inline constexpr double float_digits = 7.2;
@@ -54,12 +54,12 @@ struct AuditWitness {
 // The worst input for one concern, or for one operation where it arises.
 struct AuditFinding {
     Concern concern = Concern::fault;
-    double share = 0.0;       // of random inputs that show it, but for digits and drivers; 0: found by search
-    std::vector<Word> words;  // the worst input, with the simplest numbers that show the same
-    std::string values;       // "x = 0.5, n = (0, 1, 0)"
-    std::size_t output = 0;   // word of the result that shows it most
-    double value = 0.0;       // float32, correctly rounded
-    double exact = 0.0;       // in double; of a parting the other result, NaN where a driver faults
+    double share = 0.0;  // of random inputs that show it, but for digits and drivers; 0: found by search
+    std::vector<subject::Word> words;  // the worst input, with the simplest numbers that show the same
+    std::string values;                // "x = 0.5, n = (0, 1, 0)"
+    std::size_t output = 0;            // word of the result that shows it most
+    double value = 0.0;                // float32, correctly rounded
+    double exact = 0.0;                // in double; of a parting the other result, NaN where a driver faults
     numeric::Bounds permitted = numeric::Bounds::point(0.0);  // by Vulkan's rules
     double lost = 0.0;                                        // decimal digits, of the 7.2 that a float32 has
     bool cancels = false;  // digits: the result keeps the errors of its operands, and is small beside them
@@ -97,7 +97,7 @@ struct Audit {
     std::size_t too_long = 0;            // of these, ended after most_audited_instructions
     std::vector<AuditFinding> findings;  // the gravest first
     std::vector<AuditLine> lines;
-    Coverage coverage;
+    judge::Coverage coverage;
     std::vector<AuditRewrite> rewrites;
 
     // Whether an input came to its end. Otherwise nothing is known of the function.
@@ -115,27 +115,29 @@ struct AuditOptions {
 // Audits the function of a question; its domain decides the inputs. `domain`: its description. Images have
 // the content of the question's first scenario. Throws like Lab::kernel(), and interpreter::Error for an
 // instruction that the interpreter does not know.
-[[nodiscard]] Audit audit(const Lab& lab, const Question& question, const std::vector<OrdinaryValues>& domain,
-                          const AuditOptions& options = {});
+[[nodiscard]] Audit audit(const subject::Lab& lab, const judge::Question& question,
+                          const std::vector<OrdinaryValues>& domain, const AuditOptions& options = {});
 
 // The same for a function that C++ has.
 template <class Type>
-[[nodiscard]] Audit audit(const Function<Type>& function, const Domain& domain,
+[[nodiscard]] Audit audit(const judge::Function<Type>& function, const subject::Domain& domain,
                           const AuditOptions& options = {}) {
     return audit(function.lab(), function.question(domain), {}, options);
 }
 
 // The same for a function of a file from elsewhere, in its ordinary domain.
-[[nodiscard]] Audit audit(const Lab& lab, const OwnFunction& own, const Ranges& ranges,
-                          const AuditOptions& options = {});
+[[nodiscard]] Audit audit(const subject::Lab& lab, const subject::OwnFunction& own,
+                          const subject::Ranges& ranges, const AuditOptions& options = {});
 
 // Runs the worst inputs of an audit on the lab's device and adds what it gives. Inputs that fault are not
 // run. `question`: of the same function. Throws like Lab::kernel() and KernelCore::run().
-void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options = {});
+void add_witness(Audit& audit, const subject::Lab& lab, const judge::Question& question,
+                 const AuditOptions& options = {});
 
 // Measures what the inputs of a run reach, in the function and in all that it calls, with the interpreter in
 // float32. Throws like run(), and interpreter::Error.
-[[nodiscard]] Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options);
+[[nodiscard]] judge::Coverage measure_coverage(const subject::Lab& lab, const judge::Question& question,
+                                               const judge::RunOptions& options);
 
 // What a finding shows: "NaN", "0.25, exactly 0.5", "up to 3.9 of 7.2 digits".
 [[nodiscard]] std::string result_text(const AuditFinding& finding);
@@ -145,9 +147,9 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
 // On what the result rests, and what devices give: "0.25 on llvmpipe".
 [[nodiscard]] std::vector<std::string> remarks_on(const AuditFinding& finding);
 // The ways and lines that nothing reached, one each: "tone.glsl:12: never true: if (x > 2.0)".
-[[nodiscard]] std::vector<std::string> missed(const Coverage& coverage);
+[[nodiscard]] std::vector<std::string> missed(const judge::Coverage& coverage);
 
 // The audit in a few lines, for people.
 [[nodiscard]] std::string to_text(const Audit& audit);
 
-}  // namespace gloam::check
+}  // namespace gloam::audit

@@ -14,8 +14,11 @@
 #include "module/include.hpp"
 #include "subject/interpreted_kernel.hpp"
 
-namespace gloam::check {
+namespace gloam::audit {
 namespace {
+
+using namespace judge;
+using namespace subject;
 
 constexpr const char* generated = "kernel";
 constexpr std::uint64_t most_steps = 100'000'000;  // about a second
@@ -28,7 +31,7 @@ std::vector<std::string> lines_of(const std::string& file, const std::vector<std
     std::vector<std::string> lines;
     try {
         const std::string path = std::filesystem::absolute(file).string();
-        std::istringstream text(shader::read_text(shader::resolve_include(path, {}, roots)));
+        std::istringstream text(module::read_text(module::resolve_include(path, {}, roots)));
         for (std::string line; std::getline(text, line);) {
             const std::size_t first = line.find_first_not_of(" \t");
             lines.push_back(first == std::string::npos ? "" : base::one_line(line.substr(first)));
@@ -54,29 +57,6 @@ Coverage points_of(const interpreter::Coverage& seen, std::size_t inputs) {
 }
 
 }  // namespace
-
-bool Coverage::is_complete() const {
-    return std::ranges::all_of(points, &Point::reached);
-}
-
-std::string to_text(const Coverage& coverage) {
-    std::array<std::size_t, 2> all{};  // lines, ways
-    std::array<std::size_t, 2> reached{};
-    std::string missed;
-    std::set<std::pair<std::string, unsigned>> missed_lines;
-    for (const Coverage::Point& point : coverage.points) {
-        const std::size_t kind = point.way.empty() ? 0 : 1;
-        ++all.at(kind);
-        reached.at(kind) += point.reached ? 1 : 0;
-        // If a branch was not reached, its missed line is reported and not its ways.
-        if (point.reached || (kind == 1 && missed_lines.contains({point.file, point.line}))) continue;
-        if (kind == 0) missed_lines.insert({point.file, point.line});
-        missed += fmt::format("\n    {}:{} {}: {}", base::one_line(point.file), point.line,
-                              kind == 0 ? "not reached" : "never " + point.way, point.text);
-    }
-    return fmt::format("lines {} of {}, ways of branches {} of {}, {} inputs{}", reached[0], all[0],
-                       reached[1], all[1], coverage.inputs, missed);
-}
 
 Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options) {
     const KernelModule module =
@@ -118,4 +98,4 @@ Coverage measure_coverage(const Lab& lab, const Question& question, const RunOpt
     return all;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::audit

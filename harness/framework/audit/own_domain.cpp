@@ -18,12 +18,14 @@
 #include "source/declarations.hpp"
 #include "source/tokens.hpp"
 
-namespace gloam::check {
+namespace gloam::audit {
 namespace {
 
-using shader::Scalar;
-using shader::Type;
-using shader::internal::Declaration;
+using namespace subject;
+
+using module::Scalar;
+using module::Type;
+using source::internal::Declaration;
 
 using internal::Kind;
 using internal::Meaning;
@@ -34,12 +36,12 @@ constexpr long usual_index = 7;  // most integer parameters are indices, counts 
 
 // No one means subnormal numbers, or the smallest normal ones, though they lie in the range.
 Values without_tiny(Values values, Scalar scalar) {
-    const auto is_tiny = [scalar](std::span<const Word> words) {
+    const auto is_tiny = [scalar](std::span<const subject::Word> words) {
         const double magnitude = std::abs(from_word<double>(words.front()));
         return magnitude > 0.0 && magnitude <= format_of(scalar).smallest_normal();
     };
     std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_tiny(fixed.words); });
-    values.contains = [contains = values.contains, is_tiny](std::span<const Word> words) {
+    values.contains = [contains = values.contains, is_tiny](std::span<const subject::Word> words) {
         return contains(words) && !is_tiny(words);
     };
     return values;
@@ -55,7 +57,7 @@ Values in_each(const Type& type, const Values& values) {
 std::pair<std::string, Values> described(const Type& type, const std::optional<Meaning>& meaning) {
     const Scalar scalar = type.scalar;
     if (scalar == Scalar::bool_) return {"false, true", in_each(type, booleans())};
-    if (!shader::is_float(scalar)) {
+    if (!module::is_float(scalar)) {
         long low = 0;
         long high = usual_index;
         if (meaning) {
@@ -81,7 +83,7 @@ std::pair<std::string, Values> described(const Type& type, const std::optional<M
 
 // The length of the shortest array that a text indexes with this name alone: "weights[i]" where there is
 // "float weights[4]". nullopt if there is none.
-std::optional<long> indexed_length(shader::Tokens tokens, const std::string& name) {
+std::optional<long> indexed_length(source::Tokens tokens, const std::string& name) {
     std::optional<long> shortest;
     for (std::size_t i = 2; i + 1 < tokens.size(); ++i) {
         if (tokens[i] != name || tokens[i - 1] != "[" || tokens[i + 1] != "]") continue;
@@ -96,7 +98,7 @@ std::optional<long> indexed_length(shader::Tokens tokens, const std::string& nam
 
 // The name of the function that is called with the token at `at` as its whole argument, and which argument
 // that is; empty: it is none.
-std::pair<std::string, std::size_t> call_with(shader::Tokens tokens, std::size_t at) {
+std::pair<std::string, std::size_t> call_with(source::Tokens tokens, std::size_t at) {
     std::size_t argument = 0;
     const auto ends = [&](std::size_t i) { return tokens[i] == "," || tokens[i] == ")" || tokens[i] == "("; };
     if (!ends(at - 1) || !ends(at + 1)) return {};
@@ -112,16 +114,16 @@ std::pair<std::string, std::size_t> call_with(shader::Tokens tokens, std::size_t
 // Whether a function reads single bits of an integer parameter, itself or where it passes it on: by shifts,
 // masks, and functions of bits and packed numbers. A limit of a loop is a count.
 // `asked`: functions and parameters that were asked before.
-bool takes_apart(const std::vector<Declaration>& text, const std::string& function, const std::string& name,
-                 std::set<std::pair<std::string, std::string>>& asked) {
+bool takes_apart(const std::vector<source::internal::Declaration>& text, const std::string& function,
+                 const std::string& name, std::set<std::pair<std::string, std::string>>& asked) {
     if (!asked.emplace(function, name).second) return false;
     static const std::set<std::string, std::less<>> of_bits{
         "uintBitsToFloat", "bitfieldExtract", "bitfieldReverse", "unpackHalf2x16",
         "unpackUnorm2x16", "unpackSnorm2x16", "unpackUnorm4x8",  "unpackSnorm4x8"};
     bool found = false;
-    for (const Declaration& declared : text) {
+    for (const source::internal::Declaration& declared : text) {
         if (!declared.defines(function)) continue;
-        const shader::Tokens body = shader::Tokens(declared.tokens).subspan(declared.function->body);
+        const source::Tokens body = source::Tokens(declared.tokens).subspan(declared.function->body);
         for (std::size_t i = 1; i + 1 < body.size(); ++i) {
             if (body[i] != name) continue;
             const std::string& before = body[i - 1].text;
@@ -131,7 +133,7 @@ bool takes_apart(const std::vector<Declaration>& text, const std::string& functi
                 found || after == ">>" || after == "&" || after == ">>=" || after == "&=" || before == "&";
             const auto [called, argument] = call_with(body, i);
             found = found || of_bits.contains(called);
-            for (const Declaration& other : text)
+            for (const source::internal::Declaration& other : text)
                 found =
                     found || (other.defines(called) && argument < other.function->parameters.size() &&
                               takes_apart(text, called, other.function->parameters[argument].name, asked));
@@ -163,15 +165,15 @@ class Ordinary {
     Ordinary(const OwnFunction& own, const Ranges& ranges)
         : own_(own),
           ranges_(ranges),
-          text_(outline(shader::internal::whole_text(own.text)).declarations),
-          tokens_(shader::tokens_of(own.text)) {
-        for (const shader::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
+          text_(outline(source::internal::whole_text(own.text)).declarations),
+          tokens_(source::tokens_of(own.text)) {
+        for (const module::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
     }
 
     void add(const Type& type, const std::string& name, std::vector<OrdinaryValues>& all) const {
         if (!type.sizes.empty()) return add_array(type, name, all);
         if (type.scalar == Scalar::structure) {
-            for (const shader::Member& member : type.members) add(member.type, name + "." + member.name, all);
+            for (const module::Member& member : type.members) add(member.type, name + "." + member.name, all);
         } else if (type.scalar == Scalar::sampler) {
             all.push_back({name, "random images", "type", vector(std::vector<Values>{})});
         } else {
@@ -200,7 +202,7 @@ class Ordinary {
     [[nodiscard]] std::pair<std::optional<Meaning>, std::string> meaning_of(const Type& type,
                                                                             const std::string& name) const {
         const int components = type.columns * type.rows;
-        const bool is_float = shader::is_float(type.scalar);
+        const bool is_float = module::is_float(type.scalar);
         const bool is_whole = !is_float && type.scalar != Scalar::bool_;
         const bool is_vector = type.scalar == Scalar::float_ && type.columns == 1 && components > 1;
         const std::string last = name.substr(name.rfind('.') + 1);
@@ -225,13 +227,13 @@ class Ordinary {
 
     const OwnFunction& own_;
     const Ranges& ranges_;
-    std::vector<Declaration> text_;
-    std::vector<shader::Token> tokens_;
+    std::vector<source::internal::Declaration> text_;
+    std::vector<source::Token> tokens_;
     std::set<std::string> names_;
 };
 
 // The same values in each invocation of a quad, as one entry.
-OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
+OrdinaryValues in_quad(const module::Parameter& parameter, const Type& type,
                        const std::vector<OrdinaryValues>& parts) {
     const bool pixels = parameter.name == fragment_coordinate;
     return {parameter.name, pixels ? "the pixels of a quad" : "neighbours, each " + text_of(parts),
@@ -243,13 +245,13 @@ OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
 std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges& ranges) {
     const Ordinary ordinary(own, ranges);
     std::vector<OrdinaryValues> all;
-    for (const shader::Parameter& parameter : own.function.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
+    for (const module::Parameter& parameter : own.function.parameters) {
+        if (parameter.direction == source::Direction::out) continue;
         if (own.team.kind != backend::Team::Kind::quad || !is_of_each(parameter)) {
             ordinary.add(parameter.type, parameter.name, all);
             continue;
         }
-        const Type type = shader::element_of(parameter.type);
+        const Type type = module::element_of(parameter.type);
         std::vector<OrdinaryValues> parts;
         ordinary.add(type, parameter.name, parts);
         all.push_back(in_quad(parameter, type, parts));
@@ -257,17 +259,17 @@ std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges
     return all;
 }
 
-Domain ordinary_domain(const shader::Function& function, const std::vector<OrdinaryValues>& ordinary) {
+Domain ordinary_domain(const module::Function& function, const std::vector<OrdinaryValues>& ordinary) {
     std::vector<Values> parameters;
     std::size_t next = 0;
     const std::function<std::size_t(const Type&)> entries_of = [&](const Type& type) -> std::size_t {
         if (type.scalar != Scalar::structure || !type.sizes.empty()) return 1;
         std::size_t count = 0;
-        for (const shader::Member& member : type.members) count += entries_of(member.type);
+        for (const module::Member& member : type.members) count += entries_of(member.type);
         return count;
     };
-    for (const shader::Parameter& parameter : function.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
+    for (const module::Parameter& parameter : function.parameters) {
+        if (parameter.direction == source::Direction::out) continue;
         const std::size_t count = entries_of(parameter.type);
         parameters.push_back(joined(std::span(ordinary).subspan(next, count)));
         next += count;
@@ -276,4 +278,4 @@ Domain ordinary_domain(const shader::Function& function, const std::vector<Ordin
         .and_degenerate({.result = function.result, .parameters = function.parameters}, true);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::audit

@@ -6,14 +6,14 @@
 
 #include "subject/own_function.hpp"
 
-namespace gloam::check {
+namespace gloam::audit {
 
 // The values that a parameter usually has.
 struct OrdinaryValues {
     std::string parameter;  // "x"; a structure's member: "light.color"
     std::string text;       // "0 to 1", "unit vectors"
     std::string reason;     // "--range", "comment", "name", "array", "bits", "type"
-    Values values;
+    subject::Values values;
 };
 
 // The values of each in and inout parameter of a function of a file from elsewhere, in order; a structure has
@@ -25,10 +25,11 @@ struct OrdinaryValues {
 //   shifts, masks and functions of bits: a uint that the function takes apart is any word;
 //   the type: floats -1000 to 1000, half of them 0 to 1; integers 0 to 7.
 // Of a quad, neighbours differ as neighbours() says.
-[[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges& ranges);
+[[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const subject::OwnFunction& own,
+                                                          const subject::Ranges& ranges);
 
 // The same values as the domain of the function, in which vectors are also equal, opposite and parallel.
-[[nodiscard]] Domain ordinary_domain(const shader::Function& function,
-                                     const std::vector<OrdinaryValues>& ordinary);
+[[nodiscard]] subject::Domain ordinary_domain(const module::Function& function,
+                                              const std::vector<OrdinaryValues>& ordinary);
 
-}  // namespace gloam::check
+}  // namespace gloam::audit

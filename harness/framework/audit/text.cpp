@@ -11,7 +11,7 @@
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"
 
-namespace gloam::check {
+namespace gloam::audit {
 namespace {
 
 std::string at(const std::string& file, unsigned line) {
@@ -132,9 +132,9 @@ std::string extent_text(const AuditFinding& finding) {
                        std::min(finding.lost, float_digits), float_digits);
 }
 
-std::vector<std::string> missed(const Coverage& coverage) {
+std::vector<std::string> missed(const judge::Coverage& coverage) {
     std::vector<std::string> all;
-    for (const Coverage::Point& point : coverage.points)
+    for (const judge::Coverage::Point& point : coverage.points)
         if (!point.reached)
             all.push_back(fmt::format("{}: {}{}", at(point.file, point.line),
                                       point.way.empty() ? "" : "never " + point.way + ": ", point.text));
@@ -165,4 +165,4 @@ std::string to_text(const Audit& audit) {
     return text;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::audit

@@ -6,8 +6,11 @@
 #include "audit/internal/moves.hpp"
 #include "judge/session.hpp"
 
-namespace gloam::check {
+namespace gloam::audit {
 namespace {
+
+using namespace judge;
+using namespace subject;
 
 constexpr std::size_t drawn_part = 4;     // one of this many inputs is drawn at random
 constexpr std::size_t generation = 1024;  // inputs of one dispatch
@@ -53,4 +56,4 @@ SearchResult search(const Lab& lab, const Question& question, const RunOptions& 
     return found;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::audit

@@ -18,6 +18,13 @@ namespace gloam::backend {
 // Whatever a kernel reads and writes, as bits.
 using Word = std::uint32_t;
 
+// Width and height of an image, in pixels.
+struct Extent {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    friend bool operator==(const Extent&, const Extent&) = default;
+};
+
 // What went wrong with a device, in one line.
 class Error : public base::Failure {
     using base::Failure::Failure;
@@ -64,7 +71,8 @@ struct SamplerPrecision {
     bool filters_depth = false;
 };
 
-// A device as it describes itself. `index`: of a Vulkan device, its position in gpu::list_devices().
+// A device as it describes itself. `index`: of a Vulkan device, its position in
+// backend::vulkan::list_devices().
 struct DeviceInfo {
     std::size_t index = 0;
     std::string name;         // "llvmpipe (LLVM 15.0.6, 256 bits)"

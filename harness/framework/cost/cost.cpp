@@ -82,17 +82,17 @@ const std::vector<Family>& family_table() {
     return table;
 }
 
-gpu::DescriptorKind kind_of(shader::BindingType type) {
-    using enum gpu::DescriptorKind;
+backend::vulkan::DescriptorKind kind_of(module::BindingType type) {
+    using enum backend::vulkan::DescriptorKind;
     static constexpr std::array kinds{storage_image, sampled_image,  texture,
                                       sampler,       storage_buffer, uniform_buffer};  // as BindingType
     return kinds.at(static_cast<std::size_t>(type));
 }
 
-gpu::RadvProgram program_of(const shader::Spirv& module, const CostOptions& options) {
-    const shader::ModuleInterface interface = shader::reflect(module);
-    gpu::RadvProgram program{.spirv = module, .descriptors = {}, .constants = options.constants};
-    for (const shader::Binding& one : interface.bindings)
+backend::vulkan::RadvProgram program_of(const module::Spirv& module, const CostOptions& options) {
+    const module::ModuleInterface interface = module::reflect(module);
+    backend::vulkan::RadvProgram program{.spirv = module, .descriptors = {}, .constants = options.constants};
+    for (const module::Binding& one : interface.bindings)
         program.descriptors.push_back(
             {.set = one.set, .number = one.number, .count = one.count, .kind = kind_of(one.type)});
     if (interface.push_constants)
@@ -100,7 +100,7 @@ gpu::RadvProgram program_of(const shader::Spirv& module, const CostOptions& opti
     return program;
 }
 
-Cost cost_from(const gpu::RadvReport& report) {
+Cost cost_from(const backend::vulkan::RadvReport& report) {
     if (!report.messages.empty())
         throw std::runtime_error(fmt::format("Vulkan validation: {}", fmt::join(report.messages, " | ")));
     Cost cost = counted(report.assembly);
@@ -116,15 +116,17 @@ Cost cost_from(const gpu::RadvReport& report) {
 }
 
 // The work of a process of its own. Nothing that the driver prints is for the user.
-std::string compiled(std::span<const shader::Spirv> modules, const CostOptions& options,
+std::string compiled(std::span<const module::Spirv> modules, const CostOptions& options,
                      const std::string& chip) {
     if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
         dup2(nowhere, STDERR_FILENO);
-    const auto validation = options.validation ? gpu::Validation::on : gpu::Validation::off;
-    std::vector<gpu::RadvProgram> programs;
-    for (const shader::Spirv& module : modules) programs.push_back(program_of(module, options));
+    const auto validation =
+        options.validation ? backend::vulkan::Validation::on : backend::vulkan::Validation::off;
+    std::vector<backend::vulkan::RadvProgram> programs;
+    for (const module::Spirv& module : modules) programs.push_back(program_of(module, options));
     nlohmann::json numbers;
-    for (const gpu::RadvReport& report : gpu::compiled_by_radv(programs, chip, validation)) {
+    for (const backend::vulkan::RadvReport& report :
+         backend::vulkan::compiled_by_radv(programs, chip, validation)) {
         const Cost cost = cost_from(report);
         for (const CostField& field : cost_fields()) numbers.push_back(cost.*field.value);
     }
@@ -165,11 +167,11 @@ std::vector<std::string> families() {
     return names;
 }
 
-Cost cost_of(const shader::Spirv& module, const CostOptions& options) {
+Cost cost_of(const module::Spirv& module, const CostOptions& options) {
     return costs_of({&module, 1}, options).front();
 }
 
-std::vector<Cost> costs_of(std::span<const shader::Spirv> modules, const CostOptions& options) {
+std::vector<Cost> costs_of(std::span<const module::Spirv> modules, const CostOptions& options) {
     const auto family = std::ranges::find(family_table(), options.family, &Family::name);
     if (family == family_table().end())
         throw std::invalid_argument(

@@ -48,11 +48,11 @@ struct CostOptions {
 
 // The cost of a compute shader with the entry point "main". Another process compiles it, under the limits of
 // all compilers of foreign texts (base::compiler_limits). Throws std::invalid_argument for another family,
-// with those known; base::WorkError, for example gpu::no_radv_message where RADV is not installed;
-// base::LimitError.
-[[nodiscard]] Cost cost_of(const shader::Spirv& module, const CostOptions& options = {});
+// with those known; base::WorkError, for example backend::vulkan::no_radv_message where RADV is not
+// installed; base::LimitError.
+[[nodiscard]] Cost cost_of(const module::Spirv& module, const CostOptions& options = {});
 // What each of several modules costs; one process compiles all of them.
-[[nodiscard]] std::vector<Cost> costs_of(std::span<const shader::Spirv> modules,
+[[nodiscard]] std::vector<Cost> costs_of(std::span<const module::Spirv> modules,
                                          const CostOptions& options = {});
 
 }  // namespace gloam::cost

@@ -56,7 +56,7 @@ std::string name_of_way(const Code& code, const Instruction& i, std::size_t way)
 
 Error::Error(Kind kind, const std::string& message) : Failure(message, reason_of(kind)), kind_(kind) {}
 
-Program::Program(const shader::Spirv& module, std::span<const Constant> constants,
+Program::Program(const module::Spirv& module, std::span<const Constant> constants,
                  const std::string& entry_point) {
     const internal::Module read(module, constants);
     code_ = std::make_shared<const internal::Code>(internal::Lowering(read).run(entry_point));

@@ -66,8 +66,8 @@ using backend::Constant;
 class Program {
   public:
     // Decodes the entry point with this name and everything that it calls. Throws Error for a module that is
-    // invalid (see shader::validate) and for an instruction that the interpreter does not know.
-    explicit Program(const shader::Spirv& module, std::span<const Constant> constants = {},
+    // invalid (see module::validate) and for an instruction that the interpreter does not know.
+    explicit Program(const module::Spirv& module, std::span<const Constant> constants = {},
                      const std::string& entry_point = "main");
 
     // Whether the module lets a driver contract or rearrange some float operation, because the operation is

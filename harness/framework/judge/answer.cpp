@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <set>
 
+#include "base/text.hpp"
 #include "module/steps.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 std::string to_text(const Budget& budget) {
     std::string text;
@@ -125,12 +128,12 @@ void AnswerCounts::add_predicate(const std::vector<double>& want, bool was_judge
 }
 
 std::string AnswerIdentity::variant_before_steps() const {
-    return variant.substr(0, variant.find(shader::step_separator));
+    return variant.substr(0, variant.find(module::step_separator));
 }
 
 std::string AnswerIdentity::steps() const {
-    const std::size_t at = variant.find(shader::step_separator);
-    return at == std::string::npos ? "" : variant.substr(at + shader::step_separator.size());
+    const std::size_t at = variant.find(module::step_separator);
+    return at == std::string::npos ? "" : variant.substr(at + module::step_separator.size());
 }
 
 void Answer::add_unbounded(const Sample& sample) {
@@ -178,4 +181,27 @@ void Answer::merge(const Answer& later) {
     if (broken.empty()) broken = later.broken;
 }
 
-}  // namespace gloam::check
+bool Coverage::is_complete() const {
+    return std::ranges::all_of(points, &Point::reached);
+}
+
+std::string to_text(const Coverage& coverage) {
+    std::array<std::size_t, 2> all{};  // lines, ways
+    std::array<std::size_t, 2> reached{};
+    std::string missed;
+    std::set<std::pair<std::string, unsigned>> missed_lines;
+    for (const Coverage::Point& point : coverage.points) {
+        const std::size_t kind = point.way.empty() ? 0 : 1;
+        ++all.at(kind);
+        reached.at(kind) += point.reached ? 1 : 0;
+        // If a branch was not reached, its missed line is reported and not its ways.
+        if (point.reached || (kind == 1 && missed_lines.contains({point.file, point.line}))) continue;
+        if (kind == 0) missed_lines.insert({point.file, point.line});
+        missed += fmt::format("\n    {}:{} {}: {}", base::one_line(point.file), point.line,
+                              kind == 0 ? "not reached" : "never " + point.way, point.text);
+    }
+    return fmt::format("lines {} of {}, ways of branches {} of {}, {} inputs{}", reached[0], all[0],
+                       reached[1], all[1], coverage.inputs, missed);
+}
+
+}  // namespace gloam::judge

@@ -14,7 +14,9 @@
 #include "numeric/interval.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
+
+using backend::Word;
 
 // The largest permitted difference from the reference: an output passes if its error is at most `ulp` units
 // in the last place, or at most `absolute`. Integers and bools must be equal.
@@ -254,17 +256,19 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
 
 // The values of a signature's inputs as text, each in decimal and hexadecimal: "vec2 (0.5 (0x3f000000), 1
 // (0x3f800000)), int 3".
-[[nodiscard]] std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs);
+[[nodiscard]] std::string describe_inputs(const subject::Signature& signature,
+                                          const std::vector<Word>& inputs);
 // The result and the out and inout values, in order: "0.5 (0x3f000000), true".
-[[nodiscard]] std::string describe_outputs(const Signature& signature, const std::vector<Word>& outputs);
+[[nodiscard]] std::string describe_outputs(const subject::Signature& signature,
+                                           const std::vector<Word>& outputs);
 
 // Verdict, counts by class of input, and the worst input with its outputs and the expected ones.
-[[nodiscard]] std::string describe(const Signature& signature, const Answer& answer);
+[[nodiscard]] std::string describe(const subject::Signature& signature, const Answer& answer);
 
 // Sets Sample::values of every sample of an answer.
-void describe_samples(const Signature& signature, Answer& answer);
+void describe_samples(const subject::Signature& signature, Answer& answer);
 
 // Prints describe()'s text, so that EXPECT_TRUE(answer.passed()) << answer describes the failure.
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -8,14 +8,16 @@
 #include "judge/answer.hpp"
 #include "numeric/numbers.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 namespace {
 
-using shader::Scalar;
+using namespace subject;
+
+using module::Scalar;
 
 std::string words_text(const std::vector<Scalar>& scalars, std::span<const Word> words) {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < words.size(); ++i) texts.push_back(text_of(scalars[i], words[i]));
+    for (std::size_t i = 0; i < words.size(); ++i) texts.push_back(subject::text_of(scalars[i], words[i]));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -25,7 +27,7 @@ std::string number_text(const std::vector<Scalar>& scalars, std::size_t i, doubl
     constexpr double exact = 9'007'199'254'740'992.0;
     const Scalar scalar = i < scalars.size() ? scalars[i] : Scalar::float_;
     const bool whole = std::abs(number) <= exact && number == std::floor(number);
-    return shader::is_float(scalar) || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
+    return module::is_float(scalar) || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
 }
 
 std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<double>& numbers) {
@@ -70,16 +72,16 @@ std::string sample_text(const Signature& signature, const Sample& sample) {
 std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs) {
     std::vector<std::string> texts;
     std::size_t first = 0;
-    for (const shader::Parameter& p : signature.parameters) {
-        if (p.direction == shader::Direction::out) continue;
+    for (const module::Parameter& p : signature.parameters) {
+        if (p.direction == source::Direction::out) continue;
         const std::vector<Scalar> scalars = scalars_of(p.type);
         if (scalars.empty()) continue;  // a sampler
         const std::vector<Word> words(inputs.begin() + static_cast<std::ptrdiff_t>(first),
                                       inputs.begin() + static_cast<std::ptrdiff_t>(first + scalars.size()));
         const std::string values = words_text(scalars, words);
-        const std::string what = shader::to_glsl(p.type) + (p.global ? " " + p.name : "");
+        const std::string what = module::to_glsl(p.type) + (p.global ? " " + p.name : "");
         texts.push_back(
-            fmt::format(fmt::runtime(shader::scalar_count(p.type) > 1 ? "{} ({})" : "{} {}"), what, values));
+            fmt::format(fmt::runtime(module::scalar_count(p.type) > 1 ? "{} ({})" : "{} {}"), what, values));
         first += scalars.size();
     }
     return fmt::format("{}", fmt::join(texts, ", "));
@@ -128,4 +130,4 @@ std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
                                  answer.outside(), answer.inputs(), why.empty() ? "" : ": ", why);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

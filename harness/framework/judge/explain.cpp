@@ -14,11 +14,13 @@
 #include "numeric/paths.hpp"
 #include "subject/interpreted_kernel.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 namespace {
 
+using namespace subject;
+
 using interpreter::Explained;
-using shader::Scalar;
+using module::Scalar;
 
 constexpr const char* kernel_name = "kernel";
 constexpr std::uint64_t most_instructions = 500'000;  // of one explanation, which stores all of them
@@ -172,7 +174,7 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
 // A value that no operation of floats made; numbers without their bits.
 std::string bits_text(Scalar scalar, Word word) {
     if (scalar == Scalar::float_) return value_text(double{from_word<float>(word)}, 9);
-    return scalar == Scalar::uint_ ? fmt::format("{}", word) : text_of(scalar, word);
+    return scalar == Scalar::uint_ ? fmt::format("{}", word) : subject::text_of(scalar, word);
 }
 
 // "result 0.5 (0.50000001 in double, permitted [0.49999997, 0.50000003])", lists for a vector and for out
@@ -222,9 +224,9 @@ std::string last_lines(const Explanation& explanation) {
     return text + fmt::format("the first NaN is the result of {}, {}\n", place_of(*nan), nan->operation);
 }
 
-KernelModule lined_module(const shader::CompileOptions& options, const KernelSource& source,
-                          const shader::SpirvCache& cache) {
-    shader::CompileOptions with_lines = options;
+KernelModule lined_module(const module::CompileOptions& options, const KernelSource& source,
+                          const module::SpirvCache& cache) {
+    module::CompileOptions with_lines = options;
     with_lines.lines = true;
     with_lines.stage = stage_of(source.team);
     return kernel_module(source,
@@ -234,7 +236,7 @@ KernelModule lined_module(const shader::CompileOptions& options, const KernelSou
 }  // namespace
 
 KernelModule lined_module(const Lab& lab, const KernelSource& source) {
-    shader::CompileOptions options = lab.compile_options();
+    module::CompileOptions options = lab.compile_options();
     options.variant = {};
     KernelModule module = lined_module(options, source, lab.cache());
     module.subgroup_size = std::max(lab.info().subgroup_size, 1U);
@@ -261,12 +263,12 @@ Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> 
     return all;
 }
 
-Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
+Explanation explain(const module::CompileOptions& options, const KernelSource& source,
                     std::span<const Word> input, const ImageSet& images) {
-    const KernelModule module = lined_module(options, source, shader::SpirvCache());
+    const KernelModule module = lined_module(options, source, module::SpirvCache());
     if (input.size() != module.input_words)
         throw std::invalid_argument(fmt::format("{} takes {} values, got {}",
-                                                shader::to_glsl(source.function), module.input_words,
+                                                module::to_glsl(source.function), module.input_words,
                                                 input.size()));
     const interpreter::Program program(module.spirv);
     const std::vector<std::vector<Word>> words = image_words(module, images);
@@ -287,4 +289,4 @@ std::string to_text(const Explanation& explanation, std::size_t most) {
     return text + result_line(explanation) + last_lines(explanation);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -12,7 +12,7 @@
 #include "subject/kernel_code.hpp"
 #include "subject/lab.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 // One operation of a shader on one input, as the interpreter executed it on every number type at once.
 struct ExplainedStep {
@@ -45,22 +45,23 @@ struct Explanation {
     std::size_t worst = 0;
     // Its outputs, as steps without a place; empty for a kernel whose function is not known.
     std::vector<ExplainedStep> result;
-    std::vector<shader::Scalar> scalars;  // of the result
+    std::vector<module::Scalar> scalars;  // of the result
 };
 
 // Runs a function on one input (the words of its in and inout parameters in order) along the path that
 // float32 takes. Throws std::invalid_argument for another number of words, or an image that is missing;
-// shader::CompileError; interpreter::Error.
-[[nodiscard]] Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
-                                  std::span<const Word> input, const ImageSet& images = {});
+// source::CompileError; interpreter::Error.
+[[nodiscard]] Explanation explain(const module::CompileOptions& options, const subject::KernelSource& source,
+                                  std::span<const subject::Word> input, const subject::ImageSet& images = {});
 
 // A kernel with the lines of its source, for explain() and coverage, with a lab's options and cache, as the
 // front end makes it: an optimizer removes some branches and copies others. No driver is given it.
-[[nodiscard]] KernelModule lined_module(const Lab& lab, const KernelSource& source);
+[[nodiscard]] subject::KernelModule lined_module(const subject::Lab& lab,
+                                                 const subject::KernelSource& source);
 
 // The same for a kernel that is ready. Throws interpreter::Error.
-[[nodiscard]] Explanation explain(InterpretedKernel<interpreter::Explained>& kernel,
-                                  std::span<const Word> input,
+[[nodiscard]] Explanation explain(subject::InterpretedKernel<interpreter::Explained>& kernel,
+                                  std::span<const subject::Word> input,
                                   numeric::Paths::Gaps gaps = numeric::Paths::Gaps::open);
 
 // What Vulkan's precision rules say of its operations, a line for each kind: "OpFDiv: 2.5 ULP where ...".
@@ -71,4 +72,4 @@ struct Explanation {
 // rises the later steps.
 [[nodiscard]] std::string to_text(const Explanation& explanation, std::size_t most);
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

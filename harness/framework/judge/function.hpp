@@ -14,7 +14,7 @@
 #include "judge/run.hpp"
 #include "subject/lab.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 // The outcome of Function::property().
 struct PropertyResult {
@@ -32,7 +32,7 @@ using HoldsFor = std::function<bool(std::span<const Word> input, std::span<const
 
 // Draws inputs of the question's domain, runs them, and asks for each; an input that fails is shrunk inside
 // the domain. Throws like KernelCore::run().
-[[nodiscard]] PropertyResult check_property(const KernelCore& core, const Question& question,
+[[nodiscard]] PropertyResult check_property(const subject::KernelCore& core, const Question& question,
                                             const HoldsFor& holds, const RunOptions& options);
 
 // A GLSL function that C++ can call and check: `Function<float(glm::vec2, Out<float>)> f(lab, "f.glsl",
@@ -44,48 +44,48 @@ using HoldsFor = std::function<bool(std::span<const Word> input, std::span<const
 template <class Type>
 class Function {
   public:
-    using Inputs = typename SignatureOf<Type>::Inputs;
-    using Outputs = typename SignatureOf<Type>::Outputs;
+    using Inputs = typename subject::SignatureOf<Type>::Inputs;
+    using Outputs = typename subject::SignatureOf<Type>::Outputs;
     using Output =
         typename std::conditional_t<std::tuple_size_v<Outputs> == 1, std::tuple_element<0, Outputs>,
                                     std::type_identity<Outputs>>::type;
 
     // Throws like Lab::kernel.
-    Function(const Lab& lab, std::string file, std::string function)
+    Function(const subject::Lab& lab, std::string file, std::string function)
         : lab_(&lab),
           file_(std::move(file)),
           function_(std::move(function)),
-          core_(lab.kernel(file_, function_, SignatureOf<Type>::describe())) {}
+          core_(lab.kernel(file_, function_, subject::SignatureOf<Type>::describe())) {}
 
     // Compares the results for many inputs with a reference, within a budget. `reference` takes the inputs in
     // double (see make_reference()). Throws like run().
     template <class Reference>
-    [[nodiscard]] Answer compare(Reference reference, const Domain& domain, const Budget& budget = {},
-                                 const RunOptions& options = {}) const {
+    [[nodiscard]] Answer compare(Reference reference, const subject::Domain& domain,
+                                 const Budget& budget = {}, const RunOptions& options = {}) const {
         Question asked = question(domain);
         asked.reference = make_reference<Type>(std::move(reference));
         asked.budget = budget;
-        return check::run(*lab_, asked, options);
+        return judge::run(*lab_, asked, options);
     }
 
     // Checks whether Vulkan's precision rules permit the results for the module that the driver was given: no
     // reference, no tolerance. Throws like run(): of a group whose invocations race, or do not all reach a
     // barrier, interpreter::Error, which names the two lines.
-    [[nodiscard]] Answer check_rules(const Domain& domain, const RunOptions& options = {}) const {
-        return check::run(*lab_, question(domain), options);
+    [[nodiscard]] Answer check_rules(const subject::Domain& domain, const RunOptions& options = {}) const {
+        return judge::run(*lab_, question(domain), options);
     }
 
     // Checks that `holds(inputs..., output)` is true for the inputs of a domain; the simplest input that was
     // found to fail is reported. Not for functions that read images. Throws like operator().
     template <class Holds>
-    [[nodiscard]] PropertyResult property(const Domain& domain, const Holds& holds,
+    [[nodiscard]] PropertyResult property(const subject::Domain& domain, const Holds& holds,
                                           const RunOptions& options = {}) const {
         const auto holds_for = [&holds](std::span<const Word> input, std::span<const Word> outputs) {
             return std::apply(
                 [&](const auto&... value) {
-                    return static_cast<bool>(holds(value..., take_words<Output>(outputs)));
+                    return static_cast<bool>(holds(value..., subject::take_words<Output>(outputs)));
                 },
-                take_words<Inputs>(input));
+                subject::take_words<Inputs>(input));
         };
         return check_property(core_, question(domain), holds_for, options);
     }
@@ -96,24 +96,24 @@ class Function {
     [[nodiscard]] Explanation explain(const Arguments&... arguments) const {
         const Inputs input(arguments...);
         std::vector<Word> words;
-        append_words(input, words);
-        return check::explain(lab_->compile_options(), *core_.module().source, words);
+        subject::append_words(input, words);
+        return judge::explain(lab_->compile_options(), *core_.module().source, words);
     }
 
     // Evaluates all inputs in one dispatch. Throws backend::Error; std::runtime_error for an access outside
     // an image, with the image and the pixel, and for validation messages.
     [[nodiscard]] std::vector<Output> operator()(std::span<const Inputs> inputs,
-                                                 const ImageSet& images = {}) const {
+                                                 const subject::ImageSet& images = {}) const {
         std::vector<Word> words;
         words.reserve(inputs.size() * core_.input_words());
-        for (const Inputs& input : inputs) append_words(input, words);
-        const KernelCore::Result result = core_.run(words, inputs.size(), images);
+        for (const Inputs& input : inputs) subject::append_words(input, words);
+        const subject::KernelCore::Result result = core_.run(words, inputs.size(), images);
         lab_->require_silent_validation();
         if (result.fault) throw std::runtime_error(to_text(*result.fault));
         std::vector<Output> outputs;
         outputs.reserve(inputs.size());
         std::span<const Word> rest = result.outputs;
-        for (std::size_t i = 0; i < inputs.size(); ++i) outputs.push_back(take_words<Output>(rest));
+        for (std::size_t i = 0; i < inputs.size(); ++i) outputs.push_back(subject::take_words<Output>(rest));
         return outputs;
     }
 
@@ -127,26 +127,26 @@ class Function {
     }
 
     // Evaluates one input of a function that reads images.
-    [[nodiscard]] Output with_images(const ImageSet& images, const Inputs& input) const {
+    [[nodiscard]] Output with_images(const subject::ImageSet& images, const Inputs& input) const {
         return (*this)(std::span(&input, 1), images).front();
     }
 
-    [[nodiscard]] const KernelCore& core() const { return core_; }
-    [[nodiscard]] const Lab& lab() const { return *lab_; }
+    [[nodiscard]] const subject::KernelCore& core() const { return core_; }
+    [[nodiscard]] const subject::Lab& lab() const { return *lab_; }
 
     // What compare() and check_rules() ask on a domain, without a reference.
-    [[nodiscard]] Question question(const Domain& domain) const {
+    [[nodiscard]] Question question(const subject::Domain& domain) const {
         return {.file = file_,
                 .function = function_,
-                .signature = SignatureOf<Type>::describe(),
+                .signature = subject::SignatureOf<Type>::describe(),
                 .domain = domain};
     }
 
   private:
-    const Lab* lab_;
+    const subject::Lab* lab_;
     std::string file_;
     std::string function_;
-    KernelCore core_;
+    subject::KernelCore core_;
 };
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

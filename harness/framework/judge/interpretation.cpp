@@ -9,7 +9,9 @@
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
+
+using namespace subject;
 
 Sample::Outcome hull_of(const Permitted& permitted) {
     Sample::Outcome all = permitted.front();
@@ -43,16 +45,16 @@ numeric::Bounds bounds_of(const numeric::Rearranged& x) {
 }
 
 // What a module asks a driver, or a compiler before it, to keep.
-numeric::Paths::Specials specials_of(const shader::Spirv& words) {
+numeric::Paths::Specials specials_of(const module::Spirv& words) {
     using enum numeric::Paths::Specials;
-    return shader::preserves_specials(words) ? listed : dropped;
+    return module::preserves_specials(words) ? listed : dropped;
 }
 
 }  // namespace
 
 Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
     for (const auto& module : modules) {
-        const shader::Spirv& words = module->before.empty() ? module->spirv : module->before;
+        const module::Spirv& words = module->before.empty() ? module->spirv : module->before;
         parts_.push_back({.module = *module,
                           .program = interpreter::Program(words, module->constants),
                           .images = image_words(*module, images),
@@ -111,7 +113,7 @@ std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<doubl
             if (why->place.function.empty()) throw interpreter::Error(kind, why->cause);
             throw interpreter::Error(kind, why->cause, why->place);
         }
-        outputs.push_back(shader::is_float(outputs_[w]) ? value.number()
+        outputs.push_back(module::is_float(outputs_[w]) ? value.number()
                                                         : whole_number(outputs_[w], value.bits()));
     }
     return doubles.machine().steps() - before;
@@ -145,7 +147,7 @@ Permitted Interpretation::explore(const InputRow& input, std::span<const Word> u
             Sample::Outcome outcome;
             for (std::size_t w = 0; w < outputs_.size(); ++w) {
                 const auto value = kernel.output(w);
-                outcome.push_back(shader::is_float(outputs_[w])
+                outcome.push_back(module::is_float(outputs_[w])
                                       ? bounds_of(value.number())
                                       : numeric::Bounds::point(whole_number(outputs_[w], value.bits())));
             }
@@ -178,4 +180,4 @@ Permitted Interpretation::all_permitted(const InputRow& input) {
                : explore<numeric::Interval>(input);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -10,7 +10,7 @@
 #include "numeric/paths.hpp"
 #include "subject/interpreted_kernel.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 // All outputs that Vulkan's precision rules permit for one input: those of each path through the function.
 // Never empty: where anything is permitted, also if there were too many paths, one outcome holds everything.
@@ -30,10 +30,10 @@ inline constexpr std::size_t most_paths = 256;
 class Decoded {
   public:
     // The modules and the images must outlive this object.
-    Decoded(const KernelModules& modules, const ImageSet& images);
+    Decoded(const subject::KernelModules& modules, const subject::ImageSet& images);
 
     struct Part {
-        const KernelModule& module;
+        const subject::KernelModule& module;
         interpreter::Program program;
         std::vector<std::vector<Word>> images;
         numeric::Paths::Specials specials;  // that a driver must keep
@@ -55,7 +55,7 @@ class Interpretation {
   public:
     // `results`: outputs that are no out parameters. `of_driver`: what is permitted includes what a driver
     // makes of NaN and infinity that it need not keep.
-    Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs, std::size_t results,
+    Interpretation(const Decoded& decoded, const std::vector<module::Scalar>& outputs, std::size_t results,
                    bool of_driver = true)
         : decoded_(decoded),
           outputs_(outputs),
@@ -89,7 +89,7 @@ class Interpretation {
 
   private:
     template <class N>
-    using Made = std::unique_ptr<InterpretedKernel<N>>;  // when it is needed
+    using Made = std::unique_ptr<subject::InterpretedKernel<N>>;  // when it is needed
     using Part = std::tuple<Made<float>, Made<double>, Made<numeric::Interval>, Made<numeric::Rearranged>>;
     struct Location {
         std::size_t part;
@@ -98,12 +98,12 @@ class Interpretation {
 
     [[nodiscard]] Location place_of(std::size_t index) const;
     template <class N>
-    [[nodiscard]] InterpretedKernel<N>& kernel(std::size_t part);
+    [[nodiscard]] subject::InterpretedKernel<N>& kernel(std::size_t part);
     template <class N>
     [[nodiscard]] Permitted explore(const InputRow& input, std::span<const Word> until = {});
 
     const Decoded& decoded_;
-    const std::vector<shader::Scalar>& outputs_;
+    const std::vector<module::Scalar>& outputs_;
     std::size_t results_;
     bool of_driver_;
     std::vector<Part> parts_;
@@ -111,4 +111,4 @@ class Interpretation {
     std::uint64_t steps_ = 0;
 };
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

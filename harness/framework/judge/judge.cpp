@@ -13,8 +13,10 @@
 #include "judge/interpretation.hpp"
 #include "numeric/numbers.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 namespace {
+
+using namespace subject;
 
 using numeric::Bounds;
 using numeric::infinity;
@@ -68,7 +70,7 @@ class Judge {
           scalars_(question.signature),
           budget_(question, images, scalars_),
           predicate_(std::ranges::all_of(
-              scalars_.outputs, [](shader::Scalar scalar) { return scalar == shader::Scalar::bool_; })) {
+              scalars_.outputs, [](module::Scalar scalar) { return scalar == module::Scalar::bool_; })) {
         if (decoded != nullptr) rules_.emplace(*decoded, scalars_.outputs, scalars_.result_words);
     }
 
@@ -189,7 +191,7 @@ class Judge {
     [[nodiscard]] bool permits_every(const Sample& sample) const {
         for (std::size_t i = 0; i < sample.permitted.size(); ++i) {
             const Bounds& bounds = sample.permitted[i];
-            const bool is_bool = scalars_.outputs[i] == shader::Scalar::bool_;
+            const bool is_bool = scalars_.outputs[i] == module::Scalar::bool_;
             if (bounds.low > (is_bool ? 0.0 : -infinity) || bounds.high < (is_bool ? 1.0 : infinity))
                 return false;
         }
@@ -212,7 +214,7 @@ class Judge {
             const numeric::FloatFormat& format = format_of(scalars_.outputs[first]);
             const double unit = budget_.unit_of(std::span(sample.want).subspan(first, words), format);
             for (std::size_t i = first; i < first + words; ++i) {
-                if (!shader::is_float(scalars_.outputs[i])) continue;
+                if (!module::is_float(scalars_.outputs[i])) continue;
                 for (const double end : {sample.permitted[i].low, sample.permitted[i].high})
                     largest.raise(budget_.float_error(end, sample.want[i], unit, format));
             }
@@ -271,7 +273,7 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
     Answer all = empty_answer(question, options.verdict);
     const bool needs_modules = options.verdict == Verdict::rules || !question.reference;
     if (needs_modules && options.modules.empty()) {
-        const std::vector<shader::Scalar> scalars = question.signature.input_scalars();
+        const std::vector<module::Scalar> scalars = question.signature.input_scalars();
         for (std::size_t i = 0; i < inputs.count(); ++i)
             all.add_recorded(internal::class_of(inputs.row(i), scalars, inputs.branch[i]));
         return all;
@@ -304,4 +306,4 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
     return all;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -9,7 +9,7 @@
 #include "numeric/numbers.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 // EXPECT_THAT(answer, Passes()): of an Answer, a PropertyResult or an ImageComparison, whose text a failure
 // shows.
@@ -28,8 +28,8 @@ MATCHER(Passes, negation ? "fails" : "passes") {
 MATCHER_P2(WithinUlp, want, ulp, testing::PrintToString(ulp) + " ulp from " + testing::PrintToString(want)) {
     std::vector<double> got;
     std::vector<double> wanted;
-    append_numbers(arg, got);
-    append_numbers(want, wanted);
+    subject::append_numbers(arg, got);
+    subject::append_numbers(want, wanted);
     if (got.size() != wanted.size()) {
         *result_listener << got.size() << " numbers, expected " << wanted.size();
         return false;
@@ -46,4 +46,4 @@ MATCHER_P2(WithinUlp, want, ulp, testing::PrintToString(ulp) + " ulp from " + te
     return worst <= static_cast<double>(ulp);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace gloam::check {
+namespace gloam::judge {
 
-Verdict Question::verdict_in(const shader::Variant& variant) const {
+using namespace subject;
+
+Verdict Question::verdict_in(const module::Variant& variant) const {
     const bool by_rules =
         variant.strict || variant.relaxed || !variant.steps.empty() || only_rules || !reference;
     return by_rules ? Verdict::rules : Verdict::budget;
@@ -38,9 +40,9 @@ Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& range
     Question question{
         .name = own.name, .file = own.file, .function = own.function.name, .signature = own.signature()};
     question.domain = domain_of(own, ranges);
-    question.defined = std::ranges::all_of(own.function.parameters, [&](const shader::Parameter& parameter) {
-        return parameter.direction == shader::Direction::out ||
-               parameter.type.scalar == shader::Scalar::sampler || ranges.contains(parameter.name);
+    question.defined = std::ranges::all_of(own.function.parameters, [&](const module::Parameter& parameter) {
+        return parameter.direction == source::Direction::out ||
+               parameter.type.scalar == module::Scalar::sampler || ranges.contains(parameter.name);
     });
     question.must_hold = own.is_property();
     const KernelSource source = lab.source(own.file, own.function.name, question.signature);
@@ -48,4 +50,4 @@ Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& range
     return question;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

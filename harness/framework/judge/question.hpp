@@ -16,12 +16,12 @@
 #include "subject/own_function.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 // A reference without its C++ types: input words in, one double for each output word out, as number_at()
 // reads it. If a question has none, the module interpreted in double replaces it.
-using Reference =
-    std::function<void(const ImageSet& images, std::span<const Word> inputs, std::vector<double>& outputs)>;
+using Reference = std::function<void(const subject::ImageSet& images, std::span<const Word> inputs,
+                                     std::vector<double>& outputs)>;
 
 // The range in which every output except a bool must be, for every input. NaN is never inside.
 struct Codomain {
@@ -34,8 +34,8 @@ struct Question {
     std::string name;  // for reports: an ID of the catalogue; empty: the function's name
     std::string file;
     std::string function;
-    Signature signature;
-    Domain domain;
+    subject::Signature signature;
+    subject::Domain domain;
     Reference reference;  // empty: the rules judge, and the module in double is the reference
     Budget budget;
     Codomain codomain;
@@ -48,30 +48,31 @@ struct Question {
     // Whether every bool of the result has to be true: a false one that the rules permit is a failure of the
     // function itself.
     bool must_hold = false;
-    std::vector<ImageScenario> scenarios;  // empty: the function reads no image
-    bool only_rules = false;               // it documents no accuracy: judged by the rules in every variant
+    std::vector<subject::ImageScenario> scenarios;  // empty: the function reads no image
+    bool only_rules = false;  // it documents no accuracy: judged by the rules in every variant
     // Of a whole pass: runs and judges it. Its inputs are pixels, and there is no kernel of the function.
-    std::function<Answer(const Lab&)> answers;
+    std::function<Answer(const subject::Lab&)> answers;
 
     // What judges its results in a variant: in strict and relaxed ones and after steps the rules alone, in
     // all others the documented budget and the rules. With only_rules or without a reference it is never a
     // budget.
-    [[nodiscard]] Verdict verdict_in(const shader::Variant& variant) const;
+    [[nodiscard]] Verdict verdict_in(const module::Variant& variant) const;
     // Its scenarios, each with its share of so many inputs, 1 at least; if it reads no image, all inputs with
     // an empty scenario.
-    [[nodiscard]] std::vector<std::pair<ImageScenario, std::size_t>> shares(std::size_t inputs) const;
+    [[nodiscard]] std::vector<std::pair<subject::ImageScenario, std::size_t>> shares(
+        std::size_t inputs) const;
     // An empty one if it reads no image.
-    [[nodiscard]] ImageScenario first_scenario() const;
+    [[nodiscard]] subject::ImageScenario first_scenario() const;
     // The one of this name; empty: without images. Throws std::invalid_argument if it has no such images.
-    [[nodiscard]] ImageScenario scenario_of(const std::string& images) const;
+    [[nodiscard]] subject::ImageScenario scenario_of(const std::string& images) const;
 };
 
 namespace detail {
 
 // Calls a reference, with the images as first argument if it takes them.
 template <class Callable, class... Values>
-decltype(auto) call(const Callable& callable, const ImageSet& images, Values&... values) {
-    if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
+decltype(auto) call(const Callable& callable, const subject::ImageSet& images, Values&... values) {
+    if constexpr (std::is_invocable_v<const Callable&, const subject::ImageSet&, Values&...>) {
         return callable(images, values...);
     } else {
         return callable(values...);
@@ -85,18 +86,21 @@ template <class R, class... P>
 struct ReferenceOf<R(P...)> {
     // Appends the result, then every out and inout parameter.
     template <class Callable>
-    static void run(const Callable& callable, const ImageSet& images, std::span<const Word> words,
+    static void run(const Callable& callable, const subject::ImageSet& images, std::span<const Word> words,
                     std::vector<double>& outputs) {
-        std::tuple<InDouble<typename ParameterOf<P>::value>...> arguments{};
+        std::tuple<subject::InDouble<typename subject::ParameterOf<P>::value>...> arguments{};
         const auto with = [&](auto&... values) {
-            ((is_input<P> ? void(values = take_words<std::remove_cvref_t<decltype(values)>>(words)) : void()),
+            ((subject::is_input<P>
+                  ? void(values = subject::take_words<std::remove_cvref_t<decltype(values)>>(words))
+                  : void()),
              ...);
             if constexpr (std::is_void_v<R>) {
                 call(callable, images, values...);
             } else {
-                append_numbers(static_cast<InDouble<R>>(call(callable, images, values...)), outputs);
+                subject::append_numbers(static_cast<subject::InDouble<R>>(call(callable, images, values...)),
+                                        outputs);
             }
-            ((is_output<P> ? append_numbers(values, outputs) : void()), ...);
+            ((subject::is_output<P> ? subject::append_numbers(values, outputs) : void()), ...);
         };
         std::apply(with, arguments);
     }
@@ -109,7 +113,8 @@ struct ReferenceOf<R(P...)> {
 // ImageSet&) can be the first argument.
 template <class Function, class Callable>
 [[nodiscard]] Reference make_reference(Callable callable) {
-    return [callable](const ImageSet& images, std::span<const Word> words, std::vector<double>& outputs) {
+    return [callable](const subject::ImageSet& images, std::span<const Word> words,
+                      std::vector<double>& outputs) {
         outputs.clear();
         detail::ReferenceOf<Function>::run(callable, images, words, outputs);
     };
@@ -120,13 +125,15 @@ template <class Function, class Callable>
 template <class Function, class Predicate>
 [[nodiscard]] std::function<bool(std::span<const Word>)> make_predicate(Predicate predicate) {
     return [predicate](std::span<const Word> words) {
-        return std::apply(predicate, take_words<typename SignatureOf<Function>::Inputs>(words));
+        return std::apply(predicate,
+                          subject::take_words<typename subject::SignatureOf<Function>::Inputs>(words));
     };
 }
 
 // The check of any function by the rules alone, of its domain_of() these ranges; the images behind its
 // prototypes have random content. If every parameter has a range, their inputs are promised to have defined
 // results.
-[[nodiscard]] Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& ranges);
+[[nodiscard]] Question question_of(const subject::Lab& lab, const subject::OwnFunction& own,
+                                   const subject::Ranges& ranges);
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -14,11 +14,13 @@
 #include "subject/interpreted_kernel.hpp"
 #include "subject/kernel_code.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 namespace {
 
-using shader::Scalar;
-using Constants = shader::Variant::Constants;
+using namespace subject;
+
+using module::Scalar;
+using Constants = module::Variant::Constants;
 using Words = std::vector<Word>;
 
 Session session_of(const Lab& lab, const Question& question, const RunOptions& options,
@@ -53,16 +55,16 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
                              const ImageSet& images, std::vector<Word> inputs) {
     const KernelSource source = lab.source(question.file, question.function, question.signature);
     const Constants constants = lab.options().variant.constants;
-    const shader::Source text{.name = "kernel of " + question.function,
+    const source::Source text{.name = "kernel of " + question.function,
                               .text = code_of(source, constants, inputs)};
-    shader::CompileOptions in_stage = lab.compile_options();
+    module::CompileOptions in_stage = lab.compile_options();
     in_stage.stage = stage_of(source.team);
     KernelModule module = kernel_module(source, lab.cache().compile(text, in_stage));
     try {
         lab.take_steps(module, text);
-    } catch (const shader::StepError&) {  // the module before them is what there is
+    } catch (const module::StepError&) {  // the module before them is what there is
     }
-    Reproduction all{.glsl = shader::pack({text}, {.stage = in_stage.stage}, lab.options().include_roots),
+    Reproduction all{.glsl = module::pack({text}, {.stage = in_stage.stage}, lab.options().include_roots),
                      .spirv = std::move(module.spirv),
                      .steps = lab.options().variant.steps,
                      .before = std::move(module.before),
@@ -71,7 +73,7 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
                      .inputs = std::move(inputs),
                      .specialized = constants == Constants::specialization,
                      .outputs = question.signature.output_scalars()};
-    all.assembly = shader::disassemble(all.spirv);
+    all.assembly = module::disassemble(all.spirv);
     std::vector<std::vector<Word>> words = image_words(module, images);
     for (std::size_t i = 0; i < words.size(); ++i) {
         const ImagePrototype& image = source.images[i];
@@ -107,11 +109,11 @@ Steps shortest(Steps words, std::size_t least, const std::function<bool(const St
 Steps shortest_steps(const Steps& steps, const std::function<bool(const Steps&)>& fails) {
     Steps left = shortest(steps, 1, fails);
     for (std::size_t i = 0; i < left.size(); ++i) {
-        const Steps parts = shader::parts_of(left[i]);
+        const Steps parts = module::parts_of(left[i]);
         if (parts.size() < 2) continue;
         const auto with = [&](const Steps& fewer) {
             Steps changed = left;
-            changed[i] = shader::with_parts(left[i], fewer);
+            changed[i] = module::with_parts(left[i], fewer);
             return changed;
         };
         left = with(shortest(parts, 1, [&](const Steps& fewer) { return fails(with(fewer)); }));
@@ -133,9 +135,9 @@ bool after(const Steps& steps, const Lab& lab, bool cannot, const std::function<
         return fails(with_steps(lab, steps));
     } catch (const backend::Fault&) {
         return cannot;
-    } catch (const shader::StepError&) {
+    } catch (const module::StepError&) {
         return cannot;
-    } catch (const shader::Unchanged&) {
+    } catch (const module::Unchanged&) {
         return false;
     } catch (const backend::Unsupported&) {
         return false;
@@ -219,11 +221,11 @@ std::vector<Sample::Outcome> allowed_outcomes(const Question& question, const Im
     };
     internal::visit_covered_inputs(question.budget, question.signature.input_scalars(), sample.inputs, add);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-        if (!shader::is_float(scalars[i]) || bounds[i].empty()) continue;
+        if (!module::is_float(scalars[i]) || bounds[i].empty()) continue;
         bounds[i].low = std::max(bounds[i].low, codomain.low);
         bounds[i].high = std::min(bounds[i].high, codomain.high);
     }
     return {bounds};
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

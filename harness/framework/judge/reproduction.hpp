@@ -10,7 +10,7 @@
 #include "judge/run.hpp"
 #include "subject/lab.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 // The first of some inputs that fails, with its outputs; nullopt: none does.
 using FirstFailing = std::function<std::optional<Sample>(std::span<const std::vector<Word>> inputs)>;
@@ -24,11 +24,11 @@ using FirstFailing = std::function<std::optional<Sample>(std::span<const std::ve
 // A check of one input, with all that is needed to run it without this framework.
 struct Reproduction {
     std::string glsl;  // the generated shader, includes inserted
-    shader::Spirv spirv;
+    module::Spirv spirv;
     // Of a variant with steps: the fewest of them, and the fewest parts of each, that still fail; and the
     // module before those of a compiler, whose rules were asked.
     std::vector<std::string> steps = {};
-    shader::Spirv before = {};
+    module::Spirv before = {};
     backend::Team team = {};  // of a quad, the shader is a fragment shader
     std::string opengl;       // of an OpenGL device: the text that it was given
     std::string assembly;
@@ -45,30 +45,32 @@ struct Reproduction {
     std::vector<ImageBuffer> images;
     std::vector<Word> inputs;
     bool specialized = false;  // the inputs are specialization constants: word i has the constant_id i
-    std::vector<shader::Scalar> outputs;
+    std::vector<module::Scalar> outputs;
     std::vector<Sample::Outcome> outcomes;  // that are allowed; empty if no failing input is known
     std::optional<Sample> failure;          // the failure for these inputs
     std::vector<std::string> rules = {};    // rules_of() its operations; empty: it cannot be explained
 };
 
 // The shader and the first input of a check. Nothing is run; use it if the check crashed its driver.
-[[nodiscard]] Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options);
+[[nodiscard]] Reproduction reproduce(const subject::Lab& lab, const Question& question,
+                                     const RunOptions& options);
 
 // The same with the simplest failing input that shrink() finds, starting from an input that failed in a run
 // with these options. Throws std::invalid_argument if that input does not fail any more, or if it ran with
 // images that the check does not have.
-[[nodiscard]] Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options,
-                                     const Sample& failing);
+[[nodiscard]] Reproduction reproduce(const subject::Lab& lab, const Question& question,
+                                     const RunOptions& options, const Sample& failing);
 
 // The same with an input for which the shader accesses a pixel outside an image, as in a run with these
 // options. Throws std::invalid_argument if no input does.
-[[nodiscard]] Reproduction reproduce_fault(const Lab& lab, const Question& question,
+[[nodiscard]] Reproduction reproduce_fault(const subject::Lab& lab, const Question& question,
                                            const RunOptions& options);
 
 // The outcomes that a failing sample does not have: of one that the rules forbid, those that Vulkan permits;
 // else one, the budget around `want`, and around the reference's results for the neighbouring inputs that the
 // budget covers. Where the function jumps, it includes the values in between.
-[[nodiscard]] std::vector<Sample::Outcome> allowed_outcomes(const Question& question, const ImageSet& images,
+[[nodiscard]] std::vector<Sample::Outcome> allowed_outcomes(const Question& question,
+                                                            const subject::ImageSet& images,
                                                             const Sample& sample);
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

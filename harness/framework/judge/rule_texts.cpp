@@ -8,7 +8,7 @@
 #include "base/text.hpp"
 #include "judge/explain.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 namespace {
 
 // Whether SignedZeroInfNanPreserve binds an operation: in each wording of its clause, in newer ones, or in
@@ -116,4 +116,4 @@ std::vector<std::string> rules_of(const Explanation& explanation) {
     return lines;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

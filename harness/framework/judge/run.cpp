@@ -10,8 +10,10 @@
 #include "judge/session.hpp"
 #include "subject/interpreted_kernel.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 namespace {
+
+using namespace subject;
 
 // A few inputs of all kinds, the beginning of a larger draw. Each is compiled code, so the scenarios of a
 // question share their number.
@@ -60,7 +62,7 @@ void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t se
 
 Answer run(const Lab& lab, const Question& question, const RunOptions& options) {
     if (question.answers) return question.answers(lab);
-    const shader::Variant& variant = lab.options().variant;
+    const module::Variant& variant = lab.options().variant;
     const Verdict verdict = question.verdict_in(variant);
     try {
         const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
@@ -70,7 +72,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
             const Session session(lab, question, kernel, scenario, options.seed, verdict);
             const std::uint64_t seed = session.input_seed();
             const Domain::Inputs drawn =
-                variant.constants == shader::Variant::Constants::none
+                variant.constants == module::Variant::Constants::none
                     ? domain.draw(share, seed, scenario.size)
                     : few_inputs(domain, question.scenarios.size(), seed, scenario.size);
             Domain::Inputs inputs = session.without_long_runs(drawn, answer);
@@ -85,4 +87,4 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
     }
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -11,7 +11,7 @@
 #include "subject/kernel_code.hpp"
 #include "subject/lab.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 
 // How the outputs of a run are judged, besides the question.
 struct JudgeOptions {
@@ -27,7 +27,7 @@ struct JudgeOptions {
     // The modules that produced the outputs. Whatever the verdict, an output that the rules do not permit for
     // these modules fails. Without modules the rules are not asked;
     // where the verdict needs them, inputs are only recorded then.
-    KernelModules modules;
+    subject::KernelModules modules;
 };
 
 // An answer to a question, without any inputs.
@@ -38,8 +38,8 @@ struct JudgeOptions {
 // `fractions`: if not empty, it receives each input's fraction of what the verdict allows, 0 if the input is
 // only recorded.
 [[nodiscard]] Answer judge(const Question& question, const JudgeOptions& options,
-                           const Domain::Inputs& inputs, std::span<const Word> outputs,
-                           const ImageSet& images = {}, const std::string& scenario = {},
+                           const subject::Domain::Inputs& inputs, std::span<const Word> outputs,
+                           const subject::ImageSet& images = {}, const std::string& scenario = {},
                            std::span<double> fractions = {});
 
 struct RunOptions {
@@ -50,6 +50,6 @@ struct RunOptions {
 // Compiles the function, evaluates the inputs and judges every output. Throws like Lab::kernel and
 // KernelCore::run; interpreter::Error (race, divergent_barrier) for invocations that disturb each other, with
 // the lines of the source.
-[[nodiscard]] Answer run(const Lab& lab, const Question& question, const RunOptions& options = {});
+[[nodiscard]] Answer run(const subject::Lab& lab, const Question& question, const RunOptions& options = {});
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -14,7 +14,9 @@
 #include "module/spirv.hpp"
 #include "subject/kernel_code.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
+
+using namespace subject;
 
 Session::Session(const Lab& lab, const Question& question, KernelCore kernel, ImageScenario scenario,
                  std::uint64_t seed, Verdict verdict)
@@ -28,10 +30,10 @@ Session::Session(const Lab& lab, const Question& question, KernelCore kernel, Im
                .nan = lab.keeps_nan(),
                .verdict = verdict} {
     const auto constants = lab.options().variant.constants;
-    if (constants == shader::Variant::Constants::none) return;
+    if (constants == module::Variant::Constants::none) return;
     constants_ = source();
     // SPIRV-Tools folds nothing where the shader declares that NaN keeps its meaning.
-    if (constants == shader::Variant::Constants::literals) constants_->preserve_nan = false;
+    if (constants == module::Variant::Constants::literals) constants_->preserve_nan = false;
     options_.nan = options_.nan && constants_->preserve_nan;
 }
 
@@ -52,7 +54,7 @@ Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
     KernelCore::Result folded = run_constants(inputs);
     lab_.require_silent_validation();
     const std::size_t width = kernel_.output_words();
-    const std::vector<shader::Scalar> scalars = question_.signature.output_scalars();
+    const std::vector<module::Scalar> scalars = question_.signature.output_scalars();
     for (std::size_t i = 0; i < inputs.count(); ++i)
         if (!same_bits(scalars, std::span(outputs.outputs).subspan(i * width, width),
                        std::span(folded.outputs).subspan(i * width, width)))
@@ -69,7 +71,7 @@ constexpr std::uint64_t least_long = 4'096;      // the same where most inputs t
 constexpr std::uint64_t most_all = 400'000'000;  // of all inputs, about
 
 bool has_loop(const KernelModule& module) {
-    return shader::has_loop(module.spirv) || (!module.before.empty() && shader::has_loop(module.before));
+    return module::has_loop(module.spirv) || (!module.before.empty() && module::has_loop(module.before));
 }
 
 }  // namespace
@@ -118,7 +120,7 @@ Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& 
     } catch (const interpreter::Error&) {  // an unknown instruction: nothing will be judged
         return inputs;
     }
-    const std::vector<shader::Scalar> scalars = question_.signature.input_scalars();
+    const std::vector<module::Scalar> scalars = question_.signature.input_scalars();
     for (std::size_t i = 0; i < inputs.count(); ++i)
         if (is_long[i] != 0)
             answer.add_undefined(internal::class_of(inputs.row(i), scalars, inputs.branch[i]),
@@ -161,7 +163,7 @@ KernelCore::Result Session::run_constants(const Domain::Inputs& inputs) const {
 void Session::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {
     JudgeOptions options = options_;
     options.modules = evaluated.result.modules;
-    answer.merge(check::judge(question_, options, evaluated.inputs, evaluated.result.outputs, images_,
+    answer.merge(judge::judge(question_, options, evaluated.inputs, evaluated.result.outputs, images_,
                               scenario_.name, fractions));
 }
 
@@ -193,12 +195,12 @@ ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
 }
 
 Domain domain_of(const Lab& lab, const Question& question, const KernelSource& source) {
-    const shader::Spirv module =
+    const module::Spirv module =
         lab.cache().compile({.name = "kernel of " + question.function, .text = kernel_code(source)},
                             {.stage = stage_of(source.team),
                              .include_roots = lab.options().include_roots,
                              .variant = {}});  // the same inputs in every variant
-    return question.domain.and_numbers(question.signature, shader::float_constants(module));
+    return question.domain.and_numbers(question.signature, module::float_constants(module));
 }
 
 namespace {
@@ -220,10 +222,10 @@ std::string explanation_of(const Lab& lab, const Question& question, const Kerne
 // Why a result has an infinite error although it is finite. NaN is outside every codomain, and says so
 // itself.
 std::string codomain_text(const Question& question, const Sample& sample) {
-    const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
+    const std::vector<module::Scalar> scalars = question.signature.output_scalars();
     const Codomain& range = question.codomain;
     for (std::size_t i = 0; i < sample.got.size(); ++i) {
-        if (scalars[i] == shader::Scalar::bool_) continue;
+        if (scalars[i] == module::Scalar::bool_) continue;
         const double value = number_at(scalars[i], sample.got[i]);
         if (value < range.low || value > range.high)
             return fmt::format("  the worst result is outside the codomain [{}, {}]\n", range.low,
@@ -236,9 +238,9 @@ std::string codomain_text(const Question& question, const Sample& sample) {
 bool is_right(const Lab& lab, const Question& question, KernelModule given, const Sample& sample,
               std::uint64_t seed) {
     const auto constants = lab.options().variant.constants;
-    if (constants != shader::Variant::Constants::none) {
+    if (constants != module::Variant::Constants::none) {
         KernelSource source = *given.source;
-        source.preserve_nan = source.preserve_nan && constants != shader::Variant::Constants::literals;
+        source.preserve_nan = source.preserve_nan && constants != module::Variant::Constants::literals;
         given = lab.constant_kernel(source, sample.inputs, 1).module();
     }
     given.before.clear();
@@ -255,7 +257,7 @@ bool is_right(const Lab& lab, const Question& question, KernelModule given, cons
 std::string culprit_text(const Lab& lab, const Question& question, const KernelModule& given,
                          const Sample& sample, std::uint64_t seed) {
     if (given.before.empty() || !sample.forbidden) return {};
-    const shader::Variant& variant = lab.options().variant;
+    const module::Variant& variant = lab.options().variant;
     const std::string compiler = variant.steps.empty() ? "SPIRV-Tools" : "the compiler's step";
     try {
         if (is_right(lab, question, given, sample, seed))
@@ -283,4 +285,4 @@ void complete(Answer& answer, const Lab& lab, const Question& question, const Ke
     answer.story += explanation_of(lab, question, *given.source, *answer.worst, seed);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -12,10 +12,12 @@
 #include "judge/function.hpp"
 #include "judge/reproduction.hpp"
 
-namespace gloam::check {
+namespace gloam::judge {
 namespace {
 
-using shader::Scalar;
+using namespace subject;
+
+using module::Scalar;
 using Words = std::vector<Word>;
 
 constexpr int significand_bits = 23;
@@ -38,7 +40,7 @@ bool is_negative(Word word, Scalar scalar) {
 }
 
 std::size_t scalar_complexity(Word word, Scalar scalar) {
-    if (shader::is_float(scalar)) return float_complexity(word);
+    if (module::is_float(scalar)) return float_complexity(word);
     const bool negative = is_negative(word, scalar);
     const Word magnitude = negative ? 0U - word : word;
     // By bit width, then by the number of set bits: 4 is simpler than 5, and 3 is simpler than both.
@@ -75,7 +77,7 @@ void add_integer_candidates(Word word, Scalar scalar, std::set<Word>& candidates
     const Word magnitude = negative ? 0U - word : word;
     const auto add = [&](Word smaller) { candidates.insert(negative ? 0U - smaller : smaller); };
     if (negative) candidates.insert(magnitude);
-    for (unsigned shift = 1; shift < shader::bits_of(scalar); ++shift) {
+    for (unsigned shift = 1; shift < module::bits_of(scalar); ++shift) {
         add(magnitude >> shift);
         add(magnitude & ~((Word{1} << shift) - 1U));
         add(magnitude - (magnitude >> shift));
@@ -100,7 +102,7 @@ std::vector<Words> simpler_inputs(const Question& question, const Words& input) 
     for (std::size_t i = 0; i < input.size(); ++i) {
         const Scalar scalar = scalars[i];
         std::set<Word> candidates;
-        if (shader::is_float(scalar)) {
+        if (module::is_float(scalar)) {
             add_float_candidates(input[i], scalar, candidates);
         } else {
             add_integer_candidates(input[i], scalar, candidates);
@@ -170,4 +172,4 @@ std::ostream& operator<<(std::ostream& stream, const PropertyResult& result) {
     return stream << result.story;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::judge

@@ -7,7 +7,7 @@
 #include "module/include.hpp"
 #include "module/spirv.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 using Json = nlohmann::json;
 
@@ -42,7 +42,7 @@ std::optional<std::vector<Function>> functions_of(std::string_view bytes) {
 }
 
 // A hash of everything on which the result depends.
-base::Hash key_of(std::string_view kind, const Source& source, const CompileOptions& options) {
+base::Hash key_of(std::string_view kind, const source::Source& source, const CompileOptions& options) {
     base::Fingerprint fingerprint;
     fingerprint.add(kind);
     fingerprint.add(compiler_version());
@@ -63,8 +63,9 @@ base::Hash key_of(std::string_view kind, const Source& source, const CompileOpti
 
 // The decoded entry; if there is none, the result of `make`, which is then stored.
 template <class Make, class Encode, class Decode>
-auto stored_or_made(const std::filesystem::path& directory, std::string_view kind, const Source& source,
-                    const CompileOptions& options, Make&& make, Encode&& encode, Decode&& decode) {
+auto stored_or_made(const std::filesystem::path& directory, std::string_view kind,
+                    const source::Source& source, const CompileOptions& options, Make&& make, Encode&& encode,
+                    Decode&& decode) {
     if (directory.empty()) return make(source, options);
     const base::Hash key = key_of(kind, source, options);
     const std::filesystem::path file = directory / (base::to_hex(key) + "." + std::string(kind));
@@ -80,16 +81,17 @@ auto stored_or_made(const std::filesystem::path& directory, std::string_view kin
 
 SpirvCache::SpirvCache(std::filesystem::path directory) : directory_(std::move(directory)) {}
 
-Spirv SpirvCache::compile(const Source& source, const CompileOptions& options) const {
-    return stored_or_made(directory_, "spv", source, options, shader::compile, bytes_of, module_of);
+Spirv SpirvCache::compile(const source::Source& source, const CompileOptions& options) const {
+    return stored_or_made(directory_, "spv", source, options, module::compile, bytes_of, module_of);
 }
 
-std::vector<Function> SpirvCache::functions(const Source& source, const CompileOptions& options) const {
+std::vector<Function> SpirvCache::functions(const source::Source& source,
+                                            const CompileOptions& options) const {
     CompileOptions any_variant = options;
     any_variant.variant = {};
     any_variant.lines = false;
-    return stored_or_made(directory_, "functions", source, any_variant, shader::functions, bytes_of_functions,
+    return stored_or_made(directory_, "functions", source, any_variant, module::functions, bytes_of_functions,
                           functions_of);
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

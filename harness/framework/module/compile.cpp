@@ -12,7 +12,7 @@
 #include "module/steps.hpp"
 #include "source/lines.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
 // Of a number; others have none.
@@ -57,8 +57,8 @@ std::string element_text(const Type& type) {
 
 std::string text_of(const Parameter& parameter) {
     std::string text;
-    if (parameter.direction == Direction::out) text = "out ";
-    if (parameter.direction == Direction::inout) text = "inout ";
+    if (parameter.direction == source::Direction::out) text = "out ";
+    if (parameter.direction == source::Direction::inout) text = "inout ";
     text += name_of(parameter.type);
     if (!parameter.name.empty()) text += " " + parameter.name;
     return text;
@@ -82,10 +82,10 @@ Spirv varied(Spirv module, const Variant& variant) {
 }
 
 // The pieces keep their own line numbers; the last may end without a newline, in a comment.
-void check_pieces(Language language, Stage stage, std::vector<Source> pieces, bool add_main,
-                  const std::vector<std::filesystem::path>& include_roots) {
+void check_pieces(source::Language language, source::Stage stage, std::vector<source::Source> pieces,
+                  bool add_main, const std::vector<std::filesystem::path>& include_roots) {
     const std::string name = pieces.back().name;
-    const std::string local_size = stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
+    const std::string local_size = stage == source::Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
     if (add_main) pieces.push_back({name + ", behind its end", "\n" + local_size + "void main() {}\n"});
     internal::Parse parse(stage, internal::client_of(language), name, std::move(pieces), include_roots);
     static_cast<void>(parse.link(internal::Unreached::dropped));
@@ -185,16 +185,16 @@ Variant variant(const std::string& name) {
     throw std::invalid_argument("unknown variant \"" + name + "\": expected " + names);
 }
 
-Spirv compile(const Source& source, const CompileOptions& options) {
-    internal::require_vulkan_version(source);
+Spirv compile(const source::Source& source, const CompileOptions& options) {
+    source::internal::require_vulkan_version(source);
     Spirv module = internal::to_spirv(source, options.stage, options.include_roots,
                                       internal::Unreached::dropped, options.lines);
     try {
         return varied(std::move(module), options.variant);
-    } catch (const CompileError&) {
+    } catch (const source::CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw CompileError(source.name + ": " + error.what());
+        throw source::CompileError(source.name + ": " + error.what());
     }
 }
 
@@ -206,19 +206,20 @@ std::string compiler_version() {
            ", " + internal::cross_version();
 }
 
-internal::Client internal::client_of(Language language) {
-    return language == Language::vulkan450 ? Client::vulkan : Client::none;
+internal::Client internal::client_of(source::Language language) {
+    return language == source::Language::vulkan450 ? Client::vulkan : Client::none;
 }
 
-void check_program(const Source& text, bool add_main, Language language, Stage stage) {
+void check_program(const source::Source& text, bool add_main, source::Language language,
+                   source::Stage stage) {
     check_pieces(language, stage, {text}, add_main, {});
 }
 
-void check_compiles(const Source& body, Language language,
+void check_compiles(const source::Source& body, source::Language language,
                     const std::vector<std::filesystem::path>& include_roots) {
     // The compiler looks for includes beside the first piece.
     check_pieces(language, usual_stage(language), {{body.name, preamble(language)}, body}, true,
                  include_roots);
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -10,7 +10,7 @@
 
 #include "source/text.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 // `sampler`: see is_sampler_type(); it has no scalars. `unsupported`: another sampler, double, an integer of
 // other than 32 bits ...; `oversized`: a type of more than most_scalars. Type::name then holds its GLSL text.
@@ -51,7 +51,7 @@ struct Member {
 struct Parameter {
     std::string name;
     Type type;
-    Direction direction = Direction::in;
+    source::Direction direction = source::Direction::in;
     bool global = false;     // no parameter, but a variable at file scope
     bool uniform = false;    // a global with one value for all invocations
     std::string image = {};  // of an image's pixels, rows of columns: its format, "r32f"
@@ -127,7 +127,7 @@ struct Variant {
 [[nodiscard]] Variant variant(const std::string& name);
 
 struct CompileOptions {
-    Stage stage = Stage::compute;
+    source::Stage stage = source::Stage::compute;
     // Folders for #include "a/b.glsl", searched after the includer's own folder. A Source has such a folder
     // if its name is a path with a folder.
     std::vector<std::filesystem::path> include_roots;
@@ -144,12 +144,12 @@ using Spirv = std::vector<std::uint32_t>;
 // Compiles GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module of the variant; names are kept. #include
 // needs no #extension line. Functions that main does not call may use prototypes without a body. Throws
 // CompileError, also for an include that is missing or includes itself.
-[[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options);
+[[nodiscard]] Spirv compile(const source::Source& source, const CompileOptions& options);
 
 // The functions that the text and its includes define, and the functions that they declare and call without a
 // definition, in order of definition or first call. Types and names are those of the compiled module.
 // Overloads are separate entries. The text needs no main; the variant has no effect. Throws like compile().
-[[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options);
+[[nodiscard]] std::vector<Function> functions(const source::Source& source, const CompileOptions& options);
 
 // Name and version of the compiler, the optimizer, the validator and the translator back to GLSL; part of
 // every cache key.
@@ -157,11 +157,11 @@ using Spirv = std::vector<std::uint32_t>;
 
 // Parses a complete text of this stage, including its #version line; adds an empty main if there is none.
 // Throws CompileError.
-void check_program(const Source& text, bool add_main, Language language, Stage stage);
+void check_program(const source::Source& text, bool add_main, source::Language language, source::Stage stage);
 
 // Parses `body` (no #version line; includes allowed) behind the preamble; adds an empty main. It is a compute
 // shader if the language has them, otherwise a fragment shader. Throws CompileError.
-void check_compiles(const Source& body, Language language,
+void check_compiles(const source::Source& body, source::Language language,
                     const std::vector<std::filesystem::path>& include_roots);
 
 // Compiled modules on disk, keyed by the text, every included file, the options and the compiler. A damaged,
@@ -173,13 +173,14 @@ class SpirvCache {
     explicit SpirvCache(std::filesystem::path directory = {});
 
     // compile(source, options), or the stored result of an identical call.
-    [[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options) const;
+    [[nodiscard]] Spirv compile(const source::Source& source, const CompileOptions& options) const;
 
     // functions(source, options), or the stored result of an identical call.
-    [[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options) const;
+    [[nodiscard]] std::vector<Function> functions(const source::Source& source,
+                                                  const CompileOptions& options) const;
 
   private:
     std::filesystem::path directory_;
 };
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

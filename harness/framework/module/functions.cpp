@@ -13,10 +13,10 @@
 #include "module/texts.hpp"
 #include "source/lines.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
-using internal::FunctionHead;
+using source::internal::FunctionHead;
 using spirv::Id;
 
 // A function as SPIR-V describes it: without the directions of its parameters and the names of opaque types.
@@ -44,7 +44,7 @@ class TypeReader {
         if (known != known_.end()) return known->second;
         Type type = whole_type_of(id);
         if (scalar_count(type) > most_scalars)
-            type = {.scalar = Scalar::oversized, .members = {}, .name = shader::name_of(type)};
+            type = {.scalar = Scalar::oversized, .members = {}, .name = module::name_of(type)};
         return known_.emplace(id, std::move(type)).first->second;
     }
 
@@ -124,10 +124,10 @@ std::map<Id, std::size_t> function_indices(const std::vector<Instruction>& code)
     return indices;
 }
 
-void merge(std::vector<Parameter>& used, const Parameter& variable, Direction direction) {
+void merge(std::vector<Parameter>& used, const Parameter& variable, source::Direction direction) {
     auto found = std::ranges::find(used, variable.name, &Parameter::name);
     if (found == used.end()) found = used.insert(used.end(), variable);
-    if (direction == Direction::inout) found->direction = direction;
+    if (direction == source::Direction::inout) found->direction = direction;
 }
 
 // Private variables, samplers and images at file scope, and what a function does with them.
@@ -142,7 +142,7 @@ class Globals {
                  instruction.word(3) == SpvStorageClassUniformConstant))
                 variables_.push_back({instruction.word(2),
                                       {types.name_of(instruction.word(2)), types.type_of(instruction.word(1)),
-                                       Direction::in, true}});
+                                       source::Direction::in, true}});
     }
 
     void read(const Instruction& instruction, std::vector<Parameter>& used) {
@@ -181,7 +181,7 @@ class Globals {
         const auto base = bases_.find(pointer);
         if (base == bases_.end()) return;
         const Parameter& variable = std::ranges::find(variables_, base->second, &Variable::first)->second;
-        merge(used, variable, writes ? Direction::inout : Direction::in);
+        merge(used, variable, writes ? source::Direction::inout : source::Direction::in);
     }
 
     std::vector<Variable> variables_;
@@ -223,7 +223,8 @@ std::vector<Compiled> compiled(const Spirv& module) {
         if (instruction.opcode == SpvOpFunction)
             found.push_back({{types.name_of(id), types.type_of(type), {}}, {}});
         if (instruction.opcode == SpvOpFunctionParameter)
-            found.back().parameters.push_back({types.name_of(id), types.type_of(type), Direction::in});
+            found.back().parameters.push_back(
+                {types.name_of(id), types.type_of(type), source::Direction::in});
         if (instruction.opcode == SpvOpFunctionCall)
             found.back().calls.push_back(indices.at(instruction.word(3)));
         if (found.empty()) continue;
@@ -239,17 +240,17 @@ std::vector<Compiled> compiled(const Spirv& module) {
 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
-Function function_of(Function function, const FunctionHead& declaration) {
-    if (function.name.starts_with(own_prefix)) function.name.erase(0, own_prefix.size());
+Function function_of(Function function, const source::internal::FunctionHead& declaration) {
+    if (function.name.starts_with(source::own_prefix)) function.name.erase(0, source::own_prefix.size());
     function.defined = declaration.defined;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         Parameter& parameter = function.parameters[i];
-        const internal::DeclaredParameter& declared = declaration.parameters.at(i);
+        const source::internal::DeclaredParameter& declared = declaration.parameters.at(i);
         parameter.direction = declared.direction;
         if (parameter.type.scalar == Scalar::unsupported && parameter.type.name.empty())
             parameter.type.name = declared.type.substr(0, declared.type.find('['));  // the sizes are known
         const bool sampler = parameter.type.scalar == Scalar::unsupported && parameter.type.sizes.empty() &&
-                             is_sampler_type(parameter.type.name);
+                             source::is_sampler_type(parameter.type.name);
         if (sampler) parameter.type.scalar = Scalar::sampler;
         if (!declaration.defined) parameter.name.clear();
     }
@@ -258,10 +259,10 @@ Function function_of(Function function, const FunctionHead& declaration) {
 
 // The declaration of each function of the module; null for an added main. Functions of one name are in the
 // same order on both sides.
-std::vector<const FunctionHead*> paired(const std::vector<Compiled>& compiled,
-                                        const std::vector<FunctionHead>& declared) {
-    std::vector<const FunctionHead*> pairs(compiled.size(), nullptr);
-    for (const FunctionHead& declaration : declared) {
+std::vector<const source::internal::FunctionHead*> paired(
+    const std::vector<Compiled>& compiled, const std::vector<source::internal::FunctionHead>& declared) {
+    std::vector<const source::internal::FunctionHead*> pairs(compiled.size(), nullptr);
+    for (const source::internal::FunctionHead& declaration : declared) {
         std::size_t i = 0;
         while (i < pairs.size() && (pairs[i] || compiled[i].name != declaration.name)) ++i;
         if (i == pairs.size())
@@ -273,15 +274,15 @@ std::vector<const FunctionHead*> paired(const std::vector<Compiled>& compiled,
 
 // In order of definition; a function that is only declared is listed at its first call.
 std::vector<Function> listed(const std::vector<Compiled>& compiled,
-                             const std::vector<FunctionHead>& declared) {
-    const std::vector<const FunctionHead*> pairs = paired(compiled, declared);
+                             const std::vector<source::internal::FunctionHead>& declared) {
+    const std::vector<const source::internal::FunctionHead*> pairs = paired(compiled, declared);
     std::vector<Function> functions;
     std::vector<bool> taken(pairs.size(), false);
     const auto take = [&](std::size_t i) {
         if (!taken[i]) functions.push_back(function_of(compiled[i], *pairs[i]));
         taken[i] = true;
     };
-    for (const FunctionHead& declaration : declared) {
+    for (const source::internal::FunctionHead& declaration : declared) {
         if (!declaration.defined) break;  // those that are only declared come last
         const auto found = static_cast<std::size_t>(std::ranges::find(pairs, &declaration) - pairs.begin());
         take(found);
@@ -299,29 +300,31 @@ void require_no_bias(const Spirv& module, const std::string& name) {
         if (!samples) continue;
         const bool compares = (instruction.opcode - SpvOpImageSampleImplicitLod) % 4 >= 2;
         if ((instruction.word(compares ? 6 : 5) & SpvImageOperandsBiasMask) != 0)
-            throw CompileError(name + ": 'texture' : a bias of the level is not supported in this stage");
+            throw source::CompileError(name +
+                                       ": 'texture' : a bias of the level is not supported in this stage");
     }
 }
 
 }  // namespace
 
-std::vector<Function> functions(const Source& source, const CompileOptions& options) {
-    internal::require_vulkan_version(source);
+std::vector<Function> functions(const source::Source& source, const CompileOptions& options) {
+    source::internal::require_vulkan_version(source);
     // The unchanged text is parsed first, so that messages have its line numbers.
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                                 options.include_roots);
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
-    const std::vector<FunctionHead> declared = internal::each_once(internal::function_heads(text));
-    const Source whole{source.name, internal::completed(text, declared)};
+    const std::vector<source::internal::FunctionHead> declared =
+        source::internal::each_once(source::internal::function_heads(text));
+    const source::Source whole{source.name, source::internal::completed(text, declared)};
     const Spirv module = internal::to_spirv(whole, options.stage, {}, internal::Unreached::kept);
     try {
-        if (options.stage != Stage::fragment) require_no_bias(module, source.name);
+        if (options.stage != source::Stage::fragment) require_no_bias(module, source.name);
         return listed(compiled(module), declared);
-    } catch (const CompileError&) {
+    } catch (const source::CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {  // the front end does not bound the words of an instruction
-        throw CompileError(source.name + ": " + error.what());
+        throw source::CompileError(source.name + ": " + error.what());
     }
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

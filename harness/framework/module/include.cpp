@@ -14,7 +14,7 @@
 #include "module/internal/include_folders.hpp"
 #include "source/lines.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
 using Path = std::filesystem::path;
@@ -95,8 +95,8 @@ class Closure {
     // Puts the includes of a text before those that wait, the last one first.
     void open(std::string_view text, const Path& from) {
         const auto waiting = static_cast<std::ptrdiff_t>(open_.size());
-        for (const internal::Line& line : internal::split_lines(text))
-            if (const auto include = internal::include_of(line))
+        for (const source::internal::Line& line : source::internal::split_lines(text))
+            if (const auto include = source::internal::include_of(line))
                 open_.push_back({include->name, include->system ? Path() : from});
         std::reverse(open_.begin() + waiting, open_.end());
     }
@@ -159,9 +159,9 @@ std::string read_text(const Path& file) {
 
 namespace internal {
 
-IncludeFolders include_folders(const std::vector<Path>& roots, const std::vector<Source>& texts) {
+IncludeFolders include_folders(const std::vector<Path>& roots, const std::vector<source::Source>& texts) {
     IncludeFolders folders{.roots = roots, .permitted = roots};
-    for (const Source& text : texts)
+    for (const source::Source& text : texts)
         if (const Path own = Path(text.name).parent_path(); !own.empty()) folders.permitted.push_back(own);
     return folders;
 }
@@ -192,4 +192,4 @@ std::vector<IncludedFile> include_closure(std::string_view text, const std::vect
     return Closure({.roots = roots, .permitted = std::move(permitted)}).run(text, from);
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -8,7 +8,7 @@
 
 #include "module/compile.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 // Where a file is read from. If the environment variables GLOAM_SHADERS and GLOAM_SHADERS_OF name a folder
 // and the folder of which it is a copy, a file of the latter is read from the copy; so `gloam mutate` gives
@@ -39,4 +39,4 @@ struct IncludedFile {
                                                         const std::vector<std::filesystem::path>& roots,
                                                         const std::filesystem::path& from = {});
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace gloam::shader::spirv {
+namespace gloam::module::spirv {
 namespace {
 
 // A type but for what other instructions say of it; nothing for an instruction that declares none of these.
@@ -157,4 +157,4 @@ std::string not_judged(const std::string& number) {
     return number + " is not judged: gloam judges float, float16_t, int, uint and bool";
 }
 
-}  // namespace gloam::shader::spirv
+}  // namespace gloam::module::spirv

@@ -12,7 +12,7 @@
 #include "module/spirv.hpp"
 
 // What a SPIR-V module declares outside of its functions, for all that look into modules.
-namespace gloam::shader::spirv {
+namespace gloam::module::spirv {
 
 using Id = std::uint32_t;
 
@@ -117,4 +117,4 @@ class Declarations {
     std::map<std::pair<Id, std::uint32_t>, Member> members_;  // what precedes their structures
 };
 
-}  // namespace gloam::shader::spirv
+}  // namespace gloam::module::spirv

@@ -10,7 +10,7 @@
 
 #include "module/internal/cross.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
 std::string name_of(spvc_basetype type) {
@@ -233,4 +233,4 @@ std::string to_string(BindingType type) {
     return names.at(static_cast<std::size_t>(type));
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -10,7 +10,7 @@
 
 #include "module/compile.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 // A member of a block with its memory layout.
 struct LaidOut {
@@ -72,4 +72,4 @@ struct ModuleInterface {
 // "storage image", "storage buffer" ...
 [[nodiscard]] std::string to_string(BindingType type);
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -16,7 +16,7 @@
 
 #include "module/module.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
 constexpr std::uint32_t magic = 0x07230203u;
@@ -287,4 +287,4 @@ Spirv with_relaxed_precision(const Spirv& module) {
     });
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

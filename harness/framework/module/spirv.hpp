@@ -12,7 +12,7 @@
 
 #include "module/compile.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 // An instruction of a module. The module must outlive it.
 struct Instruction {
@@ -50,7 +50,8 @@ struct Instruction {
 
 // A compute module as GLSL for OpenGL, as SPIRV-Cross writes it. Its push constants are a uniform block with
 // this binding; other bindings stay. Throws std::runtime_error with SPIRV-Cross's message.
-[[nodiscard]] std::string opengl_text(const Spirv& module, Language language, unsigned push_constant_binding);
+[[nodiscard]] std::string opengl_text(const Spirv& module, source::Language language,
+                                      unsigned push_constant_binding);
 
 // Whether a module calculates in float16.
 [[nodiscard]] bool has_float16(const Spirv& module);
@@ -107,4 +108,4 @@ struct Resource {
 // message.
 [[nodiscard]] std::vector<Resource> used_resources(const Spirv& module);
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

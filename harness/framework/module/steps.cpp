@@ -13,7 +13,7 @@
 #include "base/text.hpp"
 #include "module/spirv.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
 constexpr std::string_view optimizer = "spirv-opt";
@@ -185,4 +185,4 @@ std::vector<std::string> steps_from(const std::string& text) {
     return steps;
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -9,7 +9,7 @@
 #include "base/failure.hpp"
 #include "module/compile.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 
 // Steps that a module takes after the front end, each written as a text of words:
 //
@@ -60,4 +60,4 @@ class Unchanged : public base::Failure {
 // a text that is no step.
 [[nodiscard]] std::vector<std::string> steps_from(const std::string& text);
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

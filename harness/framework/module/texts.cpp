@@ -10,15 +10,15 @@
 #include "module/include.hpp"
 #include "module/internal/front_end.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
 // The same of each text as it is names its own lines, and those of what it includes.
-void check_as_it_is(const Source& source, Language language,
+void check_as_it_is(const source::Source& source, source::Language language,
                     const std::vector<std::filesystem::path>& roots) {
     std::string text;
-    for (const internal::Line& line : internal::split_lines(source.text)) {
-        const auto directive = internal::directive_of(line);
+    for (const source::internal::Line& line : source::internal::split_lines(source.text)) {
+        const auto directive = source::internal::directive_of(line);
         const bool version = directive && directive->keyword == "version";
         text += version ? std::string("\n") : std::string(line.text);
     }
@@ -26,18 +26,18 @@ void check_as_it_is(const Source& source, Language language,
 }
 
 // A text that stands before others; none without definitions.
-std::vector<Source> before_all(const std::vector<std::string>& defines) {
+std::vector<source::Source> before_all(const std::vector<std::string>& defines) {
     if (defines.empty()) return {};
     return {{.name = "--define", .text = definitions_of(defines)}};
 }
 
 }  // namespace
 
-std::string pack(const std::vector<Source>& sources, const PackRequest& request,
+std::string pack(const std::vector<source::Source>& sources, const source::PackRequest& request,
                  const std::vector<std::filesystem::path>& roots) {
-    const Stage stage = request.stage.value_or(usual_stage(request.language));
+    const source::Stage stage = request.stage.value_or(usual_stage(request.language));
     const std::string name = sources.empty() ? "nothing" : sources.back().name;
-    Packed result;
+    source::Packed result;
     try {
         result = packed(internal::active_text(sources, request.language, stage, roots), request);
     } catch (const std::invalid_argument& error) {
@@ -45,9 +45,9 @@ std::string pack(const std::vector<Source>& sources, const PackRequest& request,
     }
     try {
         check_program({name + " as packed", result.text}, !result.main, request.language, stage);
-    } catch (const CompileError&) {
+    } catch (const source::CompileError&) {
         if (!result.main)
-            for (const Source& source : sources) check_as_it_is(source, request.language, roots);
+            for (const source::Source& source : sources) check_as_it_is(source, request.language, roots);
         throw;
     }
     return result.text;
@@ -69,40 +69,44 @@ std::string definitions_of(const std::vector<std::string>& defines) {
     return lines;
 }
 
-Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots,
-                  const std::vector<std::string>& defines) {
-    std::vector<Source> texts = before_all(defines);
+source::Excerpts excerpts(const source::Source& source, const std::vector<std::filesystem::path>& roots,
+                          const std::vector<std::string>& defines) {
+    std::vector<source::Source> texts = before_all(defines);
     texts.push_back(source);
-    return excerpts(internal::active_text(std::move(texts), Language::vulkan450, Stage::compute, roots));
+    return source::excerpts(
+        internal::active_text(std::move(texts), source::Language::vulkan450, source::Stage::compute, roots));
 }
 
-std::vector<Mutation> mutations(const Source& source, const std::vector<std::filesystem::path>& roots) {
-    return mutations(internal::active_text({source}, Language::vulkan450, Stage::compute, roots));
+std::vector<source::Mutation> mutations(const source::Source& source,
+                                        const std::vector<std::filesystem::path>& roots) {
+    return source::mutations(
+        internal::active_text({source}, source::Language::vulkan450, source::Stage::compute, roots));
 }
 
 // Throws what the first stage says.
-void require_valid(const Source& source, const std::vector<std::filesystem::path>& roots) {
+void require_valid(const source::Source& source, const std::vector<std::filesystem::path>& roots) {
     using internal::Client;
-    std::vector<Source> pieces{source};
+    std::vector<source::Source> pieces{source};
     if (source.text.find("#version") == std::string::npos)
-        pieces.insert(pieces.begin(), {.name = source.name, .text = preamble(Language::vulkan450)});
+        pieces.insert(pieces.begin(), {.name = source.name, .text = preamble(source::Language::vulkan450)});
     std::string why;
     for (const Client client : {Client::vulkan, Client::none}) {
-        for (const Stage stage : {Stage::compute, Stage::fragment, Stage::vertex}) {
+        for (const source::Stage stage :
+             {source::Stage::compute, source::Stage::fragment, source::Stage::vertex}) {
             try {
                 const internal::Parse parse(stage, client, source.name, pieces, roots);
                 return;
-            } catch (const CompileError& error) {
+            } catch (const source::CompileError& error) {
                 if (why.empty()) why = error.what();
             }
         }
     }
-    throw CompileError(why.substr(0, why.find('\n')));
+    throw source::CompileError(why.substr(0, why.find('\n')));
 }
 
-std::string pack(const std::vector<std::filesystem::path>& files, const PackRequest& request,
+std::string pack(const std::vector<std::filesystem::path>& files, const source::PackRequest& request,
                  const std::vector<std::filesystem::path>& roots, const std::vector<std::string>& defines) {
-    std::vector<Source> sources = before_all(defines);
+    std::vector<source::Source> sources = before_all(defines);
     std::set<std::string> names;
     for (const std::filesystem::path& file : files) {
         const std::string name = std::filesystem::absolute(file).lexically_normal().string();
@@ -111,4 +115,4 @@ std::string pack(const std::vector<std::filesystem::path>& files, const PackRequ
     return pack(sources, request, roots);
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -12,22 +12,24 @@
 #include "source/pack.hpp"
 
 // Texts made of texts, with the compiler's help.
-namespace gloam::shader {
+namespace gloam::module {
 
 // The texts with their includes as one: packed(). `defines`: as those of excerpts(). The result has been
 // compiled. Throws CompileError (for the original texts, if the error is there), std::invalid_argument for a
 // function that the texts do not have, std::runtime_error for a file that cannot be read.
-[[nodiscard]] std::string pack(const std::vector<std::filesystem::path>& files, const PackRequest& request,
+[[nodiscard]] std::string pack(const std::vector<std::filesystem::path>& files,
+                               const source::PackRequest& request,
                                const std::vector<std::filesystem::path>& roots,
                                const std::vector<std::string>& defines = {});
-[[nodiscard]] std::string pack(const std::vector<Source>& sources, const PackRequest& request,
+[[nodiscard]] std::string pack(const std::vector<source::Source>& sources, const source::PackRequest& request,
                                const std::vector<std::filesystem::path>& roots);
 
 // The functions of a text. The text may have any #version and any stage; it is read as GLSL 4.50 for Vulkan,
 // and need not be valid. Throws CompileError for what the preprocessor rejects, for example a missing
 // include. `defines`: macros that hold before the text begins, NAME or NAME=VALUE.
-[[nodiscard]] Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots,
-                                const std::vector<std::string>& defines = {});
+[[nodiscard]] source::Excerpts excerpts(const source::Source& source,
+                                        const std::vector<std::filesystem::path>& roots,
+                                        const std::vector<std::string>& defines = {});
 
 // The lines that define them. Throws std::invalid_argument for what is neither NAME nor NAME=VALUE.
 [[nodiscard]] std::string definitions_of(const std::vector<std::string>& defines);
@@ -36,12 +38,12 @@ namespace gloam::shader {
 // and functions, conditions that always or never hold, and statements left out. Comments, directives,
 // structures and the interface are left alone, and so is what a condition of the preprocessor leaves out. A
 // fault may not compile. Throws CompileError for what the preprocessor rejects.
-[[nodiscard]] std::vector<Mutation> mutations(const Source& source,
-                                              const std::vector<std::filesystem::path>& roots);
+[[nodiscard]] std::vector<source::Mutation> mutations(const source::Source& source,
+                                                      const std::vector<std::filesystem::path>& roots);
 
 // Throws CompileError for a text that is valid in no stage, by the rules neither of Vulkan nor of OpenGL. A
 // text without #version is GLSL 4.50.
-void require_valid(const Source& source, const std::vector<std::filesystem::path>& roots);
+void require_valid(const source::Source& source, const std::vector<std::filesystem::path>& roots);
 
 // Shading languages other than GLSL.
 enum class Target { hlsl, msl };
@@ -58,6 +60,7 @@ enum class Target { hlsl, msl };
 // MSL. A text without a main gets one that calls every function, and functions that its user defines get a
 // body that returns an undefined `gloam_result`. Throws CompileError if the text does not compile;
 // std::invalid_argument for what cannot be translated.
-[[nodiscard]] std::string translated(const Source& packed, Target target, Stage stage = Stage::compute);
+[[nodiscard]] std::string translated(const source::Source& packed, Target target,
+                                     source::Stage stage = source::Stage::compute);
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

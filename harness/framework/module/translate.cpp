@@ -11,28 +11,28 @@
 #include "source/declarations.hpp"
 #include "source/plain_global.hpp"
 
-namespace gloam::shader {
+namespace gloam::module {
 namespace {
 
-using internal::DeclaredParameter;
-using internal::FunctionHead;
+using source::internal::DeclaredParameter;
+using source::internal::FunctionHead;
 
-void require_values(const std::string& name, const FunctionHead& function) {
-    for (const DeclaredParameter& parameter : function.parameters)
-        if (internal::is_opaque(parameter.type))
+void require_values(const std::string& name, const source::internal::FunctionHead& function) {
+    for (const source::internal::DeclaredParameter& parameter : function.parameters)
+        if (source::internal::is_opaque(parameter.type))
             throw std::invalid_argument(name + ": " + function.name + " has a parameter of type " +
                                         parameter.type +
                                         ": functions with images as parameters are not translated");
 }
 
 // A main() that calls every function once: SPIRV-Cross writes what main() reaches.
-std::string caller_of(const std::vector<FunctionHead>& functions) {
+std::string caller_of(const std::vector<source::internal::FunctionHead>& functions) {
     std::string variables;
     std::string calls;
     std::size_t count = 0;
-    for (const FunctionHead& function : functions) {
+    for (const source::internal::FunctionHead& function : functions) {
         std::string arguments;
-        for (const DeclaredParameter& parameter : function.parameters) {
+        for (const source::internal::DeclaredParameter& parameter : function.parameters) {
             const std::string name = "argument" + std::to_string(count++);
             variables += parameter.type + " " + name + ";\n";
             arguments += (arguments.empty() ? "" : ", ") + name;
@@ -43,13 +43,15 @@ std::string caller_of(const std::vector<FunctionHead>& functions) {
 }
 
 // The text with a main(), and with bodies of the functions that its user defines.
-std::string whole(const Source& packed, Stage stage) {
-    std::vector<FunctionHead> functions = internal::function_heads(internal::preprocessed(packed, stage, {}));
-    if (std::ranges::find(functions, "main", &FunctionHead::name) != functions.end()) return packed.text;
-    for (const FunctionHead& function : functions) require_values(packed.name, function);
+std::string whole(const source::Source& packed, source::Stage stage) {
+    std::vector<source::internal::FunctionHead> functions =
+        source::internal::function_heads(internal::preprocessed(packed, stage, {}));
+    if (std::ranges::find(functions, "main", &source::internal::FunctionHead::name) != functions.end())
+        return packed.text;
+    for (const source::internal::FunctionHead& function : functions) require_values(packed.name, function);
     const std::string text = packed.text + caller_of(functions);
     functions.push_back({.name = "main", .result = "void", .text = "", .parameters = {}, .defined = true});
-    return internal::completed(text, functions);
+    return source::internal::completed(text, functions);
 }
 
 std::string licences_of(const std::string& text) {
@@ -73,7 +75,7 @@ std::string suffix(Target target) {
     return target == Target::hlsl ? ".hlsl" : ".metal";
 }
 
-std::string translated(const Source& packed, Target target, Stage stage) {
+std::string translated(const source::Source& packed, Target target, source::Stage stage) {
     const bool hlsl = target == Target::hlsl;
     const char* head =
         hlsl ? "// HLSL of shader model 6.0 by SPIRV-Cross. Compile it by IEEE's rules (dxc -Gis).\n"
@@ -82,11 +84,11 @@ std::string translated(const Source& packed, Target target, Stage stage) {
         const Spirv module = internal::to_spirv({packed.name, whole(packed, stage)}, stage, {});
         return licences_of(packed.text) + head +
                (hlsl ? internal::to_direct3d_hlsl(module) : internal::to_msl(module));
-    } catch (const CompileError&) {
+    } catch (const source::CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {
         throw std::invalid_argument(packed.name + ": " + error.what());
     }
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

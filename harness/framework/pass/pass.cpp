@@ -13,7 +13,9 @@
 #include "numeric/numbers.hpp"
 #include "pass/internal/work.hpp"
 
-namespace gloam::check {
+namespace gloam::pass {
+
+using namespace subject;
 
 using internal::Bound;
 using internal::PassSlot;
@@ -24,26 +26,26 @@ namespace {
 void run_on(const Lab& lab, const internal::PassInterface& pass, std::span<PassWork> works) {
     if (lab.info().type == interpreter_name)
         internal::run_interpreted(pass, works);
-    else if (const auto* opengl = dynamic_cast<const gl::Device*>(lab.backend().get()))
+    else if (const auto* opengl = dynamic_cast<const backend::gl::Device*>(lab.backend().get()))
         internal::run_on_opengl(*opengl, pass, works);
     else
         internal::run_on_device(lab.device(), pass, works);
     lab.require_silent_validation();
 }
 
-shader::Spirv compiled(const Lab& lab, const std::string& file) {
+module::Spirv compiled(const Lab& lab, const std::string& file) {
     std::filesystem::path path;
     try {
-        path = shader::resolve_include(file, {}, lab.options().include_roots);
+        path = module::resolve_include(file, {}, lab.options().include_roots);
     } catch (const std::runtime_error& error) {
         throw std::invalid_argument(file + ": " + error.what());
     }
-    shader::CompileOptions options = lab.compile_options();
+    module::CompileOptions options = lab.compile_options();
     options.lines = lab.info().type == interpreter_name;  // its errors have a place
-    shader::Spirv module =
-        lab.cache().compile({.name = path.string(), .text = shader::read_text(path)}, options);
-    if (const std::string other = shader::spirv::other_number(module); !other.empty())
-        throw std::invalid_argument(file + ": " + shader::spirv::not_judged(other));
+    module::Spirv module =
+        lab.cache().compile({.name = path.string(), .text = module::read_text(path)}, options);
+    if (const std::string other = module::spirv::other_number(module); !other.empty())
+        throw std::invalid_argument(file + ": " + module::spirv::not_judged(other));
     return module;
 }
 
@@ -76,7 +78,7 @@ struct Written {
 };
 
 // An image of the first of two runs; poison where nothing was written.
-PassImage image_of(const std::string& name, const Written& after, const shader::Type& pixel) {
+PassImage image_of(const std::string& name, const Written& after, const module::Type& pixel) {
     PassImage image{{.element = pixel, .size = after.first.size, .words = {}}, name, {}};
     const auto channels = static_cast<std::size_t>(pixel.rows);
     const Word poison =
@@ -110,7 +112,7 @@ PassResult result_of(const internal::PassInterface& pass, const PassWork& first,
     std::map<std::string, PassResult::Values> values;
     for (const PassSlot& slot : pass.slots) {
         if (slot.kind != PassSlot::Kind::image && slot.kind != PassSlot::Kind::buffer_member) continue;
-        const shader::Binding& binding = pass.declared.bindings[slot.index];
+        const module::Binding& binding = pass.declared.bindings[slot.index];
         if (!binding.writes) continue;
         const Written after{first.bindings[binding.number], second.bindings[binding.number]};
         if (slot.kind == PassSlot::Kind::image)
@@ -137,7 +139,7 @@ const typename Map::mapped_type& found_in(const Map& all, const std::string& nam
 
 Pass::Pass(const Lab& lab, const std::string& file) : Pass(lab, file, compiled(lab, file)) {}
 
-Pass::Pass(const Lab& lab, const std::string& name, shader::Spirv module, std::string text)
+Pass::Pass(const Lab& lab, const std::string& name, module::Spirv module, std::string text)
     : lab_(&lab),
       interface_(std::make_shared<const internal::PassInterface>(
           internal::interface_of(name, std::move(module), std::move(text)))) {}
@@ -165,13 +167,13 @@ const PassImage& PassResult::image(const std::string& name) const {
     return found_in(images_, name, pass_, "image");
 }
 
-const PassResult::Values& PassResult::values_of(const std::string& name, const shader::Type& element) const {
+const PassResult::Values& PassResult::values_of(const std::string& name, const module::Type& element) const {
     const Values& found = found_in(values_, name, pass_, "buffer member");
-    shader::Type expected = found.type;
+    module::Type expected = found.type;
     expected.sizes.clear();
     if (!(expected == element))
         throw std::invalid_argument(fmt::format("{}: \"{}\" holds {}, asked for {}", pass_, name,
-                                                shader::name_of(expected), shader::name_of(element)));
+                                                module::name_of(expected), module::name_of(element)));
     return found;
 }
 
@@ -197,8 +199,8 @@ namespace {
 void require_alike(const PassImage& image, const Image& reference) {
     if (!(reference.element == image.element))
         throw std::invalid_argument(fmt::format("{}: is compared with {}, expected {}", image.name,
-                                                shader::name_of(reference.element),
-                                                shader::name_of(image.element)));
+                                                module::name_of(reference.element),
+                                                module::name_of(image.element)));
     if (reference.size != image.size)
         throw std::invalid_argument(fmt::format("{}: is {} x {}, the reference {} x {}", image.name,
                                                 image.size.x, image.size.y, reference.size.x,
@@ -235,8 +237,8 @@ ImageComparison PassImage::compare(const Image& reference, double tolerance) con
     if (worst < words.size())
         compared.story += fmt::format(
             "  pixel ({}, {}) component {}: got {}, expected {}, difference {:.6g}\n", compared.worst.x,
-            compared.worst.y, worst % components, text_of(element.scalar, words[worst]),
-            text_of(element.scalar, reference.words[worst]), compared.largest);
+            compared.worst.y, worst % components, subject::text_of(element.scalar, words[worst]),
+            subject::text_of(element.scalar, reference.words[worst]), compared.largest);
     return compared;
 }
 
@@ -245,4 +247,4 @@ std::ostream& operator<<(std::ostream& stream, const ImageComparison& comparison
     return stream << comparison.story;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::pass

@@ -18,7 +18,9 @@
 #include "subject/lab.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::pass {
+
+using backend::Word;
 
 namespace internal {
 struct PassInterface;
@@ -28,30 +30,30 @@ struct PassInterface;
 // std::vector of one of them for an array.
 class PassValue {
   public:
-    PassValue(Image image) : image_(std::move(image)) {}
+    PassValue(subject::Image image) : image_(std::move(image)) {}
     // A value by the words of its scalars.
-    PassValue(shader::Type type, std::vector<Word> words)
+    PassValue(module::Type type, std::vector<Word> words)
         : type_(std::move(type)), words_(std::move(words)) {}
 
     template <class T>
-        requires(!std::derived_from<T, Image>)
-    PassValue(const T& value) : type_(type_of<T>()) {
-        append_words(value, words_);
+        requires(!std::derived_from<T, subject::Image>)
+    PassValue(const T& value) : type_(subject::type_of<T>()) {
+        subject::append_words(value, words_);
     }
 
     template <class T>
-    PassValue(const std::vector<T>& elements) : type_(type_of<T>()) {
+    PassValue(const std::vector<T>& elements) : type_(subject::type_of<T>()) {
         type_.sizes.insert(type_.sizes.begin(), static_cast<std::uint32_t>(elements.size()));
-        for (const T& element : elements) append_words(element, words_);
+        for (const T& element : elements) subject::append_words(element, words_);
     }
 
-    [[nodiscard]] const std::optional<Image>& image() const { return image_; }
-    [[nodiscard]] const shader::Type& type() const { return type_; }
+    [[nodiscard]] const std::optional<subject::Image>& image() const { return image_; }
+    [[nodiscard]] const module::Type& type() const { return type_; }
     [[nodiscard]] const std::vector<Word>& words() const { return words_; }
 
   private:
-    std::optional<Image> image_;
-    shader::Type type_;
+    std::optional<subject::Image> image_;
+    module::Type type_;
     std::vector<Word> words_;
 };
 
@@ -67,7 +69,7 @@ struct PassOptions {
 // The same by the numbers of a shader's bindings, as plans of frames have it. An image that is read and not
 // given is one pixel of zeros. A run changes the images and buffers as the pass does.
 struct PassBindings {
-    std::map<std::uint32_t, Image> images;
+    std::map<std::uint32_t, subject::Image> images;
     std::map<std::uint32_t, std::vector<Word>> buffers;
     std::vector<std::byte> push_constants;
     std::vector<backend::Constant> constants;
@@ -86,20 +88,20 @@ struct ImageComparison {
 std::ostream& operator<<(std::ostream& stream, const ImageComparison& comparison);
 
 // An image that a pass wrote. `at<T>(pixel)` reads it.
-struct PassImage : Image {
+struct PassImage : subject::Image {
     std::string name;             // "blur.comp: result"
     std::vector<bool> unwritten;  // by pixel; empty: all are written
 
     // Compares it with another image: a reference, or the output of another pass. A component may differ by
     // `tolerance`. Throws std::invalid_argument for another size or type.
-    [[nodiscard]] ImageComparison compare(const Image& reference, double tolerance = 0.0) const;
+    [[nodiscard]] ImageComparison compare(const subject::Image& reference, double tolerance = 0.0) const;
 };
 
 // What a pass wrote.
 class PassResult {
   public:
     struct Values {
-        shader::Type type;
+        module::Type type;
         std::vector<Word> words;
         std::size_t unwritten = 0;
     };
@@ -115,9 +117,10 @@ class PassResult {
     // std::invalid_argument for an unknown name and another type.
     template <class T>
     [[nodiscard]] std::vector<T> values(const std::string& name) const {
-        const Values& found = values_of(name, type_of<T>());
+        const Values& found = values_of(name, subject::type_of<T>());
         std::vector<T> values;
-        for (std::span<const Word> rest = found.words; !rest.empty();) values.push_back(take_words<T>(rest));
+        for (std::span<const Word> rest = found.words; !rest.empty();)
+            values.push_back(subject::take_words<T>(rest));
         return values;
     }
 
@@ -126,7 +129,7 @@ class PassResult {
     [[nodiscard]] std::string unwritten() const;
 
   private:
-    [[nodiscard]] const Values& values_of(const std::string& name, const shader::Type& element) const;
+    [[nodiscard]] const Values& values_of(const std::string& name, const module::Type& element) const;
 
     std::map<std::string, PassImage> images_;
     std::map<std::string, Values> values_;
@@ -141,10 +144,10 @@ class PassResult {
 class Pass {
   public:
     // The file is searched in the lab's include roots. Throws std::invalid_argument for a file that is not
-    // there, and for an interface that is not supported; shader::CompileError.
-    Pass(const Lab& lab, const std::string& file);
+    // there, and for an interface that is not supported; source::CompileError.
+    Pass(const subject::Lab& lab, const std::string& file);
     // Of a module. text: the same shader for OpenGL, whose first free uniform block has the push constants.
-    Pass(const Lab& lab, const std::string& name, shader::Spirv module, std::string text = {});
+    Pass(const subject::Lab& lab, const std::string& name, module::Spirv module, std::string text = {});
 
     // Throws std::invalid_argument, in one line with what was expected, for a name that is unknown or not
     // given and a value of another type or size; backend::Error; backend::Unsupported for what OpenGL lacks;
@@ -153,8 +156,8 @@ class Pass {
     void run(PassBindings& bindings) const;
 
   private:
-    const Lab* lab_;
+    const subject::Lab* lab_;
     std::shared_ptr<const internal::PassInterface> interface_;
 };
 
-}  // namespace gloam::check
+}  // namespace gloam::pass

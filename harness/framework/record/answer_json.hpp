@@ -10,24 +10,24 @@
 namespace gloam::record {
 
 template <>
-inline constexpr Names names_of<check::Reason>{
+inline constexpr Names names_of<judge::Reason>{
     base::reason_names.size(),
     "\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier"};
 template <>
-inline constexpr Names names_of<check::Verdict>{2, "budget or rules"};
+inline constexpr Names names_of<judge::Verdict>{2, "budget or rules"};
 template <>
-inline constexpr Names names_of<check::NoResult>{2, "undefined or too long"};
+inline constexpr Names names_of<judge::NoResult>{2, "undefined or too long"};
 template <>
-inline constexpr Names names_of<check::InputClass>{check::input_class_count, "a class of inputs"};
+inline constexpr Names names_of<judge::InputClass>{judge::input_class_count, "a class of inputs"};
 
 // All that follows from an answer's members: the worst input without its fractions, the first unbounded input
 // as text alone, and no first failures. Throws where members disagree.
-void complete(const JsonReader& json, check::Answer& answer);
+void complete(const JsonReader& json, judge::Answer& answer);
 
 GLOAM_MEMBERS(numeric::Bounds, low, high, nan)
 
 template <class Io>
-void members(Io& io, check::ClassCount& c) {
+void members(Io& io, judge::ClassCount& c) {
     each(io, "inputs", c.inputs, "outside", c.outside, "recorded", c.recorded);
     io.member("open", c.open, Present::later);
     io.require(c.recorded <= c.inputs && c.open <= c.inputs - c.recorded && c.outside <= c.inputs,
@@ -35,25 +35,25 @@ void members(Io& io, check::ClassCount& c) {
 }
 
 template <class Io>
-void members(Io& io, check::PredicateCount& c) {
+void members(Io& io, judge::PredicateCount& c) {
     each(io, "inputs", c.inputs, "judged", c.judged);
     io.require(c.judged <= c.inputs, "counts within its inputs");
 }
 
 // The classes that had inputs.
 template <class Io>
-void members(Io& io, std::array<check::ClassCount, check::input_class_count>& counts) {
+void members(Io& io, std::array<judge::ClassCount, judge::input_class_count>& counts) {
     for (std::size_t i = 0; i < counts.size(); ++i)
-        io.member(name_of(static_cast<check::InputClass>(i)).data(), counts[i], Present::if_any);
+        io.member(name_of(static_cast<judge::InputClass>(i)).data(), counts[i], Present::if_any);
 }
 
 template <class Io>
-void members(Io& io, std::array<check::PredicateCount, 2>& counts) {
+void members(Io& io, std::array<judge::PredicateCount, 2>& counts) {
     each<Present::if_any>(io, "false", counts[0], "true", counts[1]);
 }
 
 template <class Io>
-void members(Io& io, check::Sample& sample) {
+void members(Io& io, judge::Sample& sample) {
     each(io, "input", sample.index, "class", sample.input_class, "images", sample.scenario, "values",
          sample.values, "input_words", sample.inputs, "got_words", sample.got, "want", sample.want, "allowed",
          sample.permitted, "ulp", sample.ulp, "abs", sample.absolute);
@@ -61,27 +61,27 @@ void members(Io& io, check::Sample& sample) {
 }
 
 template <class Io>
-void members(Io& io, check::ErrorSize& guarantee) {
+void members(Io& io, judge::ErrorSize& guarantee) {
     each(io, "ulp", guarantee.ulp, "abs", guarantee.absolute, "fraction", guarantee.fraction);
 }
 
 template <class Io>
-void members(Io& io, check::Budget& budget) {
+void members(Io& io, judge::Budget& budget) {
     each(io, "ulp", budget.ulp, "abs", budget.absolute, "backward_ulp", budget.backward_ulp,
          "of_largest_component", budget.of_largest_component);
     io.member("text", to_text(budget), Present::derived);
 }
 
 template <class Io>
-void members(Io& io, check::Coverage::Point& point) {
+void members(Io& io, judge::Coverage::Point& point) {
     io.member("file", point.file, Present::name);
     each(io, "line", point.line, "text", point.text, "way", point.way, "reached", point.reached);
 }
-GLOAM_MEMBERS(check::Coverage, inputs, points)
+GLOAM_MEMBERS(judge::Coverage, inputs, points)
 
 // What the rules permit is calculated only where the verdict is theirs.
 template <class Io>
-void members(Io& io, check::Answer& answer) {
+void members(Io& io, judge::Answer& answer) {
     each<Present::name>(io, "equation", answer.equation, "function", answer.function, "file", answer.file,
                         "variant", answer.variant);
     io.member("verdict", answer.verdict);
@@ -101,7 +101,7 @@ void members(Io& io, check::Answer& answer) {
               Present::derived);
     each(io, "budget", answer.budget, "classes", answer.classes);
     io.member("predicate", answer.predicate, Present::later);
-    for (const check::PredicateCount& c : answer.predicate)
+    for (const judge::PredicateCount& c : answer.predicate)
         io.require(c.inputs <= answer.inputs(), "counts within its inputs");
     each(io, "worst", answer.worst, "coverage", answer.coverage, "fault", answer.fault, "error", answer.error,
          "reason", answer.reason, "seconds", answer.seconds, "story", answer.story);

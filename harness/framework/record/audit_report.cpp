@@ -14,12 +14,12 @@
 
 namespace gloam::record {
 
-GLOAM_MEMBERS(check::AuditLocation, file, line, function, operation)
-GLOAM_MEMBERS(check::AuditWitness, device, value)
-GLOAM_MEMBERS(check::AuditRewrite, file, line, before, after, helper, reason, gain)
+GLOAM_MEMBERS(audit::AuditLocation, file, line, function, operation)
+GLOAM_MEMBERS(audit::AuditWitness, device, value)
+GLOAM_MEMBERS(audit::AuditRewrite, file, line, before, after, helper, reason, gain)
 
 template <class Io>
-void members(Io& io, check::AuditFinding& finding) {
+void members(Io& io, audit::AuditFinding& finding) {
     each(io, "concern", finding.concern, "share", finding.share, "input", finding.values, "words",
          finding.words, "output", finding.output, "value", finding.value, "exact", finding.exact, "permitted",
          finding.permitted, "digits_lost", finding.lost, "place", finding.place);
@@ -29,21 +29,21 @@ void members(Io& io, check::AuditFinding& finding) {
 }
 
 template <class Io>
-void members(Io& io, check::OrdinaryValues& values) {
+void members(Io& io, audit::OrdinaryValues& values) {
     each(io, "parameter", values.parameter, "values", values.text, "reason", values.reason);
 }
 
 template <class Io>
-void members(Io& io, check::AuditLine& line) {
+void members(Io& io, audit::AuditLine& line) {
     each(io, "file", line.file, "line", line.line, "digits_lost", line.lost);
 }
 
 template <class Io>
-void members(Io& io, check::Audit& audit) {
+void members(Io& io, audit::Audit& audit) {
     each(io, "function", audit.function, "declaration", audit.declaration, "inputs", audit.inputs, "random",
          audit.random, "audited", audit.was_run(), "broken", audit.is_broken(), "domain", audit.domain,
-         "findings", audit.findings, "not_reached", missed(audit.coverage), "lines", audit.lines, "rewrites",
-         audit.rewrites);
+         "findings", audit.findings, "not_reached", audit::missed(audit.coverage), "lines", audit.lines,
+         "rewrites", audit.rewrites);
 }
 
 std::string to_audit_json(const AuditReport& report) {
@@ -62,12 +62,12 @@ std::string source_html(const AuditReport& report) {
     const std::filesystem::path file = std::filesystem::path(report.file).filename();
     std::map<unsigned, double> losses;
     std::map<unsigned, std::string> wrong;
-    for (const check::Audit& audit : report.audits) {
-        for (const check::AuditLine& line : audit.lines)
+    for (const audit::Audit& audit : report.audits) {
+        for (const audit::AuditLine& line : audit.lines)
             if (std::filesystem::path(line.file).filename() == file)
                 losses[line.line] = std::max(losses[line.line], line.lost);
-        for (const check::AuditFinding& finding : audit.findings)
-            if (finding.concern < check::Concern::unspecified &&
+        for (const audit::AuditFinding& finding : audit.findings)
+            if (finding.concern < audit::Concern::unspecified &&
                 std::filesystem::path(finding.place.file).filename() == file)
                 wrong[finding.place.line] = name_of(finding.concern);
     }
@@ -88,10 +88,10 @@ std::string source_html(const AuditReport& report) {
     return html + "</pre>\n";
 }
 
-Table finding_table(const check::Audit& audit) {
+Table finding_table(const audit::Audit& audit) {
     Table table{{{"concern"}, {"how much"}, {"at"}, {"input"}, {"result"}}};
-    for (const check::AuditFinding& finding : audit.findings) {
-        const Tone tone = finding.concern < check::Concern::unspecified ? Tone::bad : Tone::plain;
+    for (const audit::AuditFinding& finding : audit.findings) {
+        const Tone tone = finding.concern < audit::Concern::unspecified ? Tone::bad : Tone::plain;
         std::string result = result_text(finding);
         for (const std::string& remark : remarks_on(finding)) result += "; " + remark;
         table.rows.push_back({{name_of(finding.concern), {}, tone},
@@ -104,9 +104,9 @@ Table finding_table(const check::Audit& audit) {
 }
 
 // Lines for a C++ test of the framework, and for the command line.
-std::string ready_to_paste(const AuditReport& report, const check::Audit& audit) {
+std::string ready_to_paste(const AuditReport& report, const audit::Audit& audit) {
     std::string text;
-    for (const check::AuditFinding& finding : audit.findings)
+    for (const audit::AuditFinding& finding : audit.findings)
         text += fmt::format(
             "// {}: {}\ndomain = domain.and_words({{{:#010x}}});\n// gloam explain {} '{}' {:#010x}\n",
             name_of(finding.concern), finding.values, fmt::join(finding.words, ", "),
@@ -115,10 +115,10 @@ std::string ready_to_paste(const AuditReport& report, const check::Audit& audit)
     return text;
 }
 
-void add_function(Page& page, const AuditReport& report, const check::Audit& audit) {
+void add_function(Page& page, const AuditReport& report, const audit::Audit& audit) {
     page.heading(audit.declaration);
     Table domain{{{"parameter"}, {"values"}, {"because of"}}};
-    for (const check::OrdinaryValues& values : audit.domain)
+    for (const audit::OrdinaryValues& values : audit.domain)
         domain.rows.push_back({values.parameter, values.text, values.reason});
     page.table(domain);
     if (!audit.was_run())
@@ -130,9 +130,10 @@ void add_function(Page& page, const AuditReport& report, const check::Audit& aud
     else
         page.table(finding_table(audit));
     std::string lines;
-    for (const std::string& way : missed(audit.coverage)) lines += fmt::format("not reached: {}\n", way);
+    for (const std::string& way : audit::missed(audit.coverage))
+        lines += fmt::format("not reached: {}\n", way);
     if (!lines.empty()) page.preformatted(lines);
-    for (const check::AuditRewrite& rewrite : audit.rewrites) {
+    for (const audit::AuditRewrite& rewrite : audit.rewrites) {
         page.paragraph(fmt::format("Line {}: {}. Tried on the inputs above: {}.", rewrite.line,
                                    rewrite.reason, rewrite.gain));
         page.preformatted(fmt::format("{}- {}\n+ {}", rewrite.helper, rewrite.before, rewrite.after));
@@ -149,7 +150,7 @@ std::string to_audit_page(const AuditReport& report) {
         "permits. A colour shows how many decimal digits the operations of a line lose at most; a float has "
         "7.2.");
     page.markup(source_html(report));
-    for (const check::Audit& audit : report.audits) add_function(page, report, audit);
+    for (const audit::Audit& audit : report.audits) add_function(page, report, audit);
     return page.html();
 }
 

@@ -12,7 +12,7 @@ namespace gloam::record {
 struct AuditReport {
     std::string file;    // as it was named
     std::string source;  // its text
-    std::vector<check::Audit> audits;
+    std::vector<audit::Audit> audits;
 };
 
 // All that the audits found, as JSON: {"file", "functions": [{"function", "domain", "findings",

@@ -38,7 +38,7 @@ std::vector<Column> columns(bool several_devices) {
 }
 
 // The cells of a row, without the device.
-std::vector<Cell> cells_of(const check::Answer& row) {
+std::vector<Cell> cells_of(const judge::Answer& row) {
     const Tone tone = row.passed() ? Tone::good : row.failed() ? Tone::bad : Tone::plain;
     std::vector<Cell> cells{{verdict_of(row), {}, tone},
                             row.equation,
@@ -60,12 +60,12 @@ Table device_table(const std::vector<CheckReport>& reports) {
                  {.title = "not judged", .numeric = true},
                  {.title = "made by", .meaning = "versions of gloam and of the compilers"}}};
     for (const CheckReport& report : reports) {
-        const std::size_t failed = report.count(check::Outcome::failed);
+        const std::size_t failed = report.count(judge::Outcome::failed);
         table.rows.push_back({name_of(report.device),
                               api_of(report.device),
                               report.rows.size(),
                               {failed, failed == 0 ? Tone::good : Tone::bad},
-                              report.count(check::Outcome::not_judged),
+                              report.count(judge::Outcome::not_judged),
                               report.versions});
     }
     return table;
@@ -74,7 +74,7 @@ Table device_table(const std::vector<CheckReport>& reports) {
 void add_stories(Page& page, const std::vector<CheckReport>& reports) {
     std::size_t told = 0;
     for (const CheckReport& report : reports) {
-        for (const check::Answer& row : report.rows) {
+        for (const judge::Answer& row : report.rows) {
             if (!row.failed()) continue;
             if (told == 0) page.heading("Failures");
             if (++told > most_stories) continue;
@@ -90,23 +90,23 @@ void add_stories(Page& page, const std::vector<CheckReport>& reports) {
 struct EquationAccuracy {
     std::string equation;
     std::string documented;                      // "4 ulp"
-    std::optional<check::ErrorSize> any_driver;  // by the rules; nullopt without a strict run
+    std::optional<judge::ErrorSize> any_driver;  // by the rules; nullopt without a strict run
     double open = 0.0;  // share of the inputs for which the rules permit every result
     // Of each report, the largest error of a variant that is judged by the documented one; nullptr: none is.
-    std::vector<const check::Answer*> worst;
+    std::vector<const judge::Answer*> worst;
 
-    void add(std::size_t report, const check::Answer& row) {
+    void add(std::size_t report, const judge::Answer& row) {
         const bool by_rules = row.rules_alone();
         // A function without a documented error is judged by the rules in every variant.
         if (by_rules && row.variant != "strict" && row.variant != "relaxed") documented = "Vulkan's rules";
         if (row.bounded > 0 && row.variant != "relaxed") {
-            const check::ErrorSize most = any_driver.value_or(check::ErrorSize{});
+            const judge::ErrorSize most = any_driver.value_or(judge::ErrorSize{});
             any_driver = {.ulp = std::max(most.ulp, row.guarantee.ulp),
                           .absolute = std::max(most.absolute, row.guarantee.absolute)};
             open = std::max(open, static_cast<double>(row.unbounded) / static_cast<double>(row.bounded));
         }
         if (by_rules || !row.ran() || row.judged() == 0) return;
-        const check::Answer*& most = worst[report];
+        const judge::Answer*& most = worst[report];
         if (most == nullptr || row.budget_fraction > most->budget_fraction) most = &row;
     }
 };
@@ -115,13 +115,13 @@ struct EquationAccuracy {
 std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports) {
     std::vector<EquationAccuracy> all;
     for (std::size_t i = 0; i < reports.size(); ++i) {
-        for (const check::Answer& row : reports[i].rows) {
+        for (const judge::Answer& row : reports[i].rows) {
             auto known = std::ranges::find(all, row.equation, &EquationAccuracy::equation);
             if (known == all.end())
                 known = all.insert(known, {.equation = row.equation,
                                            .documented = to_text(row.budget),
                                            .any_driver = {},
-                                           .worst = std::vector<const check::Answer*>(reports.size())});
+                                           .worst = std::vector<const judge::Answer*>(reports.size())});
             known->add(i, row);
         }
     }
@@ -129,7 +129,7 @@ std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports
 }
 
 // "0.50 optimized".
-Cell measured_cell(const check::Answer* worst) {
+Cell measured_cell(const judge::Answer* worst) {
     if (worst == nullptr) return "-";
     const double fraction = worst->budget_fraction;
     return {fraction == 0.0 ? "exact" : numeric::to_short_text(fraction) + " " + worst->variant, fraction};
@@ -179,9 +179,9 @@ Table accuracy_table(const std::vector<CheckReport>& reports) {
 Table check_table(const std::vector<CheckReport>& reports) {
     const bool several = reports.size() > 1;
     Table table{columns(several)};
-    for (const auto outcome : {check::Outcome::failed, check::Outcome::not_judged, check::Outcome::ok}) {
+    for (const auto outcome : {judge::Outcome::failed, judge::Outcome::not_judged, judge::Outcome::ok}) {
         for (const CheckReport& report : reports) {
-            for (const check::Answer& row : report.rows) {
+            for (const judge::Answer& row : report.rows) {
                 if (row.outcome() != outcome) continue;
                 table.rows.push_back(cells_of(row));
                 std::vector<Cell>& cells = table.rows.back();

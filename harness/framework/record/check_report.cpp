@@ -14,9 +14,9 @@
 
 namespace gloam::record {
 
-void complete(const JsonReader& json, check::Answer& answer) {
+void complete(const JsonReader& json, judge::Answer& answer) {
     const JsonReader classes = json.member("classes");
-    for (const auto& [name, value] : classes.members()) (void)value_named<check::InputClass>(classes, name);
+    for (const auto& [name, value] : classes.members()) (void)value_named<judge::InputClass>(classes, name);
     for (const auto& [name, count] : {std::pair{"inputs", answer.inputs()},
                                       {"outside", answer.outside()},
                                       {"recorded", answer.recorded()}}) {
@@ -32,7 +32,7 @@ void complete(const JsonReader& json, check::Answer& answer) {
             json.member("worst").member("outcomes").elements()[i].expected("a range for each of \"allowed\"");
     if (!answer.rules_alone()) answer.fraction = answer.budget_fraction;
     const std::string unbounded_at = json.member("unbounded_at").text();
-    if (!unbounded_at.empty()) answer.first_unbounded = check::Sample{.values = unbounded_at};
+    if (!unbounded_at.empty()) answer.first_unbounded = judge::Sample{.values = unbounded_at};
 }
 
 namespace {
@@ -44,7 +44,7 @@ CheckReport read_report(const JsonReader& json) {
     if (json.has("versions")) report.versions = json.member("versions").name();
     if (json.has("inputs")) report.inputs = json.member("inputs").count();
     if (json.has("seed")) report.seed = json.member("seed").count();
-    report.rows = from_json<std::vector<check::Answer>>(json.member("results"));
+    report.rows = from_json<std::vector<judge::Answer>>(json.member("results"));
     return report;
 }
 
@@ -90,7 +90,7 @@ std::string escaped(std::string_view text) {
     return base::replaced(escaped_html(text), "\n", "&#10;");
 }
 
-std::string test_case(const check::Answer& row) {
+std::string test_case(const judge::Answer& row) {
     std::string xml =
         fmt::format("    <testcase classname=\"{}\" name=\"{} {}\" time=\"{:.3f}\"", escaped(row.file),
                     escaped(row.equation), escaped(row.variant), row.seconds);
@@ -100,7 +100,7 @@ std::string test_case(const check::Answer& row) {
                                  escaped(row.not_judged_because()));
     return xml + fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\"/>\n    </testcase>\n",
                              row.ran() ? "failure" : "error",
-                             row.reason == check::Reason::none ? "outside" : name_of(row.reason),
+                             row.reason == judge::Reason::none ? "outside" : name_of(row.reason),
                              escaped(row.ran() ? row.story : row.error));
 }
 
@@ -110,15 +110,15 @@ std::string to_junit(const std::vector<CheckReport>& reports) {
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const CheckReport& report : reports) {
         const auto errors = static_cast<std::size_t>(std::ranges::count_if(
-            report.rows, [](const check::Answer& row) { return row.failed() && !row.ran(); }));
+            report.rows, [](const judge::Answer& row) { return row.failed() && !row.ran(); }));
         xml += fmt::format(
             "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n",
-            escaped(report.device.name), report.rows.size(), report.count(check::Outcome::failed) - errors,
-            errors, report.count(check::Outcome::not_judged));
+            escaped(report.device.name), report.rows.size(), report.count(judge::Outcome::failed) - errors,
+            errors, report.count(judge::Outcome::not_judged));
         if (!report.versions.empty())
             xml += fmt::format("    <properties><property name=\"versions\" value=\"{}\"/></properties>\n",
                                escaped(report.versions));
-        for (const check::Answer& row : report.rows) xml += test_case(row);
+        for (const judge::Answer& row : report.rows) xml += test_case(row);
         xml += "  </testsuite>\n";
     }
     return xml + "</testsuites>\n";
@@ -130,23 +130,23 @@ namespace {
 constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
 
 // Where the rules alone are the verdict, an infinite error may be right: for an overflow, say.
-Cell error_cell(const check::Answer& row, double error, const std::string& text) {
+Cell error_cell(const judge::Answer& row, double error, const std::string& text) {
     const bool permitted = row.rules_alone() && row.passed() && std::isinf(error);
     return {permitted ? "permitted" : text, error};
 }
 
 }  // namespace
 
-std::size_t CheckReport::count(check::Outcome outcome) const {
-    return static_cast<std::size_t>(std::ranges::count(rows, outcome, &check::Answer::outcome));
+std::size_t CheckReport::count(judge::Outcome outcome) const {
+    return static_cast<std::size_t>(std::ranges::count(rows, outcome, &judge::Answer::outcome));
 }
 
 OutcomeCounts counts_of(const std::vector<CheckReport>& reports) {
     OutcomeCounts all;
     for (const CheckReport& report : reports) {
         all.checks += report.rows.size();
-        all.failed += report.count(check::Outcome::failed);
-        all.not_judged += report.count(check::Outcome::not_judged);
+        all.failed += report.count(judge::Outcome::failed);
+        all.not_judged += report.count(judge::Outcome::not_judged);
     }
     return all;
 }
@@ -176,7 +176,7 @@ const std::vector<Column>& error_columns() {
     return columns;
 }
 
-std::vector<Cell> error_cells(const check::Answer& row) {
+std::vector<Cell> error_cells(const judge::Answer& row) {
     if (!row.ran()) return std::vector<Cell>(error_columns().size(), "-");
     const double used = row.fraction_of_allowed();
     return {row.judged(),
@@ -199,9 +199,9 @@ std::string table_legend() {
            "documents\n";
 }
 
-std::string verdict_of(const check::Answer& row) {
+std::string verdict_of(const judge::Answer& row) {
     if (!row.ran())
-        return row.reason == check::Reason::error ? "could not run" : std::string(name_of(row.reason));
+        return row.reason == judge::Reason::error ? "could not run" : std::string(name_of(row.reason));
     std::string verdict =
         row.failed() ? fmt::format("{} outside", row.outside()) : std::string(name_of(row.outcome()));
     if (!row.fault.empty()) verdict += ", reads outside its image";
@@ -209,7 +209,7 @@ std::string verdict_of(const check::Answer& row) {
     return verdict;
 }
 
-std::string remark_on(const check::Answer& row) {
+std::string remark_on(const judge::Answer& row) {
     const std::string why = row.not_judged_because();
     if (!why.empty() || !row.ran()) return why;
     std::string remark;
@@ -217,16 +217,16 @@ std::string remark_on(const check::Answer& row) {
         remark = fmt::format("any result would pass for {} of {}", row.open(),
                              row.rules_alone() ? row.bounded : row.inputs());
     std::string separator = remark.empty() ? "not promised: " : "; not promised: ";
-    for (const check::InputClass input_class : row.not_promised()) {
+    for (const judge::InputClass input_class : row.not_promised()) {
         remark += separator + std::string(name_of(input_class));
         separator = ", ";
     }
     return remark;
 }
 
-std::string table_line(const check::Answer& row, const std::string& verdict) {
+std::string table_line(const judge::Answer& row, const std::string& verdict) {
     const std::vector<Cell> cells = error_cells(row);
-    const std::string why = row.reason == check::Reason::unsupported ? base::one_line(row.error) : "";
+    const std::string why = row.reason == judge::Reason::unsupported ? base::one_line(row.error) : "";
     const std::string remark = row.ran() ? remark_on(row) : why;
     return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), cells[0].text,
                        cells[1].text, cells[2].text, cells[3].text, row.ran() ? name_of(row.verdict) : "-",

@@ -30,12 +30,12 @@ struct DeviceSummary {
 // The results of all checks of one device.
 struct CheckReport {
     DeviceSummary device;
-    std::vector<check::Answer> rows;
+    std::vector<judge::Answer> rows;
     std::string versions{};  // of gloam and of the compilers; empty: unknown
     std::size_t inputs = 0;  // that were asked for; 0: unknown
     std::uint64_t seed = 0;  // of these; 0: unknown
 
-    [[nodiscard]] std::size_t count(check::Outcome outcome) const;
+    [[nodiscard]] std::size_t count(judge::Outcome outcome) const;
 };
 
 // Checks by their outcome.
@@ -55,26 +55,26 @@ struct OutcomeCounts {
 
 // "ok", the number of inputs outside what is allowed ("3 outside"), "not judged", or the reason why the check
 // did not run ("hang").
-[[nodiscard]] std::string verdict_of(const check::Answer& row);
+[[nodiscard]] std::string verdict_of(const judge::Answer& row);
 
 // Why a row was not judged, or what the verdict says nothing of: "any result would pass for 3 of 512; not
 // promised: nan". Empty if there is nothing to say.
-[[nodiscard]] std::string remark_on(const check::Answer& row);
+[[nodiscard]] std::string remark_on(const judge::Answer& row);
 
 // Column titles, and one line for each row: ID, function, variant, inputs that were judged, worst ULP, worst
 // absolute error, worst error as a part of what is allowed, by what it was judged ("budget" or "rules"),
 // verdict_of() and remark_on() at the end. The legend explains the titles in a few lines.
 [[nodiscard]] std::string table_header();
 // `verdict`: another text in its place, for example in colour.
-[[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict = {});
+[[nodiscard]] std::string table_line(const judge::Answer& row, const std::string& verdict = {});
 [[nodiscard]] std::string table_legend();
 
 // The columns from "judged" to "of allowed", and a row's cells in them.
 [[nodiscard]] const std::vector<Column>& error_columns();
-[[nodiscard]] std::vector<Cell> error_cells(const check::Answer& row);
+[[nodiscard]] std::vector<Cell> error_cells(const judge::Answer& row);
 
 // An object, or an array of them for several devices: "gloam", "device", "versions", "inputs", "seed" and
-// "results", whose members are those of check::Answer (record/answer_json.hpp). Those that the verdict does
+// "results", whose members are those of judge::Answer (record/answer_json.hpp). Those that the verdict does
 // not need are null, infinite numbers are the strings "inf" and "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 

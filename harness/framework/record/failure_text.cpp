@@ -23,9 +23,9 @@ std::string allowed_text(const numeric::Bounds& allowed) {
 }
 
 // The ranges of an output, each once.
-std::string permitted_text(const std::vector<check::Sample::Outcome>& outcomes, std::size_t output) {
+std::string permitted_text(const std::vector<judge::Sample::Outcome>& outcomes, std::size_t output) {
     std::vector<std::string> texts;
-    for (const check::Sample::Outcome& outcome : outcomes) {
+    for (const judge::Sample::Outcome& outcome : outcomes) {
         std::string text = allowed_text(outcome.at(output));
         if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
     }
@@ -33,7 +33,7 @@ std::string permitted_text(const std::vector<check::Sample::Outcome>& outcomes, 
 }
 
 // Several outcomes of several outputs, which are permitted together only.
-std::string outcomes_text(const std::vector<check::Sample::Outcome>& outcomes) {
+std::string outcomes_text(const std::vector<judge::Sample::Outcome>& outcomes) {
     std::string text;
     for (std::size_t k = 0; outcomes.size() > 1 && outcomes[k].size() > 1 && k < outcomes.size(); ++k) {
         std::vector<std::string> ranges;
@@ -41,8 +41,8 @@ std::string outcomes_text(const std::vector<check::Sample::Outcome>& outcomes) {
         text += fmt::format("  {} {}\n",
                             k == 0 ? "permitted together:" : "or together:       ", fmt::join(ranges, "; "));
     }
-    if (outcomes.size() >= check::Sample::most_outcomes)
-        text += fmt::format("  beyond {} outcomes, neighbours are merged\n", check::Sample::most_outcomes);
+    if (outcomes.size() >= judge::Sample::most_outcomes)
+        text += fmt::format("  beyond {} outcomes, neighbours are merged\n", judge::Sample::most_outcomes);
     return text;
 }
 
@@ -55,10 +55,10 @@ std::string wanted_text(double number) {
     return whole ? fmt::format("{:.0f}", number) : numeric::to_text(number);
 }
 
-std::string input_text(const std::string& title, const check::Sample& input) {
+std::string input_text(const std::string& title, const judge::Sample& input) {
     std::string text = fmt::format("{}\n  input   {}\n", title, input.values);
     if (!input.scenario.empty()) text += fmt::format("  images  {}\n", input.scenario);
-    const std::vector<check::Sample::Outcome> outcomes = input.permitted_outcomes();
+    const std::vector<judge::Sample::Outcome> outcomes = input.permitted_outcomes();
     for (std::size_t i = 0; i < input.got.size(); ++i) {
         const std::uint32_t word = input.got[i];
         text += fmt::format("  output {}: got 0x{:08x} (as a float {}, as an integer {})", i, word,
@@ -76,8 +76,8 @@ std::string yes_no(bool flag) {
 
 }  // namespace
 
-std::string failure_text(const DeviceSummary& device, const check::Answer& row,
-                         const std::optional<check::Sample>& smallest, const std::string& note,
+std::string failure_text(const DeviceSummary& device, const judge::Answer& row,
+                         const std::optional<judge::Sample>& smallest, const std::string& note,
                          const RunAgain& again) {
     std::string text =
         fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);

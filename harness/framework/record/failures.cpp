@@ -19,13 +19,13 @@ namespace gloam::record {
 
 namespace {
 
-using check::Reproduction;
+using judge::Reproduction;
 using Words = std::vector<std::uint32_t>;
 
 constexpr std::size_t words_in_a_line = 8;
 // Of a kernel of one input. Its canary is 1 as a float, which is visible as a float and as a word.
-constexpr check::KernelRun one_input{
-    .count = 1, .row_length = check::kernel_group_size, .canary = 0x3f800000U};
+constexpr subject::KernelRun one_input{
+    .count = 1, .row_length = subject::kernel_group_size, .canary = 0x3f800000U};
 constexpr auto largest = std::numeric_limits<float>::max();
 
 // No buffer and no array is empty.
@@ -45,14 +45,14 @@ std::string buffer_declaration(const std::string& name, const Words& words) {
 }
 
 bool is_float(const Reproduction& all, std::size_t output) {
-    return all.outputs[output] == shader::Scalar::float_;  // others are compared as words
+    return all.outputs[output] == module::Scalar::float_;  // others are compared as words
 }
 
 std::string output_comment(const Reproduction& all, std::size_t output) {
     if (!all.failure) return "not judged";
     const std::uint32_t word = all.failure->got[output];
     const std::string got =
-        is_float(all, output) ? check::text_of(all.outputs[output], word) : fmt::format("0x{:08x}", word);
+        is_float(all, output) ? subject::text_of(all.outputs[output], word) : fmt::format("0x{:08x}", word);
     return fmt::format("here it was {}; the reference gives {}", got,
                        numeric::to_text(all.failure->want[output]));
 }
@@ -95,12 +95,12 @@ Comparisons comparisons_of(const Reproduction& all, std::size_t i) {
     if (all.outcomes.empty()) return {};
     const bool as_float = is_float(all, i);
     const std::uint32_t found = all.failure->got[i];
-    const double number = check::number_at(all.outputs[i], found);
-    const numeric::Bounds hull = check::hull_of(all.outcomes)[i];
+    const double number = subject::number_at(all.outputs[i], found);
+    const numeric::Bounds hull = judge::hull_of(all.outcomes)[i];
     Comparisons comparisons;
     (as_float ? compare_float : compare_word)(hull, comparisons);
     if (hull.contains(number) &&
-        std::ranges::none_of(all.outcomes, [&](const check::Sample::Outcome& outcome) {
+        std::ranges::none_of(all.outcomes, [&](const judge::Sample::Outcome& outcome) {
             return outcome.at(i).contains(number);
         }))
         comparisons.push_back(as_float ? fmt::format("NE {:#.9g}", number) : fmt::format("NE {}", found));
@@ -159,13 +159,13 @@ std::string to_amber(const Reproduction& all, const std::vector<std::string>& co
     text += buffer_declaration("run", {one_input.count, one_input.row_length, one_input.canary});
     text += buffer_declaration("inputs", all.inputs);
     text += "# accesses outside an image: how many, and the first\n";
-    text += buffer_declaration("faults", Words(sizeof(check::KernelFaults) / sizeof(check::Word)));
+    text += buffer_declaration("faults", Words(sizeof(subject::KernelFaults) / sizeof(subject::Word)));
     for (std::size_t i = 0; i < all.images.size(); ++i) {
         text += fmt::format("# {}: width, height, clamped, then the pixels row by row\n", all.images[i].name);
         text += buffer_declaration(fmt::format("image{}", i), all.images[i].words);
     }
     const auto is = [](bool floats) {
-        return [=](shader::Scalar output) { return (output == shader::Scalar::float_) == floats; };
+        return [=](module::Scalar output) { return (output == module::Scalar::float_) == floats; };
     };
     for (const bool floats : {true, false})
         if (std::ranges::any_of(all.outputs, is(floats))) text += view_of(all, floats);
@@ -216,7 +216,7 @@ std::string outputs_of(const Reproduction& check) {
         "outcome */\n}};\n"
         "static const struct range outcomes[][{}] = {{\n",
         check.outputs.size());
-    std::vector<check::Sample::Outcome> all = check.outcomes;
+    std::vector<judge::Sample::Outcome> all = check.outcomes;
     if (all.empty()) all.emplace_back(check.outputs.size(), numeric::Bounds::anything());
     for (std::size_t k = 0; k < all.size(); ++k) {
         std::vector<std::string> ranges;
@@ -224,7 +224,7 @@ std::string outputs_of(const Reproduction& check) {
             const numeric::Bounds& allowed = all[k][i];
             const bool repeated =
                 std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k),
-                            [&](const check::Sample::Outcome& earlier) { return earlier[i] == allowed; });
+                            [&](const judge::Sample::Outcome& earlier) { return earlier[i] == allowed; });
             ranges.push_back(fmt::format("{{{}, {}, {}, {}}}", number(allowed.low), number(allowed.high),
                                          allowed.nan ? 1 : 0, repeated ? 1 : 0));
         }

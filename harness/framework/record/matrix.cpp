@@ -21,7 +21,7 @@ std::string title_of(const std::vector<CheckReport>& reports, std::size_t index)
     return fmt::format("{}, {} inputs, seed {}", name, report.inputs, report.seed);
 }
 
-std::string cell(const check::Answer& row) {
+std::string cell(const judge::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "FAULT";
     if (row.outside() > 0) return fmt::format("FAIL {}/{}", row.outside(), row.inputs());
@@ -35,7 +35,7 @@ Table table_of(const std::vector<CheckReport>& reports) {
     Table table{{{.title = "equation"}}};
     std::map<std::string, std::vector<Cell>> by_equation;
     for (std::size_t i = 0; i < reports.size(); ++i) {
-        for (const check::Answer& row : reports[i].rows) {
+        for (const judge::Answer& row : reports[i].rows) {
             if (row.variant.empty()) continue;
             const std::string title =
                 reports.size() == 1 ? row.variant : fmt::format("{} {}", i + 1, row.variant);
@@ -63,10 +63,10 @@ constexpr std::string_view legend =
 
 std::string summary(const CheckReport& report) {
     std::map<std::string, std::size_t> reasons;
-    const check::Answer* worst = nullptr;
-    for (const check::Answer& row : report.rows) {
+    const judge::Answer* worst = nullptr;
+    for (const judge::Answer& row : report.rows) {
         if (row.failed())
-            ++reasons[row.reason == check::Reason::none ? "outside" : std::string(name_of(row.reason))];
+            ++reasons[row.reason == judge::Reason::none ? "outside" : std::string(name_of(row.reason))];
         if (row.ran() && row.judged() > 0 &&
             (worst == nullptr || row.fraction_of_allowed() > worst->fraction_of_allowed()))
             worst = &row;
@@ -81,7 +81,7 @@ std::string summary(const CheckReport& report) {
         text += fmt::format("; worst error {:.3g} of what is allowed: {} {}", worst->fraction_of_allowed(),
                             worst->equation, worst->variant);
     }
-    for (const check::Answer& row : report.rows) {
+    for (const judge::Answer& row : report.rows) {
         if (row.variant.empty()) text += "; " + row.error;
     }
     return text;

@@ -13,7 +13,7 @@ namespace gloam::record {
 namespace {
 
 struct Origin {
-    check::Answer row;
+    judge::Answer row;
     std::string file;
 };
 
@@ -21,22 +21,22 @@ struct Origin {
 using Key = std::tuple<bool, std::string, std::string>;
 using Rows = std::map<Key, Origin>;
 
-Key key_of(const check::Answer& row) {
+Key key_of(const judge::Answer& row) {
     return {row.equation == "device", row.equation, row.variant};
 }
 
-auto severity(const check::Answer& row) {
+auto severity(const judge::Answer& row) {
     const double share =
         row.inputs() == 0 ? 0.0 : static_cast<double>(row.outside()) / static_cast<double>(row.inputs());
     return std::tuple(row.failed(), !row.ran(), !row.fault.empty(), share, row.fraction_of_allowed());
 }
 
-bool tell_the_same(check::Answer a, check::Answer b) {
+bool tell_the_same(judge::Answer a, judge::Answer b) {
     a.seconds = b.seconds = 0.0;
     return line_of(a) == line_of(b);
 }
 
-std::string outcome(const check::Answer& row) {
+std::string outcome(const judge::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "a fault";
     if (!row.failed() && !row.passed()) return "not judged";
@@ -44,7 +44,7 @@ std::string outcome(const check::Answer& row) {
                        row.inputs(), row.fraction_of_allowed());
 }
 
-void unite(Rows& rows, const check::Answer& row, const ReportFile& from,
+void unite(Rows& rows, const judge::Answer& row, const ReportFile& from,
            std::vector<std::string>& conflicts) {
     const auto [at, is_new] = rows.try_emplace(key_of(row), Origin{row, from.file});
     Origin& known = at->second;
@@ -69,7 +69,7 @@ MergedReports merge(const std::vector<ReportFile>& files) {
             merged.reports.push_back({report.device, {}, report.versions, report.inputs, report.seed});
             rows.emplace_back();
         }
-        for (const check::Answer& row : report.rows) unite(rows[place->second], row, file, merged.conflicts);
+        for (const judge::Answer& row : report.rows) unite(rows[place->second], row, file, merged.conflicts);
     }
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (auto& [key, origin] : rows[i]) merged.reports[i].rows.push_back(std::move(origin.row));
@@ -97,7 +97,7 @@ bool exceeds(double larger, double smaller) {
 }
 
 // How a row differs from the earlier one, if it has one; empty: it does not.
-std::string change_of(const check::Answer* earlier, const check::Answer& now) {
+std::string change_of(const judge::Answer* earlier, const judge::Answer& now) {
     if (now.failed() != (earlier != nullptr && earlier->failed()))
         return now.failed() ? "newly failed" : now.passed() ? "mended" : "no longer judged";
     if (earlier == nullptr) return "";
@@ -110,9 +110,9 @@ std::string change_of(const check::Answer* earlier, const check::Answer& now) {
 }
 
 void compare(const CheckReport& before, const CheckReport& now, std::vector<std::string>& changes) {
-    std::map<Key, const check::Answer*> earlier;
-    for (const check::Answer& row : before.rows) earlier[key_of(row)] = &row;
-    for (const check::Answer& row : now.rows) {
+    std::map<Key, const judge::Answer*> earlier;
+    for (const judge::Answer& row : before.rows) earlier[key_of(row)] = &row;
+    for (const judge::Answer& row : now.rows) {
         const auto known = earlier.extract(key_of(row));
         const std::string change = change_of(known ? known.mapped() : nullptr, row);
         if (!change.empty())

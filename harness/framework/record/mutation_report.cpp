@@ -63,7 +63,7 @@ std::string name_of(Fate fate) {
 
 std::size_t MutationReport::missed() const {
     return static_cast<std::size_t>(std::ranges::count_if(mutants, [](const MutantRow& row) {
-        return row.fate == Fate::survived && row.comparison.difference >= check::Difference::real;
+        return row.fate == Fate::survived && row.comparison.difference >= audit::Difference::real;
     }));
 }
 
@@ -87,8 +87,8 @@ std::string to_text(const MutationReport& report) {
         text +=
             "no fault was noticed: expected a command that reads the shaders in the folder GLOAM_SHADERS\n";
     for (const MutantRow* row : survivors(report)) {
-        const shader::Mutation& mutation = row->mutation;
-        const check::MutantComparison& shown = row->comparison;
+        const source::Mutation& mutation = row->mutation;
+        const audit::MutantComparison& shown = row->comparison;
         text += fmt::format("{}:{}: '{}' -> '{}' in {}: {}\n", report.files.at(row->file), mutation.line,
                             in_a_line(mutation.before), in_a_line(mutation.after),
                             mutation.function.empty() ? "no function" : mutation.function, verdict_of(*row));
@@ -103,8 +103,8 @@ std::string to_mutation_json(const MutationReport& report) {
     using nlohmann::ordered_json;
     ordered_json mutants = ordered_json::array();
     for (const MutantRow& row : report.mutants) {
-        const shader::Mutation& mutation = row.mutation;
-        const check::MutantComparison& found = row.comparison;
+        const source::Mutation& mutation = row.mutation;
+        const audit::MutantComparison& found = row.comparison;
         MemberWriter<Form::whole> one;
         each(one, "file", report.files.at(row.file), "line", mutation.line, "kind", mutation.kind, "function",
              mutation.function, "before", mutation.before, "after", mutation.after, "fate", row.fate,

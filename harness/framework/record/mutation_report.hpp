@@ -23,11 +23,11 @@ enum class Fate {
 
 struct MutantRow {
     std::size_t file = 0;  // of MutationReport::files
-    shader::Mutation mutation;
+    source::Mutation mutation;
     Fate fate = Fate::untried;
     double seconds = 0.0;                     // that the command took
     std::string reason = {};                  // of a known one
-    check::MutantComparison comparison = {};  // of a survivor
+    audit::MutantComparison comparison = {};  // of a survivor
 };
 
 // What a command noticed of the faults of some files.

@@ -12,7 +12,7 @@
 #include "source/internal/selection.hpp"
 #include "source/plain_global.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 namespace {
 
 using internal::ActiveText;
@@ -292,4 +292,4 @@ Excerpts excerpts(const ActiveText& active) {
     return all;
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

@@ -10,7 +10,7 @@
 
 #include "source/lines.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 
 // What a shader may do with a variable of its interface.
 enum class Access {
@@ -84,4 +84,4 @@ struct Excerpts {
 // The functions of the last text that was given; others before it have definitions. It need not be valid.
 [[nodiscard]] Excerpts excerpts(const internal::ActiveText& text);
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

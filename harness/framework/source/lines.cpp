@@ -5,7 +5,7 @@
 #include <array>
 #include <sstream>
 
-namespace gloam::shader::internal {
+namespace gloam::source::internal {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
@@ -156,4 +156,4 @@ void require_vulkan_version(const Source& source) {
                        (directive && directive->keyword == "version" ? version : "none"));
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::source::internal

@@ -15,7 +15,7 @@
 
 #include "source/declarations.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 namespace {
 
 // Rows of a token and what can stand in its place; "_": nothing.
@@ -204,4 +204,4 @@ std::string mutated(std::string text, const Mutation& mutation) {
     return text.replace(mutation.begin, mutation.end - mutation.begin, mutation.after);
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

@@ -7,7 +7,7 @@
 
 #include "source/lines.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 
 // A fault that a text can be given: `after` in the place of the bytes from `begin` to `end`.
 struct Mutation {
@@ -29,4 +29,4 @@ struct Mutation {
 // The text with this fault.
 [[nodiscard]] std::string mutated(std::string text, const Mutation& mutation);
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

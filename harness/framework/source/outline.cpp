@@ -4,7 +4,7 @@
 
 #include "source/declarations.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::source::internal {
 namespace {
 
 constexpr const char* blanks = " \t\r\n\v\f";
@@ -241,4 +241,4 @@ std::string line_directive(int line, const std::string& file) {
     return "#line " + std::to_string(line) + " \"" + name + "\"\n";
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::source::internal

@@ -11,7 +11,7 @@
 
 #include "source/internal/selection.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 namespace {
 
 using internal::Declaration;
@@ -55,7 +55,7 @@ std::string for_opengl(const std::string& text) {
 
 std::string written(const Outline& outline, const std::vector<const Declaration*>& kept,
                     const PackRequest& request, const std::string& head) {
-    const std::string preamble = shader::preamble(request.language);
+    const std::string preamble = source::preamble(request.language);
     const std::size_t version = preamble.find('\n');
     std::string text = preamble.substr(0, version);
     for (const auto& lines : {outline.licences, outline.extensions})
@@ -116,4 +116,4 @@ std::size_t code_lines(const std::vector<std::string>& packed) {
     return all;
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

@@ -12,7 +12,7 @@
 #include "source/lines.hpp"
 #include "source/text.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 
 struct PackRequest {
     Language language = Language::vulkan450;
@@ -46,4 +46,4 @@ struct Packed {
 // Such lines of all texts that pack() wrote: a function, structure, constant or macro counts once.
 [[nodiscard]] std::size_t code_lines(const std::vector<std::string>& packed);
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

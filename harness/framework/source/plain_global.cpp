@@ -5,7 +5,7 @@
 #include <array>
 #include <iterator>
 
-namespace gloam::shader::internal {
+namespace gloam::source::internal {
 namespace {
 
 bool is_dropped(const Token& token) {
@@ -157,4 +157,4 @@ std::optional<PlainGlobals> plain_globals(const Declaration& one,
     return globals;
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::source::internal

@@ -8,7 +8,7 @@
 #include "source/declarations.hpp"
 #include "source/excerpts.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::source::internal {
 
 // Variables of a text's interface as variables at file scope that any function may set.
 struct PlainGlobals {
@@ -35,4 +35,4 @@ struct PlainGlobals {
 // Whether the word is a type without values: "sampler2D", "uimageBuffer", "atomic_uint".
 [[nodiscard]] bool is_opaque(std::string_view word);
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::source::internal

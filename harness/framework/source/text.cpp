@@ -6,7 +6,7 @@
 
 #include "base/text.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 namespace {
 
 // The default of sampler2D is lowp: depths would lose most of their bits.
@@ -74,4 +74,4 @@ std::optional<Stage> stage_of_file(const std::filesystem::path& file) {
     return std::nullopt;
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

@@ -8,7 +8,7 @@
 #include <string_view>
 
 // A GLSL text, and what is known of its language.
-namespace gloam::shader {
+namespace gloam::source {
 
 enum class Stage { compute, vertex, fragment };
 
@@ -49,4 +49,4 @@ enum class Direction { in, out, inout };
 // "isampler2D" and "usampler2D"; and "sampler2DShadow".
 [[nodiscard]] bool is_sampler_type(std::string_view name);
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

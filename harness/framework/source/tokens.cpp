@@ -7,7 +7,7 @@
 
 #include "source/lines.hpp"
 
-namespace gloam::shader {
+namespace gloam::source {
 namespace {
 
 constexpr std::array long_operators{"<<=", ">>=", "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "^^",
@@ -96,4 +96,4 @@ std::string joined(Tokens tokens, std::string_view separator) {
     return text;
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gloam::shader {
+namespace gloam::source {
 
 // A name, keyword, number, operator or other character of a GLSL text.
 struct Token {
@@ -35,4 +35,4 @@ using Tokens = std::span<const Token>;
 
 [[nodiscard]] std::string joined(Tokens tokens, std::string_view separator);
 
-}  // namespace gloam::shader
+}  // namespace gloam::source

@@ -11,10 +11,10 @@
 
 #include "numeric/numbers.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 namespace {
 
-using shader::Scalar;
+using module::Scalar;
 
 double length_of(std::span<const Word> vector) {
     double squared = 0.0;
@@ -64,8 +64,8 @@ template <class Visit>
 void for_each_input(const Signature& signature, Visit visit) {
     std::size_t position = 0;
     std::size_t first = 0;
-    for (const shader::Parameter& parameter : signature.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
+    for (const module::Parameter& parameter : signature.parameters) {
+        if (parameter.direction == source::Direction::out) continue;
         visit(parameter.type, position++, first);
         first += scalars_of(parameter.type).size();
     }
@@ -128,7 +128,7 @@ void Domain::require_fits(const Signature& signature) const {
     std::vector<std::size_t> has;
     std::ranges::transform(parameters_, std::back_inserter(has), &Values::words);
     std::vector<std::size_t> wants;
-    for_each_input(signature, [&](const shader::Type& type, std::size_t, std::size_t) {
+    for_each_input(signature, [&](const module::Type& type, std::size_t, std::size_t) {
         wants.push_back(scalars_of(type).size());
     });
     if (has != wants)
@@ -140,11 +140,11 @@ void Domain::require_fits(const Signature& signature) const {
 Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) const {
     require_fits(signature);
     Degenerate all;
-    for_each_input(signature, [&](const shader::Type& type, std::size_t parameter, std::size_t first) {
+    for_each_input(signature, [&](const module::Type& type, std::size_t parameter, std::size_t first) {
         const Values& values = parameters_[parameter];
         const bool composed = type.scalar == Scalar::structure || !type.sizes.empty();
         // Vectors in a struct or an array are only copied from: their valid values are unknown.
-        for_each_value(type, [&, at = first](const shader::Type& one) mutable {
+        for_each_value(type, [&, at = first](const module::Type& one) mutable {
             const auto size = static_cast<std::size_t>(one.columns * one.rows);
             if (one.scalar == Scalar::float_ && one.columns == 1 && one.rows > 1)
                 all.vectors.push_back({at, size, values.only_drawn || composed ? nothing : parameter});
@@ -173,7 +173,7 @@ Domain Domain::and_numbers(const Signature& signature, std::span<const float> nu
             for (const int steps : {-1, 0, 1}) bits.push_back(to_word(numeric::step(sign * number, steps)));
     }
     Degenerate all = *degenerate_;
-    for_each_input(signature, [&](const shader::Type& type, std::size_t parameter, std::size_t first) {
+    for_each_input(signature, [&](const module::Type& type, std::size_t parameter, std::size_t first) {
         const std::vector<Scalar> scalars = scalars_of(type);
         const Values& values = parameters_[parameter];
         for (std::size_t k = 0; k < scalars.size() && values.contains && !values.only_drawn; ++k) {
@@ -378,4 +378,4 @@ Domain::Inputs Domain::Inputs::where(const std::function<bool(std::size_t)>& wan
     return some;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

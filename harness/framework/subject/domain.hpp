@@ -14,7 +14,7 @@
 #include "numeric/random.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 // The state on which a draw may depend.
 struct DrawContext {
@@ -45,10 +45,10 @@ struct Values {
     // Each returns the same values with more fixed ones.
     // Adds every special value of a float type (numeric::special_values): as a scalar, in each component of a
     // vector, and in all components.
-    [[nodiscard]] Values and_special(shader::Scalar scalar = shader::Scalar::float_) const;
+    [[nodiscard]] Values and_special(module::Scalar scalar = module::Scalar::float_) const;
     // Adds branch points of a float parameter: each point and the floats one ULP on either side.
     [[nodiscard]] Values and_near(std::initializer_list<double> points,
-                                  shader::Scalar scalar = shader::Scalar::float_) const;
+                                  module::Scalar scalar = module::Scalar::float_) const;
     // Adds branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
     [[nodiscard]] Values and_near_integers(std::initializer_list<long> points) const;
 
@@ -69,12 +69,12 @@ struct Values {
 
 // Numbers of a float type, uniform in [low, high]. Fixed values: the ends; if 0 is between them, also both
 // zeros and the smallest normal and subnormal numbers of each sign.
-[[nodiscard]] Values uniform(double low, double high, shader::Scalar scalar = shader::Scalar::float_);
+[[nodiscard]] Values uniform(double low, double high, module::Scalar scalar = module::Scalar::float_);
 // Numbers whose logarithm is uniform in [log low, log high], 0 < low < high.
-[[nodiscard]] Values log_uniform(double low, double high, shader::Scalar scalar = shader::Scalar::float_);
+[[nodiscard]] Values log_uniform(double low, double high, module::Scalar scalar = module::Scalar::float_);
 // The same with either sign.
 [[nodiscard]] Values signed_log_uniform(double low, double high,
-                                        shader::Scalar scalar = shader::Scalar::float_);
+                                        module::Scalar scalar = module::Scalar::float_);
 // float with any bit pattern.
 [[nodiscard]] Values any_float();
 // int or uint: integers in [low, high]; the ends are fixed values.
@@ -102,8 +102,8 @@ struct Values {
 // a quarter they are drawn apart, in the rest all are equal; so are integers and bools, unless they are drawn
 // apart. Each fixed value is that of all four. `pixels`: of a vec4 that is the coordinate of a pixel: x and y
 // are those of a quad.
-[[nodiscard]] Values neighbours(const shader::Type& type, const Values& one, bool pixels = false);
-// The variable for gl_FragCoord in a function of a file (shader::Excerpt).
+[[nodiscard]] Values neighbours(const module::Type& type, const Values& one, bool pixels = false);
+// The variable for gl_FragCoord in a function of a file (source::Excerpt).
 inline constexpr const char* fragment_coordinate = "gloam_FragCoord";
 // Values of T made by any function.
 template <class T, class Make>
@@ -216,4 +216,4 @@ using Ranges = std::map<std::string, Range>;
 // Parses "x=0:1" as a name and a range. Throws std::invalid_argument for any other text, or low > high.
 [[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

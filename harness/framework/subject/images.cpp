@@ -8,13 +8,13 @@
 
 #include "subject/kernel_code.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 namespace {
 
 using backend::SampledShape;
 using backend::SampledTexel;
+using module::Scalar;
 using numeric::Random;
-using shader::Scalar;
 
 constexpr std::size_t unit_vector_words = 3;
 
@@ -40,7 +40,7 @@ ImageScenario changed(const ImageScenario& scenario, const std::string& name, Ch
     const auto make = [made = scenario.make, change](glm::ivec2 size, Random& random) {
         ImageSet images = made(size, random);
         for (auto& [prototype, image] : images) {
-            if (image.element.scalar != shader::Scalar::float_) continue;
+            if (image.element.scalar != Scalar::float_) continue;
             const bool infinite = std::ranges::any_of(
                 image.words, [](Word word) { return std::isinf(from_word<float>(word)); });
             const std::size_t words = scalars_of(image.element).size();
@@ -75,7 +75,7 @@ Image random_image(const ImagePrototype& prototype, glm::ivec2 size, Random& ran
     for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
         for (const Scalar scalar : scalars_of(prototype.element)) {
             const double value = random.uniform(0.1, 10.0);
-            image.words.push_back(shader::is_float(scalar) ? float_word(scalar, value)
+            image.words.push_back(module::is_float(scalar) ? float_word(scalar, value)
                                                            : static_cast<Word>(random.below(2)));
         }
     }
@@ -160,8 +160,8 @@ const Image& find_image(const ImageSet& images, const ImagePrototype& prototype,
     const Image& image = found->second;
     if (!(image.element == prototype.element)) {
         throw std::invalid_argument(fmt::format("{}: the image of {} has {} pixels, the prototype {}", kernel,
-                                                prototype.name, shader::to_glsl(image.element),
-                                                shader::to_glsl(prototype.element)));
+                                                prototype.name, module::to_glsl(image.element),
+                                                module::to_glsl(prototype.element)));
     }
     if (image.sampling.has_value() != prototype.sampled)
         throw std::invalid_argument(fmt::format("{}: the image of {} is {}for a sampler", kernel,
@@ -206,4 +206,4 @@ std::vector<std::vector<Word>> image_words(const KernelModule& kernel, const Ima
     return all;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

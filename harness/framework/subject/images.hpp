@@ -18,7 +18,7 @@
 #include "numeric/random.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 // The effect of an access outside the image: a fault of the shader, reported with its pixel; or a fetch reads
 // the nearest pixel inside and a store is dropped.
@@ -27,7 +27,7 @@ enum class Border { fault, clamp };
 // A small image behind a prototype such as `float gloam_fetch_depth(ivec2 pixel);`, or, for stores, `void
 // gloam_store_depth(ivec2 pixel, float depth);`. Row 0 is the top row. At least 1 x 1.
 struct Image {
-    shader::Type element;
+    module::Type element;
     glm::ivec2 size{0};
     Border border = Border::fault;
     std::vector<Word> words;  // row by row, each pixel's scalars in order
@@ -47,8 +47,8 @@ struct Image {
     template <class T>
     [[nodiscard]] T at(glm::ivec2 pixel) const {
         if (!(type_of<T>() == element)) {
-            throw std::invalid_argument("image pixels are " + shader::to_glsl(element) + ", asked for " +
-                                        shader::to_glsl(type_of<T>()));
+            throw std::invalid_argument("image pixels are " + module::to_glsl(element) + ", asked for " +
+                                        module::to_glsl(type_of<T>()));
         }
         pixel = glm::clamp(pixel, glm::ivec2(0), size - 1);
         const std::size_t scalars = word_count<T>();
@@ -91,8 +91,8 @@ struct ImageScenario {
 // itself.
 struct ImagePrototype : backend::KernelImage {
     std::string name;
-    shader::Type element;
-    std::string sampler = {};  // shader::is_sampler_type() of what is sampled, which stands for no prototype
+    module::Type element;
+    std::string sampler = {};  // source::is_sampler_type() of what is sampled, which stands for no prototype
     // The kernel's variable for a parameter of that type. Empty: the file has one, whose binding is `macro`,
     // as that of an image that the function loads or stores: scratch memory that the kernel fills.
     std::string variable = {};
@@ -110,4 +110,4 @@ struct ImagePrototype : backend::KernelImage {
 // disagree, for a cube without six square faces, and for depths outside [0, 1].
 [[nodiscard]] std::vector<Word> sampled_words(const Image& image, std::string_view sampler);
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

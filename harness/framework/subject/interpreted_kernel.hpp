@@ -15,7 +15,7 @@
 #include "subject/images.hpp"
 #include "subject/kernel_code.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 // A kernel that the interpreter runs, one input at a time, on one number type (interpreter/number.hpp). Not
 // thread-safe.
@@ -113,4 +113,4 @@ class InterpretedKernel {
     std::size_t first_ = 0;
 };
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

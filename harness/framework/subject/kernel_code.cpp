@@ -9,17 +9,17 @@
 #include "source/tokens.hpp"
 #include "subject/internal/kernel_text.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 std::string kernel_code(const KernelSource& source) {
     return internal::kernel_text(source, internal::main_of(source));
 }
 
-shader::Stage stage_of(const backend::Team& team) {
-    return team.kind == backend::Team::Kind::quad ? shader::Stage::fragment : shader::Stage::compute;
+source::Stage stage_of(const backend::Team& team) {
+    return team.kind == backend::Team::Kind::quad ? source::Stage::fragment : source::Stage::compute;
 }
 
-KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv) {
+KernelModule kernel_module(const KernelSource& source, module::Spirv spirv) {
     const Signature signature = source.signature();
     return {{.spirv = std::move(spirv),
              .input_words = signature.input_words(),
@@ -31,12 +31,12 @@ KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv) {
             std::make_shared<const KernelSource>(source)};
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject
 
-namespace gloam::check::internal {
+namespace gloam::subject::internal {
 namespace {
 
-using shader::Scalar;
+using module::Scalar;
 
 constexpr std::string_view header = R"(#version 450
 #extension GL_GOOGLE_include_directive : require
@@ -71,11 +71,11 @@ void gloam_kernel_fault(uint image, ivec2 pixel) {{
 
 // The #extension lines for the kernel's own conversions.
 std::string number_extensions(const KernelSource& source) {
-    const auto has_half = [](const shader::Type& type) {
+    const auto has_half = [](const module::Type& type) {
         return std::ranges::count(scalars_of(type), Scalar::float16_) > 0;
     };
     return has_half(source.function.result) ||
-                   std::ranges::any_of(source.function.parameters, has_half, &shader::Parameter::type) ||
+                   std::ranges::any_of(source.function.parameters, has_half, &module::Parameter::type) ||
                    std::ranges::any_of(source.images, has_half, &ImagePrototype::element)
                ? "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n"
                : "";
@@ -132,7 +132,7 @@ std::string image_definition(const ImagePrototype& image, std::size_t index, std
 // text.
 std::string without_macros(std::string_view text) {
     std::set<std::string> words;  // that can be names of macros
-    for (const shader::Token& token : shader::tokens_of(text))
+    for (const source::Token& token : source::tokens_of(text))
         if (token.is_word() && !token.text.starts_with("GL_") && token.text != "defined" &&
             token.text.find("__") == std::string::npos)
             words.insert(token.text);
@@ -175,4 +175,4 @@ std::string file_and_rest(const KernelSource& source, std::string_view word_of_i
     return file + without_macros(ours) + ours;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::subject::internal

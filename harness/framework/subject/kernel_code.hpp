@@ -13,17 +13,17 @@
 #include "subject/images.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 // What a compute shader is generated from.
 struct KernelSource {
     std::string file;           // as in #include "file"
-    shader::Function function;  // as the compiler reports it; of a team: together()
+    module::Function function;  // as the compiler reports it; of a team: together()
     std::vector<ImagePrototype> images;
     bool preserve_nan =
         false;  // declare SignedZeroInfNanPreserve: NaN, infinity and -0 then mean what they say
     std::string
-        text;  // in the place of the #include: an excerpt of the file (shader::Excerpt::text); may be empty
+        text;  // in the place of the #include: an excerpt of the file (source::Excerpt::text); may be empty
     // Functions with derivatives or discard run in quads, those with shared memory, barriers or subgroups in
     // work groups of the file's size, of 64 invocations where it states none.
     backend::Team team = {};
@@ -32,7 +32,7 @@ struct KernelSource {
 };
 
 // The stage of its kernel.
-[[nodiscard]] shader::Stage stage_of(const backend::Team& team);
+[[nodiscard]] source::Stage stage_of(const backend::Team& team);
 
 using backend::kernel_group_size;
 using backend::KernelBinding;
@@ -52,13 +52,13 @@ struct KernelModule : backend::KernelProgram {
     std::shared_ptr<const KernelSource> source = std::make_shared<const KernelSource>();
     // The module before the variant's optimizer and the steps of a compiler, whose rules hold for the
     // results. Empty: there were none.
-    shader::Spirv before = {};
+    module::Spirv before = {};
     bool rounds_to_even = false;              // what runs it rounds each correctly rounded result so
     bool judged_by_rules = true;              // off where the version of GLSL has no precision rules to ask
     backend::SamplerPrecision samplers = {};  // of the device that runs it, as the next
     std::uint32_t subgroup_size = 1;
 };
-[[nodiscard]] KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv);
+[[nodiscard]] KernelModule kernel_module(const KernelSource& source, module::Spirv spirv);
 
 // The words of each of a kernel's images, in the format of its buffers. Throws std::invalid_argument if a
 // prototype has no image or one of another type.
@@ -72,13 +72,13 @@ using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
 // evaluates input i. `inputs`: each of the same number of words, one after another. They stand in the text as
 // literals; or word w is the specialization constant w of type uint. Throws backend::Unsupported for a team.
 [[nodiscard]] std::string constant_kernel_code(const KernelSource& source,
-                                               shader::Variant::Constants constants,
+                                               module::Variant::Constants constants,
                                                std::span<const Word> inputs, std::size_t count);
 
 // The kernel of a function as a device takes it whose kernels are texts in this language
 // (backend/gl/kernel.hpp): a compute shader, else a fragment shader. It includes nothing. Throws
 // backend::Unsupported for a function that is no text of this language.
-[[nodiscard]] std::string gl_kernel_code(shader::Language language, const KernelSource& source,
+[[nodiscard]] std::string gl_kernel_code(source::Language language, const KernelSource& source,
                                          const std::vector<std::filesystem::path>& include_roots);
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

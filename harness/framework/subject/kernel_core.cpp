@@ -12,7 +12,7 @@
 #include "module/spirv.hpp"
 #include "subject/interpreted_kernel.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 namespace {
 
 // The value of the memory behind the outputs before and after the dispatch.
@@ -178,7 +178,7 @@ class Interpreter : public backend::Backend {
     backend::DeviceInfo info_{
         .name = std::string(interpreter_name),
         .type = "interpreter",
-        .driver = shader::compiler_version(),
+        .driver = module::compiler_version(),
         .subgroup_size = InterpreterKernel::subgroup_size,
         .float32 = {
             .preserves_signed_zero_inf_nan = true, .preserves_denormals = true, .rounds_to_even = true}};
@@ -186,11 +186,11 @@ class Interpreter : public backend::Backend {
 
 }  // namespace
 
-std::shared_ptr<backend::Backend> interpreter() {
+std::shared_ptr<backend::Backend> interpreter_backend() {
     return std::make_shared<Interpreter>();
 }
 
-std::string why_not_run(KernelSource source, const shader::SpirvCache& cache) {
+std::string why_not_run(KernelSource source, const module::SpirvCache& cache) {
     source.preserve_nan = true;  // as for most devices, whose checks then have it from the cache
     try {
         const interpreter::Program program(
@@ -199,11 +199,11 @@ std::string why_not_run(KernelSource source, const shader::SpirvCache& cache) {
         const interpreter::Machine<float> machine(program);
     } catch (const interpreter::Error& error) {
         if (error.kind() == interpreter::Error::Kind::unknown_instruction) return error.what();
-    } catch (const shader::CompileError& error) {  // the check of the function says so
+    } catch (const source::CompileError& error) {  // the check of the function says so
         const std::string what = error.what();
         if (what.find("invalid SPIR-V") != std::string::npos) return what.substr(0, what.find('\n'));
     }
     return {};
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

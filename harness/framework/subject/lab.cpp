@@ -17,26 +17,26 @@
 #include "module/texts.hpp"
 #include "subject/internal/kernel_text.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 namespace {
 
-std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>& functions,
+std::vector<ImagePrototype> image_prototypes(const std::vector<module::Function>& functions,
                                              const std::string& file) {
     std::vector<ImagePrototype> images;
-    for (const shader::Function& function : functions) {
+    for (const module::Function& function : functions) {
         if (function.defined) continue;
         const auto image = image_prototype(function);
         if (!image)
             throw std::invalid_argument(
                 fmt::format("{}: cannot serve the prototype \"{}\": expected T name(ivec2)", file,
-                            shader::to_glsl(function)));
+                            module::to_glsl(function)));
         images.push_back(*image);
     }
     return images;
 }
 
-void require_opengl_options(const LabOptions& options, shader::Language language) {
-    if (!options.variant.runs_on_opengl(shader::usual_stage(language) == shader::Stage::compute))
+void require_opengl_options(const LabOptions& options, source::Language language) {
+    if (!options.variant.runs_on_opengl(source::usual_stage(language) == source::Stage::compute))
         throw std::invalid_argument(
             fmt::format("{}: OpenGL devices have the variant shipped only, and those with compute shaders "
                         "its steps, not {}",
@@ -50,12 +50,12 @@ void require_opengl_options(const LabOptions& options, shader::Language language
 std::shared_ptr<const OwnFile> whole_shader(const LabOptions& options, const std::string& file) {
     if (options.file) return options.file;
     try {
-        const std::filesystem::path path = shader::resolve_include(file, {}, options.include_roots);
-        std::string text = shader::read_text(path);
+        const std::filesystem::path path = module::resolve_include(file, {}, options.include_roots);
+        std::string text = module::read_text(path);
         if (text.find("#version") == std::string::npos) return nullptr;
         auto own = std::make_shared<const OwnFile>(path, std::move(text), options.include_roots);
         return own->excerpts.version.empty() ? nullptr : own;
-    } catch (const shader::CompileError&) {
+    } catch (const source::CompileError&) {
         throw;
     } catch (const std::runtime_error&) {
         return nullptr;
@@ -63,9 +63,9 @@ std::shared_ptr<const OwnFile> whole_shader(const LabOptions& options, const std
 }
 
 // The functions that a text defines and declares, as a kernel of the signature has them.
-std::vector<shader::Function> functions_for(const Signature& signature, std::vector<shader::Function> all,
-                                            const shader::Excerpt* excerpt) {
-    for (shader::Function& one : all) {
+std::vector<module::Function> functions_for(const Signature& signature, std::vector<module::Function> all,
+                                            const source::Excerpt* excerpt) {
+    for (module::Function& one : all) {
         if (excerpt != nullptr) one = with_globals(std::move(one), *excerpt);
         if (!one.defined) continue;
         for (std::size_t i = 0; i < std::min(one.parameters.size(), signature.parameters.size()); ++i)
@@ -76,7 +76,7 @@ std::vector<shader::Function> functions_for(const Signature& signature, std::vec
 }
 
 // Whether a compiled function has this signature: the same types (structures by layout) and directions.
-bool matches(const Signature& signature, const shader::Function& function) {
+bool matches(const Signature& signature, const module::Function& function) {
     return signature.result == function.result &&
            std::ranges::equal(signature.parameters, function.parameters, [](const auto& a, const auto& b) {
                return a.type == b.type && a.direction == b.direction && a.global == b.global;
@@ -90,30 +90,32 @@ constexpr const char* quad_vertices =
 
 std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
     // A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
-    if (base::lower(options.device).starts_with("swiftshader") && !gpu::drivers_are_chosen())
-        if (const auto manifest = gpu::find_swiftshader()) gpu::add_drivers(std::array{*manifest});
-    if (options.device == interpreter_name) return interpreter();
-    if (gl::is_device_name(options.device)) return std::make_shared<gl::Device>(options.device);
-    return std::make_shared<gpu::Device>(
-        gpu::DeviceOptions{.device = options.device,
-                           .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                           .cache_directory = options.cache_directory,
-                           .timeout = options.timeout});
+    if (base::lower(options.device).starts_with("swiftshader") && !backend::vulkan::drivers_are_chosen())
+        if (const auto manifest = backend::vulkan::find_swiftshader())
+            backend::vulkan::add_drivers(std::array{*manifest});
+    if (options.device == interpreter_name) return interpreter_backend();
+    if (backend::gl::is_device_name(options.device))
+        return std::make_shared<backend::gl::Device>(options.device);
+    return std::make_shared<backend::vulkan::Device>(backend::vulkan::DeviceOptions{
+        .device = options.device,
+        .validation = options.validation ? backend::vulkan::Validation::on : backend::vulkan::Validation::off,
+        .cache_directory = options.cache_directory,
+        .timeout = options.timeout});
 }
 
 }  // namespace
 
-std::optional<ImagePrototype> image_prototype(const shader::Function& function) {
+std::optional<ImagePrototype> image_prototype(const module::Function& function) {
     const auto& p = function.parameters;
     const bool by_pixel =
-        p.size() == 1 && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
-    if (!by_pixel || function.result.scalar == shader::Scalar::void_) return std::nullopt;
+        p.size() == 1 && p[0].type == type_of<glm::ivec2>() && p[0].direction == source::Direction::in;
+    if (!by_pixel || function.result.scalar == module::Scalar::void_) return std::nullopt;
     return ImagePrototype{{}, function.name, function.result};
 }
 
 namespace {
 
-shader::Type texel_type(const std::string& sampler) {
+module::Type texel_type(const std::string& sampler) {
     if (sampler.starts_with('i')) return type_of<glm::ivec4>();
     return sampler.starts_with('u') ? type_of<glm::uvec4>() : type_of<glm::vec4>();
 }
@@ -128,11 +130,11 @@ bool is_of(const std::string& resource, const ImagePrototype& image) {
 
 }  // namespace
 
-std::vector<ImagePrototype> images_of(const shader::Excerpt& excerpt, const shader::Function& function) {
+std::vector<ImagePrototype> images_of(const source::Excerpt& excerpt, const module::Function& function) {
     std::vector<ImagePrototype> images;
     for (std::size_t i = 0; i < excerpt.bound.size(); ++i) {
         const auto& [name, type, format, written] = excerpt.bound[i];
-        const std::string macro = shader::binding_macro(i);
+        const std::string macro = source::binding_macro(i);
         if (format.empty())
             images.push_back({{.sampled = true}, name, texel_type(type), type, {}, macro});
         else
@@ -140,23 +142,23 @@ std::vector<ImagePrototype> images_of(const shader::Excerpt& excerpt, const shad
     }
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const auto& [type, name] = std::tie(function.parameters[i].type, function.parameters[i].name);
-        if (type.scalar == shader::Scalar::sampler)
+        if (type.scalar == module::Scalar::sampler)
             images.push_back(
                 {{.sampled = true}, name, texel_type(type.name), type.name, internal::argument_name(i)});
     }
     return images;
 }
 
-shader::Source probe_of(const std::string& file, const std::string& excerpt) {
+source::Source probe_of(const std::string& file, const std::string& excerpt) {
     std::string text = "#version 450\n";
-    for (std::size_t i = 0; excerpt.find(shader::binding_macro(i)) != std::string::npos; ++i)
-        text += fmt::format("#define {} {}\n", shader::binding_macro(i), i);
+    for (std::size_t i = 0; excerpt.find(source::binding_macro(i)) != std::string::npos; ++i)
+        text += fmt::format("#define {} {}\n", source::binding_macro(i), i);
     return {.name = "signature of " + file,
             .text = text + (excerpt.empty() ? fmt::format("#include \"{}\"\n", file) : excerpt)};
 }
 
-shader::SpirvCache shader_cache(const LabOptions& options) {
-    return shader::SpirvCache(options.cache_directory.empty() ? std::filesystem::path{}
+module::SpirvCache shader_cache(const LabOptions& options) {
+    return module::SpirvCache(options.cache_directory.empty() ? std::filesystem::path{}
                                                               : options.cache_directory / "spirv");
 }
 
@@ -168,13 +170,13 @@ Lab::Lab(LabOptions options, std::shared_ptr<backend::Backend> device)
     if (const auto text_language = language()) require_opengl_options(options_, *text_language);
 }
 
-const gpu::Device& Lab::device() const {
-    if (const auto* vulkan = dynamic_cast<const gpu::Device*>(device_.get())) return *vulkan;
+const backend::vulkan::Device& Lab::device() const {
+    if (const auto* vulkan = dynamic_cast<const backend::vulkan::Device*>(device_.get())) return *vulkan;
     throw std::runtime_error(info().name + " runs functions, not passes: expected a Vulkan device");
 }
 
-std::optional<shader::Language> Lab::language() const {
-    return shader::language_from(info().glsl);
+std::optional<source::Language> Lab::language() const {
+    return source::language_from(info().glsl);
 }
 
 KernelCore Lab::core(KernelModule module) const {
@@ -186,30 +188,30 @@ KernelCore Lab::core(KernelModule module) const {
     return {*device_, std::move(module)};
 }
 
-shader::CompileOptions Lab::compile_options() const {
-    return {.stage = shader::Stage::compute,
+module::CompileOptions Lab::compile_options() const {
+    return {.stage = source::Stage::compute,
             .include_roots = options_.include_roots,
             .variant = options_.variant,
             .lines = options_.file != nullptr};
 }
 
-shader::CompileOptions Lab::judged_options() const {
-    shader::CompileOptions options = compile_options();
-    options.variant.optimization = shader::Optimization::none;
+module::CompileOptions Lab::judged_options() const {
+    module::CompileOptions options = compile_options();
+    options.variant.optimization = module::Optimization::none;
     return options;
 }
 
 KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
     const std::shared_ptr<const OwnFile> whole = whole_shader(options_, file);
-    const shader::Excerpt* excerpt = whole ? whole->find(function) : nullptr;
+    const source::Excerpt* excerpt = whole ? whole->find(function) : nullptr;
     const std::string text = excerpt == nullptr ? "" : excerpt->text;
-    shader::CompileOptions options = compile_options();
+    module::CompileOptions options = compile_options();
     options.stage = stage_of(signature.team);
-    const std::vector<shader::Function> all =
+    const std::vector<module::Function> all =
         functions_for(signature, cache_.functions(probe_of(file, text), options), excerpt);
     std::vector<std::string> named;
-    for (const shader::Function& candidate : all) {
+    for (const module::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;
         if (matches(signature, candidate)) {
             std::vector<ImagePrototype> images;
@@ -228,7 +230,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
         throw std::invalid_argument(
             fmt::format("{}: the signature of {} differs: C++ has \"{}\", GLSL has \"{}\"", file, function,
                         to_glsl(signature, function), fmt::join(named, "\", \"")));
-    for (const shader::Function& candidate : all)
+    for (const module::Function& candidate : all)
         if (candidate.defined) named.push_back(candidate.name);
     throw std::invalid_argument(
         fmt::format("{}: no function {}; it defines: {}", file, function,
@@ -238,29 +240,29 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
 KernelCore Lab::kernel(const std::string& file, const std::string& function,
                        const Signature& signature) const {
     const KernelSource made_of = source(file, function, signature);
-    const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
+    const source::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
     KernelModule module =
         kernel_module(made_of, compile_kernel(text, made_of.images, stage_of(made_of.team)));
     if (made_of.team.kind == backend::Team::Kind::quad)
         module.vertex_spirv = cache_.compile({.name = "vertices of a quad", .text = quad_vertices},
-                                             {.stage = shader::Stage::vertex});
+                                             {.stage = source::Stage::vertex});
     if (const auto text_language = language()) {
-        if (shader::has_float16(module.spirv))
+        if (module::has_float16(module.spirv))
             throw backend::Unsupported(function + ": needs float16_t, which OpenGL has no standard type for");
         module.text = gl_kernel_code(*text_language, made_of, options_.include_roots);
         module.judged_by_rules = internal::has_precision_rules(*text_language, module.spirv);
     }
     take_steps(module, text);
     if (const auto text_language = language(); text_language && !options_.variant.steps.empty())
-        module.text = shader::opengl_text(module.spirv, *text_language, gl::kernel_run_binding);
+        module.text = module::opengl_text(module.spirv, *text_language, backend::gl::kernel_run_binding);
     return core(std::move(module));
 }
 
 KernelCore Lab::constant_kernel(const KernelSource& source, std::span<const Word> inputs,
                                 std::size_t count) const {
-    const shader::Variant::Constants constants = options_.variant.constants;
-    const bool literals = constants == shader::Variant::Constants::literals;
-    const shader::Source text{.name = fmt::format("kernel of {} with {}", source.function.name,
+    const module::Variant::Constants constants = options_.variant.constants;
+    const bool literals = constants == module::Variant::Constants::literals;
+    const source::Source text{.name = fmt::format("kernel of {} with {}", source.function.name,
                                                   literals ? "literals" : "specialization constants"),
                               .text = constant_kernel_code(source, constants, inputs, count)};
     KernelModule module = kernel_module(source, compile_kernel(text, source.images));
@@ -272,28 +274,28 @@ KernelCore Lab::constant_kernel(const KernelSource& source, std::span<const Word
     return core(std::move(module));
 }
 
-void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
+void Lab::take_steps(KernelModule& module, const source::Source& text) const {
     const auto stage = stage_of(module.team);
-    if (options_.variant.optimization != shader::Optimization::none) {
-        shader::CompileOptions options = judged_options();
+    if (options_.variant.optimization != module::Optimization::none) {
+        module::CompileOptions options = judged_options();
         options.stage = stage;
         module.before = cache_.compile(text, options);
     }
     if (options_.variant.steps.empty()) return;
-    const auto glsl = [&] { return shader::pack({text}, {.stage = stage}, options_.include_roots); };
-    shader::Spirv after = shader::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
-    shader::Spirv given = std::exchange(module.spirv, std::move(after));
+    const auto glsl = [&] { return module::pack({text}, {.stage = stage}, options_.include_roots); };
+    module::Spirv after = module::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
+    module::Spirv given = std::exchange(module.spirv, std::move(after));
     if (module.before.empty()) module.before = std::move(given);
 }
 
-shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<ImagePrototype>& images,
-                                  shader::Stage stage) const {
-    shader::CompileOptions options = compile_options();
+module::Spirv Lab::compile_kernel(const source::Source& text, const std::vector<ImagePrototype>& images,
+                                  source::Stage stage) const {
+    module::CompileOptions options = compile_options();
     options.stage = stage;
-    shader::Spirv module = cache_.compile(text, options);
-    if (const std::string other = shader::spirv::other_number(module); !other.empty())
-        throw backend::Unsupported(text.name + ": " + shader::spirv::not_judged(other));
-    for (const shader::Resource& resource : shader::used_resources(module)) {
+    module::Spirv module = cache_.compile(text, options);
+    if (const std::string other = module::spirv::other_number(module); !other.empty())
+        throw backend::Unsupported(text.name + ": " + module::spirv::not_judged(other));
+    for (const module::Resource& resource : module::used_resources(module)) {
         constexpr std::string_view ours = "GloamGenerated";  // a step may keep one of the two names
         if (resource.block.starts_with(ours) || resource.name.starts_with(ours)) continue;
         const auto bound = [&](const ImagePrototype& image) { return is_of(resource.name, image); };
@@ -312,4 +314,4 @@ void Lab::require_silent_validation() const {
         throw std::runtime_error(fmt::format("Vulkan validation: {}", fmt::join(messages, " | ")));
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

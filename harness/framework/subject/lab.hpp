@@ -19,7 +19,7 @@
 #include "subject/kernel_code.hpp"
 #include "subject/signature.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 // An access outside an image behind one of the shader's prototypes.
 struct ImageFault {
@@ -65,71 +65,71 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 
 // float32 rounded to nearest even; NaN, infinity, -0 and subnormals preserved. Threads share the inputs of a
 // kernel.
-[[nodiscard]] std::shared_ptr<backend::Backend> interpreter();
+[[nodiscard]] std::shared_ptr<backend::Backend> interpreter_backend();
 
 // What of a kernel the interpreter does not know, which judges every result; empty if it can be run.
-[[nodiscard]] std::string why_not_run(KernelSource source, const shader::SpirvCache& cache);
+[[nodiscard]] std::string why_not_run(KernelSource source, const module::SpirvCache& cache);
 
 // The image that serves a prototype T f(ivec2). Empty for any other prototype.
-[[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
+[[nodiscard]] std::optional<ImagePrototype> image_prototype(const module::Function& function);
 
 // The samplers and images of an excerpt, then samplers that are parameters of the function.
-[[nodiscard]] std::vector<ImagePrototype> images_of(const shader::Excerpt& excerpt,
-                                                    const shader::Function& function);
+[[nodiscard]] std::vector<ImagePrototype> images_of(const source::Excerpt& excerpt,
+                                                    const module::Function& function);
 
-// The text whose functions are those of a file, or of an excerpt of the file (shader::Excerpt::text).
-[[nodiscard]] shader::Source probe_of(const std::string& file, const std::string& excerpt = {});
+// The text whose functions are those of a file, or of an excerpt of the file (source::Excerpt::text).
+[[nodiscard]] source::Source probe_of(const std::string& file, const std::string& excerpt = {});
 
 // A user's shader file, cut into its functions once. Labs that run them share it.
 struct OwnFile {
     // `text`: what the file holds. `roots`: folders of its includes. `defines`: macros that hold before it
-    // begins (shader::excerpts()). Throws shader::CompileError for what the preprocessor rejects.
+    // begins (source::excerpts()). Throws source::CompileError for what the preprocessor rejects.
     OwnFile(const std::filesystem::path& path, std::string contents, std::vector<std::filesystem::path> roots,
             const std::vector<std::string>& defines = {})
         : name(path.filename().string()),
           text(std::move(contents)),
           include_roots(std::move(roots)),
-          excerpts(shader::excerpts({path.string(), text}, include_roots, defines)) {}
+          excerpts(module::excerpts({path.string(), text}, include_roots, defines)) {}
 
     // Null: it defines no such function.
-    [[nodiscard]] const shader::Excerpt* find(const std::string& function) const {
-        const auto found = std::ranges::find(excerpts.functions, function, &shader::Excerpt::function);
+    [[nodiscard]] const source::Excerpt* find(const std::string& function) const {
+        const auto found = std::ranges::find(excerpts.functions, function, &source::Excerpt::function);
         return found == excerpts.functions.end() ? nullptr : &*found;
     }
 
     std::string name;  // without its folder, as kernels and reports call it
     std::string text;
     std::vector<std::filesystem::path> include_roots;
-    shader::Excerpts excerpts;
+    source::Excerpts excerpts;
 };
 
 struct LabOptions {
-    std::string device;                                // see gpu::DeviceOptions; or interpreter_name;
-                                                       // or an OpenGL device (backend/gl/device.hpp)
-    bool validation = false;                           // Vulkan validation layers on; any message is an error
+    std::string device;       // see backend::vulkan::DeviceOptions; or interpreter_name;
+                              // or an OpenGL device (backend/gl/device.hpp)
+    bool validation = false;  // Vulkan validation layers on; any message is an error
     std::vector<std::filesystem::path> include_roots;  // folders searched for GLSL files, in order
     std::filesystem::path cache_directory;             // of compiled shaders and pipelines; empty: no cache
-    shader::Variant variant;                           // how the shaders are compiled
+    module::Variant variant;                           // how the shaders are compiled
     std::shared_ptr<const OwnFile> file = {};          // whose functions are compiled without the rest of it;
                                                        // include_roots are its own then
     std::chrono::milliseconds timeout{60'000};         // longest wait for one submission
 };
 
 // The cache of the shaders that a Lab with these options compiles.
-[[nodiscard]] shader::SpirvCache shader_cache(const LabOptions& options);
+[[nodiscard]] module::SpirvCache shader_cache(const LabOptions& options);
 
 // Runs shader functions on one device, with the folders of their files and the caches.
 class Lab {
   public:
     // Throws std::invalid_argument for a variant or validation that an OpenGL device does not have; the
-    // errors of gpu::Device and gl::Device.
+    // errors of backend::vulkan::Device and backend::gl::Device.
     explicit Lab(LabOptions options);
     // Uses a device that others share; the device options in `options` are ignored.
     Lab(LabOptions options, std::shared_ptr<backend::Backend> device);
 
     // The function with this name and signature in `file`, ready to run. Each run supplies images for the
     // prototypes that the file declares. Throws std::invalid_argument if the file has no such function (with
-    // a list of its functions) or its signature differs (with both signatures); shader::CompileError;
+    // a list of its functions) or its signature differs (with both signatures); source::CompileError;
     // backend::Error.
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
@@ -145,13 +145,13 @@ class Lab {
                                       const Signature& signature) const;
 
     // Of the modules of its shaders.
-    [[nodiscard]] const shader::SpirvCache& cache() const { return cache_; }
+    [[nodiscard]] const module::SpirvCache& cache() const { return cache_; }
 
-    // The module of a kernel with these images, in the lab's variant. Throws shader::CompileError;
+    // The module of a kernel with these images, in the lab's variant. Throws source::CompileError;
     // std::invalid_argument if the function uses other bindings, because no resource is bound to them.
-    [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text,
+    [[nodiscard]] module::Spirv compile_kernel(const source::Source& text,
                                                const std::vector<ImagePrototype>& images,
-                                               shader::Stage stage = shader::Stage::compute) const;
+                                               source::Stage stage = source::Stage::compute) const;
 
     // Throws std::runtime_error with the validation messages since the last call, if there are any.
     void require_silent_validation() const;
@@ -164,8 +164,8 @@ class Lab {
     }
 
     // Takes the variant's steps with a kernel's module, and keeps the module before them and before the
-    // variant's optimizer. `text`: what it was made from. Throws shader::StepError; shader::Unchanged.
-    void take_steps(KernelModule& module, const shader::Source& text) const;
+    // variant's optimizer. `text`: what it was made from. Throws module::StepError; module::Unchanged.
+    void take_steps(KernelModule& module, const source::Source& text) const;
 
     // A kernel for this module on this lab's device.
     [[nodiscard]] KernelCore core(KernelModule module) const;
@@ -174,20 +174,20 @@ class Lab {
     // Its device, for other labs to share.
     [[nodiscard]] const std::shared_ptr<backend::Backend>& backend() const { return device_; }
     // The language in which its device takes kernels (DeviceInfo::glsl); none where it takes modules.
-    [[nodiscard]] std::optional<shader::Language> language() const;
+    [[nodiscard]] std::optional<source::Language> language() const;
     // The Vulkan device. Throws std::runtime_error if there is none.
-    [[nodiscard]] const gpu::Device& device() const;
+    [[nodiscard]] const backend::vulkan::Device& device() const;
     [[nodiscard]] const LabOptions& options() const { return options_; }
 
     // The options with which its shaders are compiled.
-    [[nodiscard]] shader::CompileOptions compile_options() const;
+    [[nodiscard]] module::CompileOptions compile_options() const;
     // The same without the optimizer: those of the module whose rules hold for the results.
-    [[nodiscard]] shader::CompileOptions judged_options() const;
+    [[nodiscard]] module::CompileOptions judged_options() const;
 
   private:
     LabOptions options_;
     std::shared_ptr<backend::Backend> device_;
-    shader::SpirvCache cache_;
+    module::SpirvCache cache_;
 };
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

@@ -18,10 +18,10 @@
 #include "module/reflection.hpp"
 #include "source/tokens.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 namespace {
 
-using shader::Scalar;
+using module::Scalar;
 
 constexpr double usual_low = 1e-6;
 constexpr double usual_high = 1e6;
@@ -33,7 +33,7 @@ constexpr const char* judged_samplers =
     "sampler2DShadow";
 
 Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
-    if (shader::is_float(scalar)) {
+    if (module::is_float(scalar)) {
         if (range) return uniform(range->low, range->high, scalar);
         const numeric::FloatFormat& format = format_of(scalar);
         const double low = std::max(usual_low, format.smallest_normal());
@@ -49,56 +49,56 @@ Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
                       : log_integers(largest_unsigned));
 }
 
-Values values_of(const shader::Type& type, const std::optional<Range>& range) {
+Values values_of(const module::Type& type, const std::optional<Range>& range) {
     std::vector<Values> scalars;
     for (const Scalar scalar : scalars_of(type)) scalars.push_back(scalar_values(scalar, range));
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
 // "float[5000] has more than 4096 scalars", "sampler2DMS is not judged: ..."; empty if a kernel can pass it.
-std::string obstacle(const shader::Type& type) {
+std::string obstacle(const module::Type& type) {
     if (type.scalar == Scalar::oversized)
-        return fmt::format("{} has more than {} scalars", type.name, shader::most_scalars);
+        return fmt::format("{} has more than {} scalars", type.name, module::most_scalars);
     if (type.scalar == Scalar::unsupported)
-        return fmt::format("{} is not judged: gloam judges {}", shader::name_of(type), judged_samplers);
-    for (const shader::Member& member : type.members)
+        return fmt::format("{} is not judged: gloam judges {}", module::name_of(type), judged_samplers);
+    for (const module::Member& member : type.members)
         if (const std::string inside = obstacle(member.type); !inside.empty())
-            return fmt::format("in {}, {}", shader::name_of(type), inside);
+            return fmt::format("in {}, {}", module::name_of(type), inside);
     return {};
 }
 
 // Why no kernel can call a function; empty if one can.
-std::string why_not(const shader::Function& function, const shader::Excerpt& excerpt,
+std::string why_not(const module::Function& function, const source::Excerpt& excerpt,
                     const backend::Team& team) {
     for (const char* ours : {"gloam_kernel_", "GloamGenerated"})
         if (excerpt.text.find(ours) != std::string::npos)
             return fmt::format("it uses a name with {}, as only the generated kernel may", ours);
-    if (!function.other_number.empty()) return shader::spirv::not_judged(function.other_number);
-    std::size_t scalars = shader::scalar_count(function.result);
-    for (const shader::Parameter& p : function.parameters) {
+    if (!function.other_number.empty()) return module::spirv::not_judged(function.other_number);
+    std::size_t scalars = module::scalar_count(function.result);
+    for (const module::Parameter& p : function.parameters) {
         if (const std::string what = obstacle(p.type); !what.empty() && p.global)
             return fmt::format("values of \"{}\" cannot be drawn: {}", p.name, what);
         else if (!what.empty())
-            return fmt::format("values of the parameter type {} cannot be drawn: {}", shader::name_of(p.type),
+            return fmt::format("values of the parameter type {} cannot be drawn: {}", module::name_of(p.type),
                                what);
-        scalars += shader::scalar_count(p.type);
+        scalars += module::scalar_count(p.type);
         if (!p.image.empty() && team.kind != backend::Team::Kind::alone)
             return fmt::format("the image \"{}\" is shared by the invocations that run it together", p.name);
         if (!p.global || !p.image.empty()) continue;
-        const shader::Access access = excerpt.globals.at(p.name);
-        const bool reads = access == shader::Access::reads || access == shader::Access::uniform;
-        if (p.direction != shader::Direction::in && reads)
+        const source::Access access = excerpt.globals.at(p.name);
+        const bool reads = access == source::Access::reads || access == source::Access::uniform;
+        if (p.direction != source::Direction::in && reads)
             return fmt::format("it assigns to \"{}\", which a shader can only read", p.name);
-        if (access == shader::Access::buffer && excerpt.needs == shader::Needs::group)
+        if (access == source::Access::buffer && excerpt.needs == source::Needs::group)
             return fmt::format("the buffer \"{}\", which it may write, is shared by its group", p.name);
     }
     if (const std::string what = obstacle(function.result); !what.empty())
-        return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
+        return fmt::format("a result of type {} cannot be read: {}", module::name_of(function.result), what);
     constexpr std::uint32_t most = interpreter::Machine<float>::most_invocations;
     if (team.count() > most)
         return fmt::format("its work group has {} invocations, expected at most {}", team.count(), most);
-    if (scalars * team.count() > shader::most_scalars)
-        return fmt::format("its parameters and its result have more than {} scalars", shader::most_scalars);
+    if (scalars * team.count() > module::most_scalars)
+        return fmt::format("its parameters and its result have more than {} scalars", module::most_scalars);
     if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)
         return "it has no result and no out parameter, and it writes no buffer or stage output";
     return {};
@@ -116,10 +116,10 @@ bool is_named(const std::string& definition, const std::string& name) {
 }
 
 // "f(vec2, float)"
-std::string definition_of(const shader::Function& function) {
+std::string definition_of(const module::Function& function) {
     std::string types;
-    for (const shader::Parameter& p : function.parameters)
-        if (!p.global) types += (types.empty() ? "" : ", ") + shader::name_of(p.type);
+    for (const module::Parameter& p : function.parameters)
+        if (!p.global) types += (types.empty() ? "" : ", ") + module::name_of(p.type);
     return fmt::format("{}({})", function.name, types);
 }
 
@@ -142,9 +142,9 @@ std::string word_of_hlsl(const std::string& text) {
 }
 
 // A reference to a buffer as a type of the excerpt, which lacks it.
-std::string pointer_of(const shader::Excerpt& excerpt) {
+std::string pointer_of(const source::Excerpt& excerpt) {
     if (excerpt.text.find("GL_EXT_buffer_reference") == std::string::npos) return {};
-    const std::vector<shader::Token> tokens = shader::tokens_of(excerpt.text);
+    const std::vector<source::Token> tokens = source::tokens_of(excerpt.text);
     const auto found = std::ranges::adjacent_find(tokens, [&](const auto& type, const auto& name) {
         return excerpt.interface.contains(type.text) && name.is_word();
     });
@@ -152,7 +152,7 @@ std::string pointer_of(const shader::Excerpt& excerpt) {
 }
 
 // Why an excerpt does not compile as a part of a compute shader. `errors`: what the compiler says.
-Skipped refused(const shader::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
+Skipped refused(const source::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
     const std::string first = errors.substr(0, errors.find('\n'));
     std::istringstream parts(first);  // "own.frag:10: 'image' : undeclared identifier"
     std::string place;
@@ -190,35 +190,35 @@ Skipped refused(const shader::Excerpt& excerpt, const std::string& definition, c
 }
 
 // The invocations that run a function of the excerpt together.
-backend::Team team_for(const shader::Excerpt& excerpt, const std::string& file,
-                       const shader::SpirvCache& cache) {
-    if (excerpt.needs == shader::Needs::nobody) return {};
-    if (excerpt.needs == shader::Needs::quad) return backend::quad_team;
+backend::Team team_for(const source::Excerpt& excerpt, const std::string& file,
+                       const module::SpirvCache& cache) {
+    if (excerpt.needs == source::Needs::nobody) return {};
+    if (excerpt.needs == source::Needs::quad) return backend::quad_team;
     constexpr std::uint32_t usual = 64;
     if (!excerpt.has_group_size) return {.kind = backend::Team::Kind::group, .size = {usual, 1, 1}};
-    shader::Source whole = probe_of(file, excerpt.text);
+    source::Source whole = probe_of(file, excerpt.text);
     whole.text += "\nvoid main() {}\n";
     return {.kind = backend::Team::Kind::group,
-            .size = shader::reflect(cache.compile(whole, {.variant = {}})).local_size};
+            .size = module::reflect(cache.compile(whole, {.variant = {}})).local_size};
 }
 
 // Adds the functions of an excerpt whose definition is wanted.
 template <class Wants>
-void add_functions(const OwnFile& file, const shader::Excerpt& excerpt, const shader::SpirvCache& cache,
+void add_functions(const OwnFile& file, const source::Excerpt& excerpt, const module::SpirvCache& cache,
                    const Wants& wants, OwnFunctions& all) {
     const backend::Team team = team_for(excerpt, file.name, cache);
-    const std::vector<shader::Function> compiled =
+    const std::vector<module::Function> compiled =
         cache.functions(probe_of(file.name, excerpt.text), {.stage = stage_of(team), .variant = {}});
-    std::vector<std::pair<shader::Function, std::string>> own;  // and its comment
+    std::vector<std::pair<module::Function, std::string>> own;  // and its comment
     std::size_t k = 0;
-    for (const shader::Function& function : compiled) {
+    for (const module::Function& function : compiled) {
         if (function.name != excerpt.function || !function.defined) continue;
         const bool known = k < excerpt.definitions.size();  // not made by a macro
         if (!known || !excerpt.definitions[k].empty())
             own.emplace_back(with_globals(function, excerpt), known ? excerpt.comments[k] : "");
         ++k;
     }
-    const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
+    const auto unserved = std::ranges::find_if(compiled, [](const module::Function& function) {
         return !function.defined && !image_prototype(function);
     });
     for (const auto& [function, comment] : own) {
@@ -242,7 +242,7 @@ void add_functions(const OwnFile& file, const shader::Excerpt& excerpt, const sh
 
 OwnFunctions own_functions(const LabOptions& options, const std::vector<std::string>& names) {
     const OwnFile& file = *options.file;
-    const shader::SpirvCache cache = shader_cache(options);
+    const module::SpirvCache cache = shader_cache(options);
     OwnFunctions all;
     std::vector<std::string> unmet = names;
     const auto wants = [&](const std::string& definition) {
@@ -250,14 +250,14 @@ OwnFunctions own_functions(const LabOptions& options, const std::vector<std::str
         std::erase_if(unmet, named);
         return names.empty() || std::ranges::any_of(names, named);
     };
-    for (const shader::Excerpt& excerpt : file.excerpts.functions) {
+    for (const source::Excerpt& excerpt : file.excerpts.functions) {
         const bool asked = names.empty() || std::ranges::any_of(names, [&](const std::string& name) {
                                return without_blanks(name.substr(0, name.find('('))) == excerpt.function;
                            });
         if (!asked) continue;
         try {
             add_functions(file, excerpt, cache, wants, all);
-        } catch (const shader::CompileError& error) {
+        } catch (const source::CompileError& error) {
             for (const std::string& definition : excerpt.definitions)
                 if (!definition.empty() && wants(definition))
                     all.left_out.push_back(refused(excerpt, definition, error.what()));
@@ -265,7 +265,7 @@ OwnFunctions own_functions(const LabOptions& options, const std::vector<std::str
     }
     if (!unmet.empty()) {
         std::vector<std::string> known;
-        for (const shader::Excerpt& excerpt : file.excerpts.functions) known.push_back(excerpt.function);
+        for (const source::Excerpt& excerpt : file.excerpts.functions) known.push_back(excerpt.function);
         throw std::invalid_argument(
             fmt::format("{}: no function {}; it defines: {}", file.name, unmet.front(),
                         known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
@@ -280,14 +280,14 @@ OwnFunctions own_functions(const LabOptions& options, const std::vector<std::str
 
 Domain domain_of(const OwnFunction& own, const Ranges& ranges) {
     std::vector<Values> parameters;
-    for (const shader::Parameter& parameter : own.function.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
+    for (const module::Parameter& parameter : own.function.parameters) {
+        if (parameter.direction == source::Direction::out) continue;
         const auto found = ranges.find(parameter.name);
         const std::optional<Range> range =
             found == ranges.end() ? std::nullopt : std::optional(found->second);
         const bool in_quad = own.team.kind == backend::Team::Kind::quad && is_of_each(parameter);
-        parameters.push_back(in_quad ? neighbours(shader::element_of(parameter.type),
-                                                  values_of(shader::element_of(parameter.type), range),
+        parameters.push_back(in_quad ? neighbours(module::element_of(parameter.type),
+                                                  values_of(module::element_of(parameter.type), range),
                                                   parameter.name == fragment_coordinate)
                                      : values_of(parameter.type, range));
     }
@@ -296,9 +296,9 @@ Domain domain_of(const OwnFunction& own, const Ranges& ranges) {
 
 bool OwnFunction::is_property() const {
     static const std::regex line(R"((^|\n)[\s/*]*must hold[\s.*/]*(\n|$))", std::regex::icase);
-    const std::vector<shader::Scalar> outputs = signature().output_scalars();
+    const std::vector<Scalar> outputs = signature().output_scalars();
     return (function.name.starts_with("test_") || std::regex_search(comment, line)) &&
-           std::ranges::count(outputs, shader::Scalar::bool_) == std::ssize(outputs);
+           std::ranges::count(outputs, Scalar::bool_) == std::ssize(outputs);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

@@ -7,12 +7,12 @@
 #include "subject/domain.hpp"
 #include "subject/lab.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 // A function of a file from elsewhere that can be checked; `file` is OwnFile::name.
 struct OwnFunction : KernelSource {
     std::string name;     // "f", or "f(vec2, float)" if the file defines others of this name
-    std::string comment;  // of shader::Excerpt::comments
+    std::string comment;  // of source::Excerpt::comments
 
     // Whether it is a property (Question::must_hold): it gives bools alone, and its name begins with test_ or
     // a line of its comment is "must hold".
@@ -47,4 +47,4 @@ struct OwnFunctions {
 // Of a quad, most neighbours differ a little (neighbours()).
 [[nodiscard]] Domain domain_of(const OwnFunction& own, const Ranges& ranges);
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

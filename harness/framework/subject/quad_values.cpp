@@ -4,7 +4,7 @@
 
 #include "subject/domain.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 namespace {
 
 using Words = std::vector<Word>;
@@ -33,14 +33,14 @@ double moved(double value, double x, double y) {
     return value + (x + y) * std::max(std::abs(value), 1.0);
 }
 
-void append_stepped(const Values& one, const std::vector<shader::Scalar>& scalars, DrawContext& context,
+void append_stepped(const Values& one, const std::vector<module::Scalar>& scalars, DrawContext& context,
                     Words& words) {
     Words first;
     one.draw(context, first);
     Words all;
     for (std::size_t k = 0; k < quad; ++k) all.insert(all.end(), first.begin(), first.end());
     for (std::size_t s = 0; s < scalars.size(); ++s) {
-        if (!shader::is_float(scalars[s])) continue;
+        if (!module::is_float(scalars[s])) continue;
         const double dx = small_step(context.random);
         const double dy = small_step(context.random);
         for (std::size_t k = 1; k < quad; ++k)
@@ -68,7 +68,7 @@ void append_pixels(DrawContext& context, Words& words) {
 
 }  // namespace
 
-Values neighbours(const shader::Type& type, const Values& one, bool pixels) {
+Values neighbours(const module::Type& type, const Values& one, bool pixels) {
     if (pixels) return {.draw = append_pixels};
     Values all;
     all.draw = [one, scalars = scalars_of(type)](DrawContext& context, Words& words) {
@@ -97,4 +97,4 @@ Values neighbours(const shader::Type& type, const Values& one, bool pixels) {
     return all;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

@@ -5,25 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gloam::check {
+namespace gloam::subject {
 
-using shader::Direction;
-using shader::Scalar;
+using module::Scalar;
+using source::Direction;
 
-void for_each_value(const shader::Type& type, const std::function<void(const shader::Type&)>& visit) {
+void for_each_value(const module::Type& type, const std::function<void(const module::Type&)>& visit) {
     if (!type.sizes.empty()) {
-        const shader::Type element = shader::element_of(type);
+        const module::Type element = module::element_of(type);
         for (std::uint32_t i = 0; i < type.sizes.front(); ++i) for_each_value(element, visit);
     } else if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members) for_each_value(member.type, visit);
+        for (const module::Member& member : type.members) for_each_value(member.type, visit);
     } else if (type.scalar != Scalar::void_ && type.scalar != Scalar::sampler) {
         visit(type);
     }
 }
 
-std::vector<Scalar> scalars_of(const shader::Type& type) {
+std::vector<Scalar> scalars_of(const module::Type& type) {
     std::vector<Scalar> scalars;
-    for_each_value(type, [&](const shader::Type& one) {
+    for_each_value(type, [&](const module::Type& one) {
         scalars.insert(scalars.end(), static_cast<std::size_t>(one.columns * one.rows), one.scalar);
     });
     return scalars;
@@ -34,7 +34,7 @@ double whole_number(Scalar scalar, Word word) {
 }
 
 double number_at(Scalar scalar, Word word) {
-    return shader::is_float(scalar) ? from_word<double>(word) : whole_number(scalar, word);
+    return module::is_float(scalar) ? from_word<double>(word) : whole_number(scalar, word);
 }
 
 const numeric::FloatFormat& format_of(Scalar scalar) {
@@ -63,12 +63,12 @@ Word stepped_float(Scalar scalar, Word word, std::int64_t steps) {
 bool same_bits(std::span<const Scalar> scalars, std::span<const Word> a, std::span<const Word> b) {
     const auto is_nan = [](Word word) { return std::isnan(from_word<float>(word)); };
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (a[i] != b[i] && !(shader::is_float(scalars[i]) && is_nan(a[i]) && is_nan(b[i]))) return false;
+        if (a[i] != b[i] && !(module::is_float(scalars[i]) && is_nan(a[i]) && is_nan(b[i]))) return false;
     return true;
 }
 
 std::string text_of(Scalar scalar, Word word) {
-    if (shader::is_float(scalar)) return numeric::to_text(from_word<float>(word));
+    if (module::is_float(scalar)) return numeric::to_text(from_word<float>(word));
     if (scalar == Scalar::int_) return fmt::format("{}", from_word<int>(word));
     if (scalar == Scalar::bool_) return word != 0U ? "true" : "false";
     return fmt::format("{0} (0x{0:08x})", word);
@@ -76,14 +76,14 @@ std::string text_of(Scalar scalar, Word word) {
 
 std::vector<Scalar> Signature::input_scalars() const {
     std::vector<Scalar> scalars;
-    for (const shader::Parameter& p : parameters)
+    for (const module::Parameter& p : parameters)
         if (p.direction != Direction::out) std::ranges::copy(scalars_of(p.type), std::back_inserter(scalars));
     return scalars;
 }
 
 std::vector<Scalar> Signature::output_scalars() const {
     std::vector<Scalar> scalars = scalars_of(result);
-    for (const shader::Parameter& p : parameters)
+    for (const module::Parameter& p : parameters)
         if (p.direction != Direction::in) std::ranges::copy(scalars_of(p.type), std::back_inserter(scalars));
     return scalars;
 }
@@ -98,23 +98,23 @@ std::size_t Signature::output_words() const {
 
 std::vector<std::size_t> Signature::output_values() const {
     std::vector<std::size_t> values;
-    const auto add = [&](const shader::Type& one) {
+    const auto add = [&](const module::Type& one) {
         values.push_back(static_cast<std::size_t>(one.columns * one.rows));
     };
     for_each_value(result, add);
-    for (const shader::Parameter& p : parameters)
+    for (const module::Parameter& p : parameters)
         if (p.direction != Direction::in) for_each_value(p.type, add);
     return values;
 }
 
-shader::Function with_globals(shader::Function function, const shader::Excerpt& excerpt) {
+module::Function with_globals(module::Function function, const source::Excerpt& excerpt) {
     const auto& globals = excerpt.globals;
-    for (const shader::Parameter& variable : function.globals)
+    for (const module::Parameter& variable : function.globals)
         if (const auto found = globals.find(variable.name); found != globals.end()) {
             function.parameters.push_back(variable);
-            function.parameters.back().uniform = found->second == shader::Access::uniform;
+            function.parameters.back().uniform = found->second == source::Access::uniform;
         }
-    for (const shader::BoundVariable& one : excerpt.bound)
+    for (const source::BoundVariable& one : excerpt.bound)
         if (!one.format.empty())
             function.parameters.push_back({.name = one.name,
                                            .type = pixels_of(one.format),
@@ -122,15 +122,15 @@ shader::Function with_globals(shader::Function function, const shader::Excerpt& 
                                            .global = true,
                                            .image = one.format});
     // The kernel sets it, and not the function.
-    if (globals.contains(shader::discarded))
-        function.parameters.push_back({.name = shader::discarded,
+    if (globals.contains(source::discarded))
+        function.parameters.push_back({.name = source::discarded,
                                        .type = {.scalar = Scalar::bool_},
                                        .direction = Direction::out,
                                        .global = true});
     return function;
 }
 
-shader::Type pixels_of(std::string_view format) {
+module::Type pixels_of(std::string_view format) {
     const std::size_t channels = format.find('3');  // "rg32f"
     return {.scalar = format.ends_with("ui")  ? Scalar::uint_
                       : format.ends_with('i') ? Scalar::int_
@@ -139,33 +139,33 @@ shader::Type pixels_of(std::string_view format) {
             .sizes = {image_sides[1], image_sides[0]}};
 }
 
-bool is_of_each(const shader::Parameter& parameter) {
+bool is_of_each(const module::Parameter& parameter) {
     return !parameter.uniform && parameter.type.scalar != Scalar::sampler;
 }
 
-shader::Function together(shader::Function function, const backend::Team& team) {
+module::Function together(module::Function function, const backend::Team& team) {
     if (team.kind == backend::Team::Kind::alone) return function;
-    const auto make_array = [&team](shader::Type& type) {
+    const auto make_array = [&team](module::Type& type) {
         type.sizes.insert(type.sizes.begin(), team.count());
     };
     if (function.result.scalar != Scalar::void_) make_array(function.result);
-    for (shader::Parameter& p : function.parameters)
+    for (module::Parameter& p : function.parameters)
         if (is_of_each(p)) make_array(p.type);
     return function;
 }
 
 std::string to_glsl(const Signature& signature, const std::string& name) {
-    shader::Function function{
+    module::Function function{
         .name = name, .result = signature.result, .parameters = signature.parameters, .defined = true};
-    const auto spell_out = [](shader::Type& type) {
+    const auto spell_out = [](module::Type& type) {
         if (type.scalar != Scalar::structure) return;
-        shader::Type one = type;
+        module::Type one = type;
         one.sizes.clear();
-        type.name = shader::to_glsl(one);
+        type.name = module::to_glsl(one);
     };
     spell_out(function.result);
-    for (shader::Parameter& p : function.parameters) spell_out(p.type);
-    return shader::to_glsl(function);
+    for (module::Parameter& p : function.parameters) spell_out(p.type);
+    return module::to_glsl(function);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

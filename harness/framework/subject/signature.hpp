@@ -19,26 +19,26 @@
 #include "numeric/numbers.hpp"
 #include "subject/values_in_words.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 
 // Calls visit() with the type of each scalar, vector and matrix in a value, in order; samplers are none.
-void for_each_value(const shader::Type& type, const std::function<void(const shader::Type&)>& visit);
+void for_each_value(const module::Type& type, const std::function<void(const module::Type&)>& visit);
 // The scalars of a value, a word for each.
-[[nodiscard]] std::vector<shader::Scalar> scalars_of(const shader::Type& type);
+[[nodiscard]] std::vector<module::Scalar> scalars_of(const module::Type& type);
 
 // A word as the number that it stands for.
-[[nodiscard]] double number_at(shader::Scalar scalar, Word word);
+[[nodiscard]] double number_at(module::Scalar scalar, Word word);
 // Of a word that is no float.
-[[nodiscard]] double whole_number(shader::Scalar scalar, Word word);
-[[nodiscard]] const numeric::FloatFormat& format_of(shader::Scalar scalar);
+[[nodiscard]] double whole_number(module::Scalar scalar, Word word);
+[[nodiscard]] const numeric::FloatFormat& format_of(module::Scalar scalar);
 // The word of a float: the nearest value of its type; so many values above another one.
-[[nodiscard]] Word float_word(shader::Scalar scalar, double value);
-[[nodiscard]] Word stepped_float(shader::Scalar scalar, Word word, std::int64_t steps);
+[[nodiscard]] Word float_word(module::Scalar scalar, double value);
+[[nodiscard]] Word stepped_float(module::Scalar scalar, Word word, std::int64_t steps);
 // Whether all words are equal; all NaNs of a type are.
-[[nodiscard]] bool same_bits(std::span<const shader::Scalar> scalars, std::span<const Word> a,
+[[nodiscard]] bool same_bits(std::span<const module::Scalar> scalars, std::span<const Word> a,
                              std::span<const Word> b);
 // "0.1 (0x3dcccccd)", "-3", "true".
-[[nodiscard]] std::string text_of(shader::Scalar scalar, Word word);
+[[nodiscard]] std::string text_of(module::Scalar scalar, Word word);
 
 // Marks a GLSL `out` parameter in a C++ signature: float(glm::vec2, Out<float>). A reference, float&, is
 // `inout`.
@@ -79,27 +79,27 @@ using InDouble = typename InDoubleOf<T>::type;
 template <class P>
 struct ParameterOf {
     using value = P;
-    static constexpr auto direction = shader::Direction::in;
+    static constexpr auto direction = source::Direction::in;
 };
 template <class T>
 struct ParameterOf<T&> {
     using value = T;
-    static constexpr auto direction = shader::Direction::inout;
+    static constexpr auto direction = source::Direction::inout;
 };
 template <class T>
 struct ParameterOf<Out<T>> {
     using value = T;
-    static constexpr auto direction = shader::Direction::out;
+    static constexpr auto direction = source::Direction::out;
 };
 template <class P>
-inline constexpr bool is_input = ParameterOf<P>::direction != shader::Direction::out;
+inline constexpr bool is_input = ParameterOf<P>::direction != source::Direction::out;
 template <class P>
-inline constexpr bool is_output = ParameterOf<P>::direction != shader::Direction::in;
+inline constexpr bool is_output = ParameterOf<P>::direction != source::Direction::in;
 
 // A signature without its C++ types, for the wrapper, the domain and the judge.
 struct Signature {
-    shader::Type result;
-    std::vector<shader::Parameter> parameters;
+    module::Type result;
+    std::vector<module::Parameter> parameters;
     // Of a function that needs other invocations: they run together, and the types above are arrays of the
     // function's own, with an element for each (together()).
     backend::Team team = {};
@@ -107,29 +107,29 @@ struct Signature {
     [[nodiscard]] std::size_t input_words() const;
     // Number of words of the result (unless void) and of every out and inout parameter, in order.
     [[nodiscard]] std::size_t output_words() const;
-    [[nodiscard]] std::vector<shader::Scalar> input_scalars() const;
-    [[nodiscard]] std::vector<shader::Scalar> output_scalars() const;
+    [[nodiscard]] std::vector<module::Scalar> input_scalars() const;
+    [[nodiscard]] std::vector<module::Scalar> output_scalars() const;
     // Word counts of the output values (scalar, vector, matrix), one entry for each value.
     [[nodiscard]] std::vector<std::size_t> output_values() const;
 };
 
 // The function with variables at file scope as further parameters: those that it uses, of these names; and
 // the images that it uses.
-[[nodiscard]] shader::Function with_globals(shader::Function function, const shader::Excerpt& excerpt);
+[[nodiscard]] module::Function with_globals(module::Function function, const source::Excerpt& excerpt);
 
 // Width and height of the images that a function under test loads and stores, of which each input has its
 // own.
 inline constexpr std::array<std::uint32_t, 2> image_sides{5, 4};
 
 // The pixels of such an image: rows of values with the channels of the format, "rg32f".
-[[nodiscard]] shader::Type pixels_of(std::string_view format);
+[[nodiscard]] module::Type pixels_of(std::string_view format);
 
 // Whether each invocation of a team has its own value of a parameter. Samplers and uniforms are those of all.
-[[nodiscard]] bool is_of_each(const shader::Parameter& parameter);
+[[nodiscard]] bool is_of_each(const module::Parameter& parameter);
 
 // A function as a team calls it: its result and its is_of_each() parameters are arrays with an element for
 // each invocation.
-[[nodiscard]] shader::Function together(shader::Function function, const backend::Team& team);
+[[nodiscard]] module::Function together(module::Function function, const backend::Team& team);
 
 // "float f(vec2, out float)"; structures are written in full.
 [[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);
@@ -157,7 +157,7 @@ struct SignatureOf<R(P...)> {
         const backend::Team team = team_of_all<R, typename ParameterOf<P>::value...>();
         const bool alone = team.kind == backend::Team::Kind::alone;
         return {.result = type_of<R>(),
-                .parameters = {shader::Parameter{
+                .parameters = {module::Parameter{
                     .name = {},
                     .type = type_of<typename ParameterOf<P>::value>(),
                     .direction = ParameterOf<P>::direction,
@@ -180,4 +180,4 @@ struct SignatureOf<R(P...)> {
     }
 };
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

@@ -12,12 +12,12 @@
 #include "base/number.hpp"
 #include "numeric/numbers.hpp"
 
-namespace gloam::check {
+namespace gloam::subject {
 namespace {
 
 using Words = std::vector<Word>;
 
-using shader::Scalar;
+using module::Scalar;
 
 Values float_values(Scalar scalar, double low, double high,
                     const std::function<double(numeric::Random&)>& make) {
@@ -325,4 +325,4 @@ std::pair<std::string, Range> range_from(const std::string& text) {
     return {text.substr(0, equals), {*low, *high}};
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

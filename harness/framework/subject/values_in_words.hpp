@@ -18,7 +18,7 @@
 #include "module/compile.hpp"
 
 // Visits the members of a small aggregate in order, so that a plain struct needs no description of its own.
-namespace gloam::check {
+namespace gloam::subject {
 namespace detail {
 
 struct AnyField {
@@ -157,39 +157,39 @@ template <class T>
 
 // The type of a C++ number in the shader.
 template <ScalarValue T>
-[[nodiscard]] constexpr shader::Scalar scalar_of() {
-    using shader::Scalar;
-    if (FloatValue<T>) return Scalar::float_;
-    if (std::same_as<T, Float16>) return Scalar::float16_;
-    if (std::same_as<T, bool>) return Scalar::bool_;
-    return std::same_as<T, int> ? Scalar::int_ : Scalar::uint_;
+[[nodiscard]] constexpr module::Scalar scalar_of() {
+    using module::Scalar;
+    if (FloatValue<T>) return module::Scalar::float_;
+    if (std::same_as<T, Float16>) return module::Scalar::float16_;
+    if (std::same_as<T, bool>) return module::Scalar::bool_;
+    return std::same_as<T, int> ? module::Scalar::int_ : module::Scalar::uint_;
 }
 
 // The GLSL type of a C++ type. double means float, since references calculate with more precision than the
 // shader.
 template <class T>
-[[nodiscard]] shader::Type type_of() {
-    using shader::Scalar;
-    using shader::Type;
+[[nodiscard]] module::Type type_of() {
+    using module::Scalar;
+    using module::Type;
     if constexpr (std::same_as<T, void>) {
-        return Type{.scalar = Scalar::void_};
+        return module::Type{.scalar = module::Scalar::void_};
     } else if constexpr (ScalarValue<T>) {
-        return Type{.scalar = scalar_of<T>()};
+        return module::Type{.scalar = scalar_of<T>()};
     } else if constexpr (is_vector<T>) {
-        Type type = type_of<typename T::value_type>();
+        module::Type type = type_of<typename T::value_type>();
         type.rows = T::length();
         return type;
     } else if constexpr (is_matrix<T>) {
-        Type type = type_of<typename T::value_type>();
+        module::Type type = type_of<typename T::value_type>();
         type.columns = T::length();
         type.rows = T::col_type::length();
         return type;
     } else if constexpr (is_array<T>) {
-        Type type = type_of<typename T::value_type>();
+        module::Type type = type_of<typename T::value_type>();
         type.sizes.insert(type.sizes.begin(), static_cast<std::uint32_t>(T{}.size()));
         return type;
     } else {
-        Type type{.scalar = Scalar::structure, .name = "struct"};
+        module::Type type{.scalar = module::Scalar::structure, .name = "struct"};
         T value{};
         for_each_field(value, [&type](auto& field) {
             // C++ does not expose the names of members; where names matter, those of GLSL are used.
@@ -249,4 +249,4 @@ template <class T>
     return value;
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

@@ -8,7 +8,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 using reference::dmat3, reference::dvec3;
 
 void by_rules(Entries& entries, const std::string& id, auto reference, const Domain& domain) {

@@ -15,7 +15,7 @@
 //
 //     add(entries, "TSSAO-5", &reference::gloam_blend,
 //         {uniform(0, 1).and_special(), ...},     // domain: one Values for each in or inout parameter
-//         {.ulp = 3},                             // budget: measured; see check::Budget
+//         {.ulp = 3},                             // budget: measured; see judge::Budget
 //         {0, 1e9},                               // codomain: holds for every input whatever, NaN included
 //         [](double history, ...) { return ...; });  // inputs for which the budget is promised: all
 //
@@ -24,7 +24,7 @@
 // the reference takes as T& is an out parameter. Degenerate inputs, and images of exact 0 and 1, are added to
 // those of every entry (check/domain.hpp, check/question.hpp). The scenarios, the last argument, provide
 // images for a function that reads images (catalogue/inputs.hpp); its reference then takes (const
-// check::ImageSet&, arguments...).
+// subject::ImageSet&, arguments...).
 namespace gloam::catalogue {
 
 // What a method converges to, before the remap.
@@ -35,7 +35,7 @@ struct KnownResults {
 
 struct Entry {
     Description description;
-    check::Question question;
+    judge::Question question;
     KnownResults known{};  // of methods
 };
 
@@ -66,7 +66,7 @@ using InFloat = typename InFloatOf<std::remove_cvref_t<T>>::type;
 template <class P>
 inline constexpr bool is_out = std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>>;
 template <class P>
-using Parameter = std::conditional_t<is_out<P>, check::Out<InFloat<P>>, InFloat<P>>;
+using Parameter = std::conditional_t<is_out<P>, subject::Out<InFloat<P>>, InFloat<P>>;
 
 // The GLSL signature of a reference: of a function, or of an object that is called like one. The images that
 // a reference reads are no parameter.
@@ -77,7 +77,7 @@ struct GlslOf<R (*)(P...)> {
     using type = InFloat<R>(Parameter<P>...);
 };
 template <class R, class... P>
-struct GlslOf<R (*)(const check::ImageSet&, P...)> : GlslOf<R (*)(P...)> {};
+struct GlslOf<R (*)(const subject::ImageSet&, P...)> : GlslOf<R (*)(P...)> {};
 template <class R, class C, class... P>
 struct GlslOf<R (C::*)(P...) const> : GlslOf<R (*)(P...)> {};
 
@@ -85,18 +85,18 @@ struct GlslOf<R (C::*)(P...) const> : GlslOf<R (*)(P...)> {};
 
 // Adds an entry. `promised`: called with the exact values of all inputs; nullptr: all.
 template <class Reference, class Promised = std::nullptr_t>
-check::Question& add(Entries& entries, std::string id, Reference reference, const check::Domain& domain,
-                     check::Budget budget = {}, check::Codomain codomain = {}, Promised promised = nullptr,
-                     std::vector<check::ImageScenario> scenarios = {}) {
+judge::Question& add(Entries& entries, std::string id, Reference reference, const subject::Domain& domain,
+                     judge::Budget budget = {}, judge::Codomain codomain = {}, Promised promised = nullptr,
+                     std::vector<subject::ImageScenario> scenarios = {}) {
     using Signature = typename detail::GlslOf<Reference>::type;
-    check::Question question{.signature = check::SignatureOf<Signature>::describe(),
-                             .reference = check::make_reference<Signature>(reference),
+    judge::Question question{.signature = subject::SignatureOf<Signature>::describe(),
+                             .reference = judge::make_reference<Signature>(reference),
                              .budget = budget,
                              .codomain = codomain,
                              .scenarios = with_exact_ends(std::move(scenarios))};
     question.domain = domain.and_degenerate(question.signature);
     if constexpr (!std::same_as<Promised, std::nullptr_t>)
-        question.promised = check::make_predicate<Signature>(promised);
+        question.promised = judge::make_predicate<Signature>(promised);
     return entries.emplace_back(Entry{.description = {.id = std::move(id)}, .question = std::move(question)})
         .question;
 }

@@ -10,7 +10,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 Values lengths() {
     return either(log_uniform(1e-3, 10), log_uniform(1e-37, 1e38))

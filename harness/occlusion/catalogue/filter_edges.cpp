@@ -9,7 +9,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 constexpr const char* occlusion_name = "gloam_fetch_occlusion";
 constexpr const char* normal_name = "gloam_fetch_normal";

@@ -14,7 +14,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 using Pair = reference::GloamSweepPair;
 

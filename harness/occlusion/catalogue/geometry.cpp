@@ -10,7 +10,8 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace judge;
+using namespace subject;
 
 Values buffer_depths() {
     return either(uniform(0, 1), either(log_uniform(1e-9, 1), uniform(0.999, 1)))

@@ -14,7 +14,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 constexpr double huge = 3.5e38;
 
@@ -32,7 +32,7 @@ constexpr double farthest = 200.0;
 
 bool finite(const glm::dmat4& matrix) {
     bool all = true;
-    check::visit_scalars(matrix, [&](const auto& entry) { all = all && std::isfinite(entry); });
+    subject::visit_scalars(matrix, [&](const auto& entry) { all = all && std::isfinite(entry); });
     return all;
 }
 
@@ -41,7 +41,7 @@ bool rigid(const glm::dmat4& matrix) {
     const glm::dmat3 turn(matrix);
     const glm::dmat3 identity = glm::transpose(turn) * turn - glm::dmat3(1.0);
     bool all = true;
-    check::visit_scalars(identity, [&](double entry) { all = all && std::abs(entry) <= rigid_tolerance; });
+    subject::visit_scalars(identity, [&](double entry) { all = all && std::abs(entry) <= rigid_tolerance; });
     const glm::dvec4 last = glm::row(matrix, 3);
     return all && last == glm::dvec4(0, 0, 0, 1);
 }
@@ -49,7 +49,7 @@ bool rigid(const glm::dmat4& matrix) {
 bool scales_little(const glm::dmat4& projection) {
     bool all = true;
     const glm::dmat3 linear(projection);
-    check::visit_scalars(linear, [&](double entry) { all = all && std::abs(entry) <= projection_scale; });
+    subject::visit_scalars(linear, [&](double entry) { all = all && std::abs(entry) <= projection_scale; });
     return all;
 }
 

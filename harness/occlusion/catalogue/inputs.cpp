@@ -11,7 +11,7 @@
 
 namespace gloam::catalogue {
 
-using namespace check;
+using namespace subject;
 using numeric::Random;
 
 namespace {

@@ -10,7 +10,8 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace judge;
+using namespace subject;
 using numeric::Random;
 
 using Camera = reference::GloamCamera;

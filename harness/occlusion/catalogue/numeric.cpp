@@ -7,7 +7,8 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace judge;
+using namespace subject;
 
 constexpr double above_pi = 3.1415928;
 

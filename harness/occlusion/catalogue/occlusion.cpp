@@ -14,7 +14,8 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace judge;
+using namespace subject;
 
 // Distances and radii of any size. Half of them are within a factor of two of each other, where a falloff
 // changes most.

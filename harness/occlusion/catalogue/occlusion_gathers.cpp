@@ -11,7 +11,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 void append_gathers(Entries& entries) {
     const Values vectors = vector(3, uniform(-4, 4)).and_special();

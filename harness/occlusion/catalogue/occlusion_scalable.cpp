@@ -11,7 +11,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 Values proxy_offsets() {
     return offsets_of(uniform(0, 2), log_uniform(1e-37, 1e38));

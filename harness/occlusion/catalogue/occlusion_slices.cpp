@@ -10,7 +10,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 constexpr double half_pi = 1.5707964;
 

@@ -10,7 +10,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 // Random numbers for a map: [0, 1], and all special floats.
 Values zeta(int components) {

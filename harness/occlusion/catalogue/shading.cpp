@@ -12,7 +12,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 // The sums over a few directions.
 Values sums() {

@@ -11,7 +11,7 @@
 namespace gloam::catalogue {
 namespace {
 
-using namespace check;
+using namespace subject;
 
 // Numbers of samples: integers, which are usual, and any others.
 Values weights() {

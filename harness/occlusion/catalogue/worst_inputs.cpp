@@ -94,12 +94,12 @@ void add_worst_inputs(Entries& entries) {
         std::istringstream row(line);
         std::string equation;
         row >> equation >> std::hex;
-        std::vector<check::Word> words;
-        for (check::Word word = 0; row >> word;) words.push_back(word);
+        std::vector<subject::Word> words;
+        for (subject::Word word = 0; row >> word;) words.push_back(word);
         const auto entry =
             std::ranges::find_if(entries, [&](const Entry& e) { return e.description.id == equation; });
         if (entry == entries.end()) throw std::logic_error("worst input of an unknown equation: " + equation);
-        check::Domain& domain = entry->question.domain;
+        subject::Domain& domain = entry->question.domain;
         domain = domain.and_words(words);
     }
 }

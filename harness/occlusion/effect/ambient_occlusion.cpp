@@ -14,7 +14,7 @@
 namespace gloam::effect {
 
 struct AmbientOcclusion::Impl {
-    gpu::Extent extent;  // of the views
+    backend::Extent extent;  // of the views
     std::unique_ptr<FramePasses> study;
     std::unique_ptr<FramePasses> frame;
     std::optional<Settings> settings;  // of the last view; none: there is no view
@@ -41,8 +41,8 @@ void crop(const scene::GBuffer& shape, Frame& frame) {
     if (!frame.bent.empty()) frame.bent = scene::cropped(shape, frame.bent);
 }
 
-AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes,
-                                   gpu::Extent extent)
+AmbientOcclusion::AmbientOcclusion(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
+                                   backend::Extent extent)
     : impl_(base::make_hidden<Impl>(extent, study_passes(device, passes, extent),
                                     frame_passes(device, passes))) {}
 

@@ -27,7 +27,7 @@ struct PassTime {
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the
 // background, always in [0, 1].
 struct Frame {
-    gpu::Extent extent;
+    backend::Extent extent;
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so
     std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
     std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background, and without both a
@@ -46,7 +46,8 @@ class AmbientOcclusion {
   public:
     // `extent`: of the views, guard band included. The device must outlive this object. Throws
     // std::runtime_error for a size of 0 or beyond the device's limit, and when a shader does not compile.
-    AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
+    AmbientOcclusion(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
+                     backend::Extent extent);
 
     // Takes a view and forgets the history. Missing normals are reconstructed from depth; the next frame's
     // times include that pass. If the view has a guard band (scene/gbuffer.hpp), the band is shaded as
@@ -62,8 +63,8 @@ class AmbientOcclusion {
 
     // Computes the next frame of the last view. It runs `repeat` (>= 1) times and reports median times, but
     // the history advances only once. Throws std::logic_error before begin(), and std::runtime_error like
-    // gpu::Commands::submit(). After a runtime error, for example a lost device, call begin() again, on a new
-    // object if the device is lost.
+    // backend::vulkan::Commands::submit(). After a runtime error, for example a lost device, call begin()
+    // again, on a new object if the device is lost.
     [[nodiscard]] Frame next(int repeat = 1);
 
     // From now on each pass is submitted alone, with a call of `watcher` before and after it. For tests of

@@ -7,7 +7,7 @@
 namespace gloam::effect {
 namespace {
 
-using enum gpu::Format;
+using enum backend::vulkan::Format;
 
 // Push constants of composite.comp.
 struct Parameters {
@@ -17,20 +17,20 @@ struct Parameters {
 
 }  // namespace
 
-Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes)
+Composite::Composite(const backend::vulkan::Device& device, const scene::PassLibrary& passes)
     : device_(&device), pipeline_(pipeline_of(device, passes, {.file = "study/composite.comp"})) {}
 
-std::vector<glm::vec3> Composite::lit(gpu::Extent extent, std::span<const glm::vec3> ambient,
+std::vector<glm::vec3> Composite::lit(backend::Extent extent, std::span<const glm::vec3> ambient,
                                       std::span<const glm::vec3> direct, const std::vector<float>& occlusion,
                                       const std::vector<glm::vec3>& albedo) const {
-    gpu::Image around(*device_, extent, rgba32f);
-    gpu::Image lamp(*device_, extent, rgba32f);
-    gpu::Image shown(*device_, extent, r32f);
-    const gpu::Image image(*device_, extent, rgba32f);
+    backend::vulkan::Image around(*device_, extent, rgba32f);
+    backend::vulkan::Image lamp(*device_, extent, rgba32f);
+    backend::vulkan::Image shown(*device_, extent, r32f);
+    const backend::vulkan::Image image(*device_, extent, rgba32f);
     around.upload(texels_of(ambient));
     lamp.upload(texels_of(direct));
     shown.upload(occlusion.empty() ? std::vector(ambient.size(), 0.0F) : occlusion);
-    gpu::Image color(*device_, albedo.empty() ? gpu::Extent{1, 1} : extent, rgba32f);
+    backend::vulkan::Image color(*device_, albedo.empty() ? backend::Extent{1, 1} : extent, rgba32f);
     if (!albedo.empty()) color.upload(texels_of(albedo));
     const Parameters parameters{vector_of_size(extent), flag(!albedo.empty())};
     const Step step{"composite",

@@ -16,20 +16,20 @@ namespace gloam::effect {
 class Composite {
   public:
     // The device must outlive this object. Throws std::runtime_error when the shader does not compile.
-    Composite(const gpu::Device& device, const scene::PassLibrary& passes);
+    Composite(const backend::vulkan::Device& device, const scene::PassLibrary& passes);
 
     // The lit image, linear, rows from the top. `ambient` and `direct`: light of each pixel, linear.
     // `occlusion`: in [0, 1], a value for each pixel; empty: no occlusion. `albedo`: linear, for each pixel,
     // with which light bounces among blockers (gloam_multi_bounce); empty: it does not. Each
     // has as many pixels as the extent.
-    [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, std::span<const glm::vec3> ambient,
+    [[nodiscard]] std::vector<glm::vec3> lit(backend::Extent extent, std::span<const glm::vec3> ambient,
                                              std::span<const glm::vec3> direct,
                                              const std::vector<float>& occlusion,
                                              const std::vector<glm::vec3>& albedo = {}) const;
 
   private:
-    const gpu::Device* device_;
-    gpu::ComputePipeline pipeline_;
+    const backend::vulkan::Device* device_;
+    backend::vulkan::ComputePipeline pipeline_;
 };
 
 }  // namespace gloam::effect

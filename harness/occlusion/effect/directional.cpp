@@ -15,7 +15,7 @@ namespace gloam::effect {
 
 namespace {
 
-using enum gpu::Format;
+using enum backend::vulkan::Format;
 
 constexpr int most_interleave = 8;
 
@@ -36,7 +36,7 @@ std::vector<glm::vec3> albedo_of(const scene::GBuffer& view) {
 }
 
 // The light of the frame, without the guard band.
-std::vector<glm::vec3> sent(const scene::GBuffer& view, const gpu::Image& light,
+std::vector<glm::vec3> sent(const scene::GBuffer& view, const backend::vulkan::Image& light,
                             const std::vector<glm::vec3>& albedo) {
     std::vector<glm::vec3> radiance = vectors_of(light.download());
     std::ranges::transform(radiance, albedo, radiance.begin(),
@@ -47,7 +47,7 @@ std::vector<glm::vec3> sent(const scene::GBuffer& view, const gpu::Image& light,
 }  // namespace
 
 struct Directional::Impl {
-    Impl(const gpu::Device& device, const scene::PassLibrary& passes)
+    Impl(const backend::vulkan::Device& device, const scene::PassLibrary& passes)
         : executor(device, passes), resources(device) {}
 
     Executor executor;
@@ -73,7 +73,7 @@ struct Directional::Impl {
     }
 };
 
-Directional::Directional(const gpu::Device& device, const scene::PassLibrary& passes)
+Directional::Directional(const backend::vulkan::Device& device, const scene::PassLibrary& passes)
     : impl_(base::make_hidden<Impl>(device, passes)) {}
 
 BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings, int interleave) {
@@ -82,8 +82,8 @@ BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings
             fmt::format("interleave {}: expected 1 to {}", interleave, most_interleave));
     const auto side = static_cast<std::uint32_t>(interleave);
     impl_->take(view, settings);
-    gpu::Image& bent = impl_->resources.image("bent", view.extent, rgba32f);
-    gpu::Image& gathered = impl_->resources.image("gathered", view.extent, rgba32f);
+    backend::vulkan::Image& bent = impl_->resources.image("bent", view.extent, rgba32f);
+    backend::vulkan::Image& gathered = impl_->resources.image("gathered", view.extent, rgba32f);
     impl_->shade("bent_normals", "bent", {}, view, settings, side);
     if (interleave > 1) impl_->shade("bent_gather", "gathered", {"bent"}, view, settings, side);
     const std::vector<float> texels = (interleave > 1 ? gathered : bent).download();
@@ -99,8 +99,8 @@ DirectionalLight Directional::light(const scene::GBuffer& view, const Settings& 
     resources.image("albedo", view.extent, rgba32f).upload(texels_of(color));
     resources.buffer("sky", sizeof(SkyBuffer)).as<SkyBuffer>()[0] = {
         glm::vec4(sky.zenith, 0.0F), glm::vec4(sky.horizon, 0.0F), glm::vec4(sky.ground, 0.0F)};
-    gpu::Image& direct = resources.image("direct", view.extent, rgba32f);
-    gpu::Image& bounced = resources.image("bounced", view.extent, rgba32f);
+    backend::vulkan::Image& direct = resources.image("direct", view.extent, rgba32f);
+    backend::vulkan::Image& bounced = resources.image("bounced", view.extent, rgba32f);
     impl_->shade("direct_light", "direct", {"sky"}, view, settings);
     impl_->shade("bounced_light", "bounced", {"albedo", "direct"}, view, settings);
     return {.extent = scene::frame_of(view),

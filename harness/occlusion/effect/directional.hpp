@@ -14,7 +14,7 @@ namespace gloam::effect {
 
 // The directions in which points are open (CS-L), rows from the top, without the view's guard band.
 struct BentNormals {
-    gpu::Extent extent;
+    backend::Extent extent;
     std::vector<glm::vec3>
         direction;  // mean: unit, view space; the normal where nothing is open, 0 at the background
     std::vector<float> half_angle;  // of the cone that represents them, radians in [0, pi / 2]
@@ -34,7 +34,7 @@ inline const Sky clear_sky{{0.35F, 0.6F, 1.0F}, {1.0F, 1.0F, 1.0F}, {0.25F, 0.22
 // Radiance that leaves the surfaces (CS-D): linear, in the unit of the sky, 0 at the background. Rows from
 // the top, without the guard band.
 struct DirectionalLight {
-    gpu::Extent extent;
+    backend::Extent extent;
     std::vector<glm::vec3> direct;   // of the sky, from the open directions
     std::vector<glm::vec3> bounced;  // of that light after one bounce off the blockers
 };
@@ -46,7 +46,7 @@ struct DirectionalLight {
 class Directional {
   public:
     // The device must outlive this object. Throws std::runtime_error when a shader does not compile.
-    Directional(const gpu::Device& device, const scene::PassLibrary& passes);
+    Directional(const backend::vulkan::Device& device, const scene::PassLibrary& passes);
 
     // Both throw std::invalid_argument for settings out of range and for images of another size;
     // bent_normals() also for an interleave out of range. Missing normals are reconstructed from depth. Each

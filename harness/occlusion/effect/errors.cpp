@@ -101,7 +101,7 @@ Truth truth_from(const scene::GBuffer& view, std::span<const float> reference) {
 }
 
 double structural_similarity(std::span<const float> occlusion, std::span<const float> truth,
-                             gpu::Extent extent) {
+                             backend::Extent extent) {
     const auto visibility = [](std::span<const float> of) {
         std::vector<double> values;
         for (const float value : of) values.push_back(1.0 - double{value});
@@ -111,7 +111,7 @@ double structural_similarity(std::span<const float> occlusion, std::span<const f
                                           extent.height);
 }
 
-Metrics metrics_of(std::span<const float> occlusion, std::span<const float> truth, gpu::Extent extent) {
+Metrics metrics_of(std::span<const float> occlusion, std::span<const float> truth, backend::Extent extent) {
     Metrics metrics{.raw = errors_of(occlusion, truth),
                     .similarity = structural_similarity(occlusion, truth, extent),
                     .remap = best_remap(occlusion, truth)};

@@ -43,7 +43,7 @@ using TrueOcclusion = std::function<double(const glm::dvec3& world, double radiu
 
 // numeric::structural_similarity() of an occlusion image and the truth, as visibility.
 [[nodiscard]] double structural_similarity(std::span<const float> occlusion, std::span<const float> truth,
-                                           gpu::Extent extent);
+                                           backend::Extent extent);
 
 // The remap of a visibility v in [0, 1] (CS-REMAP): v' = (b (v + a))^c, clamped to [0, 1]. A base below 0
 // gives 0.
@@ -92,7 +92,7 @@ struct Metrics {
 
 // Calculates them.
 [[nodiscard]] Metrics metrics_of(std::span<const float> occlusion, std::span<const float> truth,
-                                 gpu::Extent extent);
+                                 backend::Extent extent);
 
 // The truth where the mask is set, NaN elsewhere.
 [[nodiscard]] Truth masked(std::span<const float> truth, const Mask& mask);

@@ -18,7 +18,7 @@ namespace gloam::effect {
 
 namespace {
 
-std::size_t pixels_of(gpu::Extent extent) {
+std::size_t pixels_of(backend::Extent extent) {
     return std::size_t{extent.width} * extent.height;
 }
 
@@ -30,7 +30,7 @@ auto& named(Map& all, const std::string& name, const char* what) {
     return found->second;
 }
 
-void fill(gpu::Buffer& buffer, const std::vector<std::byte>& contents) {
+void fill(backend::vulkan::Buffer& buffer, const std::vector<std::byte>& contents) {
     std::ranges::copy(contents, buffer.bytes().begin());
 }
 
@@ -40,33 +40,35 @@ std::string key_of(const PassSource& source) {
     for (const std::string& define : source.defines) key += "\n" + define;
     for (const scene::PassLibrary::Replacement& replacement : source.replaced)
         key += "\n" + replacement.include + "\n" + replacement.instead;
-    for (const gpu::SpecializationConstant& constant : source.constants)
+    for (const backend::vulkan::SpecializationConstant& constant : source.constants)
         key += fmt::format("\n{}={}", constant.id, constant.bits);
     return key;
 }
 
-bool reads_storage_images(const gpu::Device& device, scene::Inputs inputs) {
+bool reads_storage_images(const backend::vulkan::Device& device, scene::Inputs inputs) {
     return inputs == scene::Inputs::storage ||
            (inputs == scene::Inputs::by_device && device.info().type == "cpu");
 }
 
-gpu::BindingKind kind_of(shader::BindingType type) {
-    if (type == shader::BindingType::storage_buffer) return gpu::BindingKind::storage_buffer;
-    return type == shader::BindingType::sampled_image ? gpu::BindingKind::sampled_image
-                                                      : gpu::BindingKind::storage_image;
+backend::vulkan::BindingKind kind_of(module::BindingType type) {
+    if (type == module::BindingType::storage_buffer) return backend::vulkan::BindingKind::storage_buffer;
+    return type == module::BindingType::sampled_image ? backend::vulkan::BindingKind::sampled_image
+                                                      : backend::vulkan::BindingKind::storage_image;
 }
 
-shader::Spirv module_of(const gpu::Device& device, const scene::PassLibrary& library,
+module::Spirv module_of(const backend::vulkan::Device& device, const scene::PassLibrary& library,
                         const PassSource& source) {
     return module_of(source, library, reads_storage_images(device, library.inputs));
 }
 
 // kinds: of the bindings that the module lacks.
-gpu::ComputePipeline pipeline_of(const gpu::Device& device, const PassSource& source,
-                                 const shader::Spirv& spirv, const shader::ModuleInterface& interface,
-                                 std::vector<gpu::BindingKind> kinds) {
-    for (const shader::Binding& binding : interface.bindings) {
-        if (kinds.size() <= binding.number) kinds.resize(binding.number + 1, gpu::BindingKind::storage_image);
+backend::vulkan::ComputePipeline pipeline_of(const backend::vulkan::Device& device, const PassSource& source,
+                                             const module::Spirv& spirv,
+                                             const module::ModuleInterface& interface,
+                                             std::vector<backend::vulkan::BindingKind> kinds) {
+    for (const module::Binding& binding : interface.bindings) {
+        if (kinds.size() <= binding.number)
+            kinds.resize(binding.number + 1, backend::vulkan::BindingKind::storage_image);
         kinds[binding.number] = kind_of(binding.type);
     }
     const std::size_t bytes = interface.push_constants ? interface.push_constants->size : 0;
@@ -77,7 +79,7 @@ gpu::ComputePipeline pipeline_of(const gpu::Device& device, const PassSource& so
              .constants = source.constants}};
 }
 
-void require_size(const char* what, std::size_t found, gpu::Extent extent) {
+void require_size(const char* what, std::size_t found, backend::Extent extent) {
     if (found == pixels_of(extent)) return;
     throw std::invalid_argument(
         fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
@@ -94,44 +96,45 @@ std::vector<float> texels_of(std::span<const std::vector<float>> layers) {
 
 }  // namespace
 
-shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& library, bool storage_inputs) {
+module::Spirv module_of(const PassSource& source, const scene::PassLibrary& library, bool storage_inputs) {
     const scene::PassLibrary& optimized = source.unrolls ? library.unrolled() : library;
     std::vector<std::string> defines = source.defines;
     if (storage_inputs) defines.emplace_back("GLOAM_STORAGE_INPUTS");
     return optimized.compile(source.file, defines, source.replaced);
 }
 
-gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
-                                 const PassSource& source, std::vector<gpu::BindingKind> kinds) {
-    const shader::Spirv spirv = module_of(device, library, source);
-    return pipeline_of(device, source, spirv, shader::reflect(spirv), std::move(kinds));
+backend::vulkan::ComputePipeline pipeline_of(const backend::vulkan::Device& device,
+                                             const scene::PassLibrary& library, const PassSource& source,
+                                             std::vector<backend::vulkan::BindingKind> kinds) {
+    const module::Spirv spirv = module_of(device, library, source);
+    return pipeline_of(device, source, spirv, module::reflect(spirv), std::move(kinds));
 }
 
-Resources::Resources(const gpu::Device& device) : device_(&device) {
-    using gpu::Format;
-    for (const auto& [name, format] : {std::pair{"r32f", Format::r32f},
-                                       {"rgba32f", Format::rgba32f},
-                                       {"rgba16ui", Format::rgba16ui},
-                                       {"r32ui", Format::r32ui},
-                                       {"rgb10_a2", Format::rgb10_a2}})
-        nothing_.try_emplace(name, device, gpu::Extent{1, 1}, format);
+Resources::Resources(const backend::vulkan::Device& device) : device_(&device) {
+    using backend::vulkan::Format;
+    for (const auto& [name, format] : {std::pair{"r32f", backend::vulkan::Format::r32f},
+                                       {"rgba32f", backend::vulkan::Format::rgba32f},
+                                       {"rgba16ui", backend::vulkan::Format::rgba16ui},
+                                       {"r32ui", backend::vulkan::Format::r32ui},
+                                       {"rgb10_a2", backend::vulkan::Format::rgb10_a2}})
+        nothing_.try_emplace(name, device, backend::Extent{1, 1}, format);
 }
 
-gpu::Image& Resources::image(const std::string& name, gpu::Extent extent, gpu::Format format,
-                             std::uint32_t levels) {
+backend::vulkan::Image& Resources::image(const std::string& name, backend::Extent extent,
+                                         backend::vulkan::Format format, std::uint32_t levels) {
     const auto found = images_.find(name);
     if (found == images_.end())
         return images_.try_emplace(name, *device_, extent, format, levels).first->second;
-    gpu::Image& image = found->second;
+    backend::vulkan::Image& image = found->second;
     if (image.extent() != extent || image.format() != format || image.levels() != levels)
-        image = gpu::Image(*device_, extent, format, levels);
+        image = backend::vulkan::Image(*device_, extent, format, levels);
     return image;
 }
 
-gpu::Buffer& Resources::buffer(const std::string& name, std::size_t bytes) {
+backend::vulkan::Buffer& Resources::buffer(const std::string& name, std::size_t bytes) {
     const auto found = buffers_.find(name);
     if (found != buffers_.end() && found->second.size() == bytes) return found->second;
-    gpu::Buffer made(*device_, bytes);
+    backend::vulkan::Buffer made(*device_, bytes);
     std::ranges::fill(made.bytes(), std::byte{0});
     return buffers_.insert_or_assign(name, std::move(made)).first->second;
 }
@@ -147,7 +150,8 @@ void Resources::restart(const Plan& plan) {
     for (const PlannedImage& planned : plan.images)
         if (planned.origin == PlannedImage::Origin::history)
             image(planned.name)
-                .upload(std::vector<float>(gpu::channels(planned.format) * pixels_of(planned.extent), 0.0F));
+                .upload(std::vector<float>(
+                    backend::vulkan::channels(planned.format) * pixels_of(planned.extent), 0.0F));
     for (const PlannedBuffer& planned : plan.buffers) fill(buffer(planned.name), planned.contents);
 }
 
@@ -155,32 +159,32 @@ void Resources::exchange(std::span<const std::array<std::string, 2>> pairs) {
     for (const auto& [first, second] : pairs) std::swap(image(first), image(second));
 }
 
-gpu::Image& Resources::image(const std::string& name) {
+backend::vulkan::Image& Resources::image(const std::string& name) {
     return named(images_, name, "image");
 }
-const gpu::Image& Resources::image(const std::string& name) const {
+const backend::vulkan::Image& Resources::image(const std::string& name) const {
     return named(images_, name, "image");
 }
-gpu::Buffer& Resources::buffer(const std::string& name) {
+backend::vulkan::Buffer& Resources::buffer(const std::string& name) {
     return named(buffers_, name, "buffer");
 }
-const gpu::Buffer& Resources::buffer(const std::string& name) const {
+const backend::vulkan::Buffer& Resources::buffer(const std::string& name) const {
     return named(buffers_, name, "buffer");
 }
 
-gpu::Resource Resources::at(const std::string& name, const std::string& format) const {
+backend::vulkan::Resource Resources::at(const std::string& name, const std::string& format) const {
     if (name == nothing_image) {
         const auto found = nothing_.find(format);
         return found == nothing_.end() ? nothing_.at("rgba32f") : found->second;
     }
     if (has_buffer(name)) return buffer(name);
     const auto [bound, level, linear] = image_name_of(name);
-    if (level) return gpu::ImageLevel{image(bound), *level};
-    if (linear) return gpu::LinearImage{image(bound)};
+    if (level) return backend::vulkan::ImageLevel{image(bound), *level};
+    if (linear) return backend::vulkan::LinearImage{image(bound)};
     return image(bound);
 }
 
-Executor::Executor(const gpu::Device& device, scene::PassLibrary library)
+Executor::Executor(const backend::vulkan::Device& device, scene::PassLibrary library)
     : device_(&device), library_(std::move(library)) {}
 
 const Executor::Module& Executor::module(const PassSource& source) {
@@ -189,19 +193,19 @@ const Executor::Module& Executor::module(const PassSource& source) {
     const std::string key = key_of(without);
     const auto known = modules_.find(key);
     if (known != modules_.end()) return known->second;
-    shader::Spirv spirv = module_of(*device_, library_, without);
-    shader::ModuleInterface interface = shader::reflect(spirv);
+    module::Spirv spirv = module_of(*device_, library_, without);
+    module::ModuleInterface interface = module::reflect(spirv);
     return modules_.emplace(key, Module{std::move(spirv), std::move(interface)}).first->second;
 }
 
-const shader::ModuleInterface& Executor::interface_of(const PassSource& source) {
+const module::ModuleInterface& Executor::interface_of(const PassSource& source) {
     return module(source).interface;
 }
 
 PlannedPass planned_pass(std::string name, PassSource source, std::vector<std::string> resources,
                          const Values& values, const InterfaceOf& interface_of,
                          std::array<std::uint32_t, 3> groups) {
-    const shader::ModuleInterface interface = interface_of(source);
+    const module::ModuleInterface interface = interface_of(source);
     source.constants = values.constants(interface, source.file);
     std::vector<std::byte> parameters = values.push_constants(interface, source.file);
     return {.name = std::move(name),
@@ -215,13 +219,13 @@ const Executor::Compiled& Executor::compiled(const PlannedPass& pass, const Reso
     std::string key = key_of(pass.source);
     const auto known = compiled_.find(key);
     if (known != compiled_.end()) return known->second;
-    std::vector<gpu::BindingKind> kinds;
+    std::vector<backend::vulkan::BindingKind> kinds;
     for (const std::string& name : pass.resources)
-        kinds.push_back(resources.has_buffer(name) ? gpu::BindingKind::storage_buffer
-                                                   : gpu::BindingKind::storage_image);
+        kinds.push_back(resources.has_buffer(name) ? backend::vulkan::BindingKind::storage_buffer
+                                                   : backend::vulkan::BindingKind::storage_image);
     const auto& [spirv, interface] = module(pass.source);
     std::vector<std::string> formats(pass.resources.size(), "rgba32f");
-    for (const shader::Binding& binding : interface.bindings) {
+    for (const module::Binding& binding : interface.bindings) {
         if (binding.number >= formats.size()) continue;
         if (!binding.format.empty())
             formats[binding.number] = binding.format;
@@ -266,7 +270,7 @@ void Executor::run(std::string name, PassSource source, std::vector<std::string>
 }
 
 void require_guard(const scene::GBuffer& view, const Settings& settings) {
-    const gpu::Extent none;
+    const backend::Extent none;
     const double guard = double{settings.guard};
     if (view.border.each_side() != none || scene::guard_border(view.extent, guard) == none) return;
     throw std::invalid_argument(fmt::format("guard {:g}: the view has no guard band", guard));
@@ -284,7 +288,7 @@ void require_centred(const scene::GBuffer& view) {
             "the camera's axis is not in the image's middle: expected a centred() view");
 }
 
-void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {
+void require_sizes(const scene::GBuffer& view, backend::Extent extent) {
     require_size("depth", view.depth.size(), extent);
     if (!view.normal.empty()) require_size("normals", view.normal.size(), extent);
     if (!view.previous_position.empty())
@@ -295,13 +299,14 @@ void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {
                                                 view.layers.size(), scene::most_further_layers));
     if (!view.stored) return;
     require_size("stored depth", view.stored->depth.size(), extent);
-    require_size("stored normals", view.stored->normal.size(), view.normal.empty() ? gpu::Extent{} : extent);
+    require_size("stored normals", view.stored->normal.size(),
+                 view.normal.empty() ? backend::Extent{} : extent);
 }
 
 void upload(const scene::GBuffer& view, bool stores, Resources& resources) {
-    using enum gpu::Format;
+    using enum backend::vulkan::Format;
     const bool stored = stores && view.stored;
-    const auto image = [&](const char* name, gpu::Format format) -> gpu::Image& {
+    const auto image = [&](const char* name, backend::vulkan::Format format) -> backend::vulkan::Image& {
         return resources.image(name, view.extent, format);
     };
     const std::vector<glm::vec3>& normals = stored ? view.stored->normal : view.normal;
@@ -317,7 +322,7 @@ void take_linear(const scene::GBuffer& view, Resources& resources, Executor& exe
     require_sizes(view, view.extent);
     upload(view, false, resources);
     if (!view.normal.empty()) return;
-    (void)resources.image("normal", view.extent, gpu::Format::rgba32f);
+    (void)resources.image("normal", view.extent, backend::vulkan::Format::rgba32f);
     executor.run("normals_from_depth", {.file = "study/normals_from_depth.comp"}, {"depth", "normal"},
                  values_of({view.camera, view.extent, view.border}, {}), groups_for(view.extent), resources);
 }

@@ -17,7 +17,7 @@
 namespace gloam::effect {
 namespace {
 
-using enum gpu::Format;
+using enum backend::vulkan::Format;
 
 constexpr std::uint32_t depth_levels = 5;
 constexpr const char* tile_list = "tiles";  // glsl/passes/frame/tile_list.glsl
@@ -39,7 +39,7 @@ struct EngineInputs {
 // What tiles.comp is given.
 struct TileParameters {
     std::array<float, 2> inverse_size;
-    gpu::Extent count;
+    backend::Extent count;
     std::uint32_t frame;
     std::uint32_t stands;
 };
@@ -54,14 +54,14 @@ std::uint32_t stride_of(const Settings& settings) {
 }
 
 // Its texels.
-gpu::Extent swept_of(const Settings& settings, gpu::Extent view) {
+backend::Extent swept_of(const Settings& settings, backend::Extent view) {
     const std::uint32_t stride = stride_of(settings);
     return {(view.width + stride - 1) / stride, (view.height + stride - 1) / stride};
 }
 
 // Of the lists, as their passes declare them.
-std::size_t list_bytes(const Settings& settings, gpu::Extent view, bool skips) {
-    const gpu::Extent count = tiles_of(view);
+std::size_t list_bytes(const Settings& settings, backend::Extent view, bool skips) {
+    const backend::Extent count = tiles_of(view);
     const std::size_t words = skips ? 4 : 2;
     return has_tiles(settings) || skips ? 4 * (4 * 4 + 1 + words * count.width * count.height) : 0;
 }
@@ -74,7 +74,7 @@ gloam_camera camera_of(const View& view) {
 }
 
 gloam_settings settings_of(const Settings& settings, const EngineInputs& inputs) {
-    const gpu::Extent extent = inputs.view.extent;
+    const backend::Extent extent = inputs.view.extent;
     return {
         .preset = {static_cast<gloam_resolution>(settings.resolution), settings.mark, settings.history_range,
                    settings.history_sharpness, inputs.view.camera.orthographic(), inputs.deep},
@@ -86,8 +86,7 @@ gloam_settings settings_of(const Settings& settings, const EngineInputs& inputs)
 // Whether depth of 16 bits is too coarse from the beginning.
 bool starts_deep(const Settings& settings, const scene::CameraFrame& camera) {
     constexpr float narrow = 0.268F;  // tangent of half of 30 degrees, across the longer side of the image
-    const glm::mat4& projection = camera.proj_vk;
-    const float across = 1.0F / std::min(std::abs(projection[0][0]), std::abs(projection[1][1]));
+    const float across = 1.0F / std::min(std::abs(camera.proj_vk[0][0]), std::abs(camera.proj_vk[1][1]));
     return settings.deep || camera.orthographic() || across < narrow;
 }
 
@@ -99,32 +98,32 @@ gloam_frame first_of(const Settings& settings, const EngineInputs& inputs) {
 }
 
 // Groups of 16 x 8 invocations, which make `x` x `y` pixels each.
-std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std::uint32_t y) {
+std::array<std::uint32_t, 3> groups_of(backend::Extent extent, std::uint32_t x, std::uint32_t y) {
     return {(extent.width + 16 * x - 1) / (16 * x), (extent.height + 8 * y - 1) / (8 * y), 1};
 }
 
+using Constants = std::vector<backend::vulkan::SpecializationConstant>;
+
 // Those that all passes have, behind a pass' own.
-std::vector<gpu::SpecializationConstant> constants_of(const Settings& settings, const EngineInputs& inputs,
-                                                      std::vector<gpu::SpecializationConstant> own) {
+Constants constants_of(const Settings& settings, const EngineInputs& inputs, Constants own) {
     own.insert(own.end(), {{.id = 1, .bits = flag(inputs.view.camera.orthographic())},
                            {.id = 8, .bits = flag(settings.history)},
                            {.id = 9, .bits = flag(inputs.deep)}});
     return own;
 }
 
-PlannedPass first_pass(const Settings& settings, const EngineInputs& inputs,
-                       const gloam_prepare& parameters) {
+PlannedPass first_pass(const Settings& settings, const EngineInputs& inputs, const gloam_frame& frame) {
     PassSource source{.file = "frame/prepare.comp", .constants = constants_of(settings, inputs, {})};
     if (inputs.deep) source.defines.emplace_back("GLOAM_LEVELS r32f");
     return single_pass("prepare", source,
                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4",
                         settings.history ? "levels_before" : nothing_image},
-                       parameters, groups_of(inputs.view.extent, 2, 2));
+                       frame.prepare, groups_of(inputs.view.extent, 2, 2));
 }
 
 // The pass makes the tiles of a list, so many a group: at most all of the view.
-void dispatch_by(List list, std::uint32_t tiles_of_group, gpu::Extent view, PlannedPass& pass) {
-    const gpu::Extent count = tiles_of(view);
+void dispatch_by(List list, std::uint32_t tiles_of_group, backend::Extent view, PlannedPass& pass) {
+    const backend::Extent count = tiles_of(view);
     const std::uint32_t most = (count.width * count.height + tiles_of_group - 1) / tiles_of_group;
     pass.groups = {most, 1, 1};
     pass.groups_from = tile_list;
@@ -193,7 +192,7 @@ PlannedPass sweep_pass(const Settings& settings, const EngineInputs& inputs, con
 
 // Lists the tiles of the sweep on CPUs' drivers.
 PlannedPass tile_pass(const Settings& settings, const EngineInputs& inputs, const gloam_frame& frame) {
-    const gpu::Extent count = tiles_of(inputs.view.extent);
+    const backend::Extent count = tiles_of(inputs.view.extent);
     const TileParameters parameters{
         .inverse_size = {frame.prepare.inverse_size[0], frame.prepare.inverse_size[1]},
         .count = count,
@@ -207,7 +206,7 @@ PlannedPass tile_pass(const Settings& settings, const EngineInputs& inputs, cons
 }
 
 PlannedPass mark_pass(const EngineInputs& inputs, const gloam_frame& frame) {
-    const gpu::Extent count = tiles_of(inputs.view.extent);
+    const backend::Extent count = tiles_of(inputs.view.extent);
     return single_pass("mark", {.file = "frame/mark.comp"}, {"texels", "marks"}, frame.mark,
                        {(count.width + 7) / 8, (count.height + 7) / 8, 1});
 }
@@ -232,7 +231,7 @@ void bind_others(const Settings& settings, const std::string& texels, const std:
 
 std::vector<PlannedPass> passes_of(const Settings& settings, const EngineInputs& inputs,
                                    const gloam_frame& frame) {
-    std::vector<PlannedPass> passes{first_pass(settings, inputs, frame.prepare)};
+    std::vector<PlannedPass> passes{first_pass(settings, inputs, frame)};
     if (inputs.skips) passes.push_back(tile_pass(settings, inputs, frame));
     passes.push_back(sweep_pass(settings, inputs, frame.sweep, false));
     if (has_tiles(settings)) {
@@ -254,9 +253,9 @@ std::vector<PlannedPass> passes_of(const Settings& settings, const EngineInputs&
 
 // The images that the passes write, but for those that the next frame reads.
 std::vector<PlannedImage> written_of(const Settings& settings, const EngineInputs& inputs) {
-    const gpu::Extent view = inputs.view.extent;
-    const gpu::Format texels = inputs.deep ? rg32ui : r32ui;  // gloam/filter/frame_texel.glsl
-    const auto written = [](const char* name, gpu::Format format, gpu::Extent extent) {
+    const backend::Extent view = inputs.view.extent;
+    const backend::vulkan::Format texels = inputs.deep ? rg32ui : r32ui;  // gloam/filter/frame_texel.glsl
+    const auto written = [](const char* name, backend::vulkan::Format format, backend::Extent extent) {
         return PlannedImage{name, format, PlannedImage::Origin::frame, extent};
     };
     std::vector<PlannedImage> images{written("texels", texels, swept_of(settings, view)),
@@ -274,8 +273,8 @@ std::vector<PlannedImage> written_of(const Settings& settings, const EngineInput
 
 Plan plan_for(const Settings& settings, const EngineInputs& inputs, const gloam_frame& numbers) {
     using enum PlannedImage::Origin;
-    const gpu::Extent extent = inputs.view.extent;
-    const gpu::Format depths = inputs.deep ? r32f : r16f;
+    const backend::Extent extent = inputs.view.extent;
+    const backend::vulkan::Format depths = inputs.deep ? r32f : r16f;
     Plan plan;
     plan.images = {{"depth", r32f, engine, extent},                   // as it is stored
                    {"levels", depths, frame, extent, depth_levels}};  // eye-linear depth in radii
@@ -298,7 +297,7 @@ Plan plan_for(const Settings& settings, const EngineInputs& inputs, const gloam_
     return plan;
 }
 
-EngineInputs engine_inputs_of(const scene::GBuffer& view, const Settings& settings) {
+EngineInputs inputs_of(const scene::GBuffer& view, const Settings& settings) {
     return {.view = {view.camera, view.extent, view.border},
             .radius = settings.radius,
             .encoding = view.stored ? view.stored->encoding : scene::Encoding{},
@@ -320,12 +319,12 @@ scene::GBuffer shape_of(const View& view) {
 
 class ThreePasses : public FramePasses {
   public:
-    ThreePasses(const gpu::Device& device, const scene::PassLibrary& passes)
+    ThreePasses(const backend::vulkan::Device& device, const scene::PassLibrary& passes)
         : device_(&device), executor_(device, passes), resources_(device) {}
 
     void take(const scene::GBuffer& view, const Settings& settings, bool follows) override {
         if (!follows) gloam_cut(&frame_);
-        const EngineInputs before = std::exchange(inputs_, engine_inputs_of(view, settings));
+        const EngineInputs before = std::exchange(inputs_, inputs_of(view, settings));
         if (follows && !view.camera.orthographic())
             inputs_.deep = before.deep;  // a camera that zooms keeps its images
         inputs_.skips = settings.skips && device_->info().type == "cpu";
@@ -367,7 +366,7 @@ class ThreePasses : public FramePasses {
                    follows ? &(*moved)[0][0] : nullptr);
     }
 
-    const gpu::Device* device_;
+    const backend::vulkan::Device* device_;
     Executor executor_;
     Resources resources_;
     Settings settings_;
@@ -379,11 +378,8 @@ class ThreePasses : public FramePasses {
 }  // namespace
 
 Plan frame_plan(const Settings& settings, const PlanOptions& options) {
-    const View shown = view_of(options);
-    const EngineInputs inputs{.view = shown,
-                              .encoding = options.encoding,
-                              .normals = options.normals,
-                              .deep = starts_deep(settings, shown.camera)};
+    EngineInputs inputs{.view = view_of(options), .encoding = options.encoding, .normals = options.normals};
+    inputs.deep = starts_deep(settings, inputs.view.camera);
     Plan plan = plan_for(settings, inputs, first_of(settings, inputs));
     for (PlannedImage& image : plan.images)
         if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
@@ -391,11 +387,12 @@ Plan frame_plan(const Settings& settings, const PlanOptions& options) {
 }
 
 Plan frame_plan(const Settings& settings, const scene::GBuffer& view) {
-    const EngineInputs inputs = engine_inputs_of(view, settings);
+    const EngineInputs inputs = inputs_of(view, settings);
     return plan_for(settings, inputs, first_of(settings, inputs));
 }
 
-std::unique_ptr<FramePasses> frame_passes(const gpu::Device& device, const scene::PassLibrary& passes) {
+std::unique_ptr<FramePasses> frame_passes(const backend::vulkan::Device& device,
+                                          const scene::PassLibrary& passes) {
     return std::make_unique<ThreePasses>(device, passes);
 }
 

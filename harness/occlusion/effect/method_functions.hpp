@@ -37,7 +37,7 @@ class MethodFunctions {
 inline constexpr const char* method_function = "method_gather";
 
 // Its parameters, as gloam/geometry/camera.glsl and the files have them, and its signature for
-// check::Function.
+// judge::Function.
 struct GatherCamera {
     glm::vec2 p00_p11;
     glm::ivec2 size;

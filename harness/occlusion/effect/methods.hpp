@@ -14,16 +14,16 @@ namespace gloam::effect {
 
 // A pass that runs before ambient_occlusion.comp and writes a part of the prepared image.
 struct PreparationPass {
-    std::string name;         // for its time; unique among the passes of the frame
-    std::string file;         // in glsl/passes/study/preparation
-    gpu::Extent invocations;  // in groups of 8 x 8
-    int level = 0;            // passed to the shader as a constant
+    std::string name;             // for its time; unique among the passes of the frame
+    std::string file;             // in glsl/passes/study/preparation
+    backend::Extent invocations;  // in groups of 8 x 8
+    int level = 0;                // passed to the shader as a constant
 };
 
 // What a method needs before it samples: passes in order, and the image that they write.
 struct Preparation {
-    gpu::Extent image;
-    gpu::Format format = gpu::Format::rgba32f;  // or r32f
+    backend::Extent image;
+    backend::vulkan::Format format = backend::vulkan::Format::rgba32f;  // or r32f
     std::vector<PreparationPass> passes;
     // Largest distance of a result's samples from the pixel's surface: in pixels, and in world units.
     int spread = 0;
@@ -32,7 +32,7 @@ struct Preparation {
 
 // The preparation of the method of the settings for views of that size, guard band included; none for a
 // method that needs none.
-[[nodiscard]] std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view);
+[[nodiscard]] std::optional<Preparation> preparation_of(const Settings& settings, backend::Extent view);
 
 // Settings of a source by name, each with the symbol or the words that it has there.
 using Printed = std::vector<std::pair<std::string, std::string>>;
@@ -101,8 +101,8 @@ struct MethodInfo {
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1
-    Preparation (*prepare)(const Settings&, gpu::Extent view) = nullptr;  // none: no preparation
-    std::vector<Preset> (*presets)(const MethodInfo&) = nullptr;          // as published and compared
+    Preparation (*prepare)(const Settings&, backend::Extent view) = nullptr;  // none: no preparation
+    std::vector<Preset> (*presets)(const MethodInfo&) = nullptr;              // as published and compared
 };
 
 // All methods; the first is the default.

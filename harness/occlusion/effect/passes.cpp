@@ -19,7 +19,8 @@ std::string filter_include(const Settings& settings) {
 
 // Preprocessor definitions of a pass that reads or writes the prepared image.
 std::vector<std::string> defines_for(const Moment& moment) {
-    if (moment.preparation && moment.preparation->format == gpu::Format::r32f) return {"GLOAM_PREPARED r32f"};
+    if (moment.preparation && moment.preparation->format == backend::vulkan::Format::r32f)
+        return {"GLOAM_PREPARED r32f"};
     return {};
 }
 
@@ -30,12 +31,12 @@ void define_output(OutputFormat output, std::vector<std::string>& defines) {
         defines.emplace_back(output == OutputFormat::r8 ? "GLOAM_OUTPUT r8" : "GLOAM_OUTPUT r16f");
 }
 
-gpu::Format format_of(OutputFormat output) {
-    if (output == OutputFormat::r32f) return gpu::Format::r32f;
-    return output == OutputFormat::r8 ? gpu::Format::r8 : gpu::Format::r16f;
+backend::vulkan::Format format_of(OutputFormat output) {
+    if (output == OutputFormat::r32f) return backend::vulkan::Format::r32f;
+    return output == OutputFormat::r8 ? backend::vulkan::Format::r8 : backend::vulkan::Format::r16f;
 }
 
-std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view) {
+std::optional<Preparation> preparation_of(const Settings& settings, backend::Extent view) {
     const MethodInfo& method = method_named(settings.method);
     if (method.prepare == nullptr) return std::nullopt;
     return method.prepare(settings, view);
@@ -71,7 +72,7 @@ PassSource preparation_source(const Moment& moment, const std::string& file) {
     return {.file = "study/preparation/" + file, .defines = defines_for(moment)};
 }
 
-std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {
+std::array<std::uint32_t, 3> groups_for(backend::Extent extent) {
     const auto groups = [](std::uint32_t side) { return (side + 7) / 8; };
     return {groups(extent.width), groups(extent.height), 1};
 }

@@ -82,7 +82,7 @@ std::array<Candidate, 4> around(const glm::dvec2& place) {
 }
 
 // Whether a pixel of the image can be among the four around the position; false for NaN.
-bool near_image(const glm::dvec2& place, gpu::Extent extent) {
+bool near_image(const glm::dvec2& place, backend::Extent extent) {
     return place.x > -1.0 && place.y > -1.0 && place.x < extent.width + 1.0 && place.y < extent.height + 1.0;
 }
 
@@ -222,7 +222,7 @@ Mask PixelClasses::mask(PixelClass one) const {
     return found;
 }
 
-std::vector<float> distance_to(const Mask& mask, gpu::Extent extent) {
+std::vector<float> distance_to(const Mask& mask, backend::Extent extent) {
     const std::size_t width = extent.width;
     const std::size_t height = extent.height;
     std::vector<double> square(mask.size());

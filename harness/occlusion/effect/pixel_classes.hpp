@@ -112,6 +112,6 @@ struct HardPlaces {
 
 // Distance of each pixel to the nearest set one, in pixels; +infinity when none is set. Exact (Felzenszwalb
 // and Huttenlocher 2012).
-[[nodiscard]] std::vector<float> distance_to(const Mask& mask, gpu::Extent extent);
+[[nodiscard]] std::vector<float> distance_to(const Mask& mask, backend::Extent extent);
 
 }  // namespace gloam::effect

@@ -59,7 +59,7 @@ Plan plan_of(const Settings& settings, const PlanOptions& options, const scene::
     Moment moment = moment_of(settings, options);
     Plan plan = planned_resources(moment);
     plan.passes = planned_passes(
-        moment, plan, [&](const PassSource& source) { return shader::reflect(module_of(source, library)); });
+        moment, plan, [&](const PassSource& source) { return module::reflect(module_of(source, library)); });
     plan.result = shown_image(settings);
     return plan;
 }

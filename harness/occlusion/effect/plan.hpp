@@ -28,7 +28,7 @@ struct PassSource {
     std::string file;  // in glsl/passes
     std::vector<std::string> defines;
     std::vector<scene::PassLibrary::Replacement> replaced;
-    std::vector<gpu::SpecializationConstant> constants;
+    std::vector<backend::vulkan::SpecializationConstant> constants;
     bool unrolls = false;  // loops have few rounds: drivers are asked to unroll them
 };
 
@@ -40,9 +40,9 @@ struct PlannedImage {
         frame     // written by the passes, each frame
     };
     std::string name;
-    gpu::Format format = gpu::Format::rgba32f;
+    backend::vulkan::Format format = backend::vulkan::Format::rgba32f;
     Origin origin = Origin::frame;
-    gpu::Extent extent;  // for the view of the plan
+    backend::Extent extent;  // for the view of the plan
     std::uint32_t levels = 1;
 };
 
@@ -83,7 +83,7 @@ struct Plan {
 };
 
 struct PlanOptions {
-    gpu::Extent view{1920, 1080};
+    backend::Extent view{1920, 1080};
     bool moving_objects = false;  // the engine gives the previous positions of surface points
     bool motion_vectors = false;  // it gives motion vectors, from which these follow
     bool orthographic = false;
@@ -98,7 +98,7 @@ struct PlanOptions {
                            const scene::PassLibrary& library);
 
 // The module of a pass. storage_inputs: as drivers that run on the CPU get it (scene::Inputs).
-[[nodiscard]] shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& library,
+[[nodiscard]] module::Spirv module_of(const PassSource& source, const scene::PassLibrary& library,
                                       bool storage_inputs = false);
 
 }  // namespace gloam::effect

@@ -6,14 +6,14 @@
 namespace gloam::effect {
 namespace {
 
-using check::Image;
-using check::Word;
+using subject::Image;
+using subject::Word;
 
-shader::Type texel_of(gpu::Format format) {
-    using enum gpu::Format;
+module::Type texel_of(backend::vulkan::Format format) {
+    using enum backend::vulkan::Format;
     const bool whole = format == r32ui || format == rg32ui || format == rgba16ui;
-    return {.scalar = whole ? shader::Scalar::uint_ : shader::Scalar::float_,
-            .rows = format == rgb10_a2 ? 4 : gpu::channels(format)};
+    return {.scalar = whole ? module::Scalar::uint_ : module::Scalar::float_,
+            .rows = format == rgb10_a2 ? 4 : backend::vulkan::channels(format)};
 }
 
 Image level_of(const PlannedImage& planned, std::uint32_t level) {
@@ -27,7 +27,7 @@ Image level_of(const PlannedImage& planned, std::uint32_t level) {
 // All levels as one image for a sampler, which takes the nearest texel.
 Image sampled(const std::vector<Image>& levels) {
     Image all = levels.front();
-    if (levels.size() == 1 && all.element.scalar == shader::Scalar::float_) return all;
+    if (levels.size() == 1 && all.element.scalar == module::Scalar::float_) return all;
     for (std::size_t i = 1; i < levels.size(); ++i)
         all.words.insert(all.words.end(), levels[i].words.begin(), levels[i].words.end());
     all.sampling =
@@ -43,8 +43,8 @@ std::string text_of(const PlannedPass& pass, const scene::PassLibrary& passes, b
     defines.emplace_back("GLOAM_PARAMETER_BLOCK");
     try {
         return passes.text(pass.source.file, defines, pass.source.replaced, constants,
-                           es ? shader::Language::es310 : shader::Language::gl430);
-    } catch (const shader::CompileError& error) {
+                           es ? source::Language::es310 : source::Language::gl430);
+    } catch (const source::CompileError& error) {
         const std::string all = error.what();
         if (es) throw backend::Unsupported(pass.name + ": " + all.substr(0, all.find('\n')));
         throw;
@@ -61,8 +61,8 @@ PlanMemory::PlanMemory(const Plan& plan, const scene::GBuffer& view) {
     }
     std::vector<Word> depth;
     std::vector<Word> normal;
-    for (const float one : view.depth) check::append_words(one, depth);
-    for (const glm::vec3& one : view.normal) check::append_words(glm::vec4(one, 0.0F), normal);
+    for (const float one : view.depth) subject::append_words(one, depth);
+    for (const glm::vec3& one : view.normal) subject::append_words(glm::vec4(one, 0.0F), normal);
     images.at("depth").front().words = std::move(depth);
     if (!normal.empty()) images.at("normal").front().words = std::move(normal);
     for (const PlannedBuffer& planned : plan.buffers) {
@@ -72,9 +72,9 @@ PlanMemory::PlanMemory(const Plan& plan, const scene::GBuffer& view) {
     }
 }
 
-void run(const check::Lab& lab, const Plan& plan, const scene::PassLibrary& passes, PlanMemory& memory) {
+void run(const subject::Lab& lab, const Plan& plan, const scene::PassLibrary& passes, PlanMemory& memory) {
     for (const PlannedPass& pass : plan.passes) {
-        check::PassBindings bindings{
+        pass::PassBindings bindings{
             .push_constants = pass.parameters, .constants = {}, .groups = pass.groups};
         for (const auto& constant : pass.source.constants)
             bindings.constants.push_back({constant.id, constant.bits});
@@ -88,8 +88,8 @@ void run(const check::Lab& lab, const Plan& plan, const scene::PassLibrary& pass
         }
         const auto before = bindings.images;
         const auto language = lab.language();
-        const bool es = language == shader::Language::es310 || language == shader::Language::es320;
-        check::Pass(lab, pass.name, module_of(pass.source, passes), language ? text_of(pass, passes, es) : "")
+        const bool es = language == source::Language::es310 || language == source::Language::es320;
+        pass::Pass(lab, pass.name, module_of(pass.source, passes), language ? text_of(pass, passes, es) : "")
             .run(bindings);
         for (auto& [binding, image] : bindings.images) {
             const ImageName name = image_name_of(pass.resources[binding]);

@@ -16,15 +16,17 @@ struct PlanMemory {
     // The engine's depth and normals are those of the view; everything else is 0, or as the plan has it.
     PlanMemory(const Plan& plan, const scene::GBuffer& view);
 
-    [[nodiscard]] const check::Image& image(const std::string& name) const { return images.at(name).front(); }
+    [[nodiscard]] const subject::Image& image(const std::string& name) const {
+        return images.at(name).front();
+    }
 
-    std::map<std::string, std::vector<check::Image>> images;
-    std::map<std::string, std::vector<check::Word>> buffers;
+    std::map<std::string, std::vector<subject::Image>> images;
+    std::map<std::string, std::vector<subject::Word>> buffers;
 };
 
 // Runs the passes of a plan one after another on the device of a lab: Vulkan and the interpreter get their
-// modules, OpenGL the texts that engines take. Throws like check::Pass; backend::Unsupported for a pass that
+// modules, OpenGL the texts that engines take. Throws like pass::Pass; backend::Unsupported for a pass that
 // is no text of OpenGL ES.
-void run(const check::Lab& lab, const Plan& plan, const scene::PassLibrary& passes, PlanMemory& memory);
+void run(const subject::Lab& lab, const Plan& plan, const scene::PassLibrary& passes, PlanMemory& memory);
 
 }  // namespace gloam::effect

@@ -10,20 +10,21 @@
 namespace gloam::effect {
 namespace {
 
-std::uint64_t bytes_of(const gpu::Image& image) {
-    return std::uint64_t{image.extent().width} * image.extent().height * gpu::texel_bytes(image.format());
+std::uint64_t bytes_of(const backend::vulkan::Image& image) {
+    return std::uint64_t{image.extent().width} * image.extent().height *
+           backend::vulkan::texel_bytes(image.format());
 }
 
-void record(gpu::Commands& commands, const Step& pass) {
+void record(backend::vulkan::Commands& commands, const Step& pass) {
     if (pass.groups_from != nullptr)
         commands.dispatch(*pass.pipeline, pass.resources, *pass.groups_from, pass.groups_at, pass.parameters);
     else
         commands.dispatch(*pass.pipeline, pass.resources, pass.groups, pass.parameters);
 }
 
-void run_watched(const gpu::Device& device, const Step& pass, const PassWatcher& watcher) {
+void run_watched(const backend::vulkan::Device& device, const Step& pass, const PassWatcher& watcher) {
     watcher(pass, false);
-    gpu::Commands commands(device);
+    backend::vulkan::Commands commands(device);
     record(commands, pass);
     commands.submit();
     watcher(pass, true);
@@ -39,7 +40,7 @@ int frames_at_once(const std::vector<std::vector<double>>& times) {
 
 }  // namespace
 
-std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes, int repeat,
+std::vector<PassTime> run(const backend::vulkan::Device& device, std::span<const Step> passes, int repeat,
                           const PassWatcher& watcher) {
     std::vector<std::vector<double>> times(passes.size());
     int batch = 1;  // frames that are submitted at once
@@ -49,7 +50,7 @@ std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passe
             continue;
         }
         if (i == 1) batch = frames_at_once(times);
-        gpu::Commands commands(device);
+        backend::vulkan::Commands commands(device);
         for (int frame = i; frame < std::min(i + batch, repeat); ++frame) {
             commands.timestamp();
             for (const Step& pass : passes) {
@@ -85,16 +86,17 @@ std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
 std::uint64_t memory_of(std::span<const Step> passes) {
     std::map<const void*, std::uint64_t> bytes;
     for (const Step& pass : passes) {
-        for (const gpu::Resource& resource : pass.resources) {
-            if (const auto* buffer = std::get_if<std::reference_wrapper<const gpu::Buffer>>(&resource)) {
+        for (const backend::vulkan::Resource& resource : pass.resources) {
+            if (const auto* buffer =
+                    std::get_if<std::reference_wrapper<const backend::vulkan::Buffer>>(&resource)) {
                 bytes[&buffer->get()] = buffer->get().size();
             } else {
-                const auto* level = std::get_if<gpu::ImageLevel>(&resource);
-                const auto* linear = std::get_if<gpu::LinearImage>(&resource);
-                const gpu::Image& image = level ? level->image
-                                          : linear
-                                              ? linear->image
-                                              : std::get<std::reference_wrapper<const gpu::Image>>(resource);
+                const auto* level = std::get_if<backend::vulkan::ImageLevel>(&resource);
+                const auto* linear = std::get_if<backend::vulkan::LinearImage>(&resource);
+                const backend::vulkan::Image& image =
+                    level    ? level->image
+                    : linear ? linear->image
+                             : std::get<std::reference_wrapper<const backend::vulkan::Image>>(resource);
                 bytes[&image] = bytes_of(image);
             }
         }

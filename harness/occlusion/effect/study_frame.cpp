@@ -18,17 +18,17 @@ using Origin = PlannedImage::Origin;
 struct ImageRow {
     const char* name;
     bool exists;
-    gpu::Format format;
+    backend::vulkan::Format format;
     Origin origin = Origin::frame;
 };
 
 std::vector<ImageRow> images_of(const Moment& m) {
-    using enum gpu::Format;
+    using enum backend::vulkan::Format;
     const bool converts = m.converted.has_value();
     const bool remapped = remaps(m.settings);
     const bool alone = shows_alone(m.settings);
     const bool filtered = filters(m.settings);
-    const gpu::Format output = format_of(m.settings.output);
+    const backend::vulkan::Format output = format_of(m.settings.output);
     return {
         {"depth", true, r32f, Origin::engine},  // as it is stored, or eye-linear in world units
         {"normal", m.has_normals || !converts, rgba32f, m.has_normals ? Origin::engine : Origin::frame},
@@ -69,7 +69,7 @@ bool has(const Plan& plan, std::string_view name) {
 // The state of the study's frame: the last view, images and histories, and what the next frame runs.
 class StudyPasses : public FramePasses {
   public:
-    StudyPasses(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent size)
+    StudyPasses(const backend::vulkan::Device& device, const scene::PassLibrary& passes, backend::Extent size)
         : device_(&device), executor_(device, passes), resources_(device) {
         moment_.shows_unfiltered = true;
         look({.camera = {}, .extent = size, .border = {}}, false);
@@ -89,7 +89,7 @@ class StudyPasses : public FramePasses {
     }
     [[nodiscard]] Frame collect() const;
 
-    const gpu::Device* device_;
+    const backend::vulkan::Device* device_;
     Executor executor_;
     Resources resources_;
     Moment moment_;           // the next frame, or the last one
@@ -201,8 +201,8 @@ std::vector<PlannedPass> planned_passes(Moment moment, const Plan& resources,
     return passes;
 }
 
-std::unique_ptr<FramePasses> study_passes(const gpu::Device& device, const scene::PassLibrary& passes,
-                                          gpu::Extent extent) {
+std::unique_ptr<FramePasses> study_passes(const backend::vulkan::Device& device,
+                                          const scene::PassLibrary& passes, backend::Extent extent) {
     return std::make_unique<StudyPasses>(device, passes, extent);
 }
 

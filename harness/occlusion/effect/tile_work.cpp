@@ -29,12 +29,12 @@ float nearest_in(const scene::GBuffer& view, std::uint32_t column, std::uint32_t
 
 }  // namespace
 
-gpu::Extent tiles_of(gpu::Extent view) {
+backend::Extent tiles_of(backend::Extent view) {
     return {(view.width + tile_side - 1) / tile_side, (view.height + tile_side - 1) / tile_side};
 }
 
 std::vector<TileWork> tile_work_of(const scene::GBuffer& view, const Settings& settings) {
-    const gpu::Extent count = tiles_of(view.extent);
+    const backend::Extent count = tiles_of(view.extent);
     const bool all = settings.passes == Passes::study || settings.resolution == Resolution::full;
     std::vector<TileWork> tiles;
     for (std::uint32_t row = 0; row < count.height; ++row)

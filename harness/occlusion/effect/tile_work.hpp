@@ -12,7 +12,7 @@ namespace gloam::effect {
 inline constexpr std::uint32_t tile_side = 8;  // pixels
 
 // Tiles that cover a view.
-[[nodiscard]] gpu::Extent tiles_of(gpu::Extent view);
+[[nodiscard]] backend::Extent tiles_of(backend::Extent view);
 
 // What a frame does in a tile of 8 x 8 pixels of the view, the most that it does in any of its pixels.
 enum class TileWork {

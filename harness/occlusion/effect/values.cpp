@@ -89,12 +89,12 @@ const std::vector<double>& Values::at(const std::string& name, std::size_t count
     return found->second;
 }
 
-std::vector<std::byte> Values::push_constants(const shader::ModuleInterface& interface,
+std::vector<std::byte> Values::push_constants(const module::ModuleInterface& interface,
                                               const std::string& file) const {
     std::vector<std::byte> bytes;
     if (!interface.push_constants) return bytes;
     bytes.resize(interface.push_constants->size);
-    for (const shader::LaidOut& member : interface.push_constants->members) {
+    for (const module::LaidOut& member : interface.push_constants->members) {
         const std::vector<double>& numbers = at(member.name, std::size_t{member.rows} * member.columns, file);
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const std::size_t column = i / member.rows * (member.size / member.columns);
@@ -105,10 +105,10 @@ std::vector<std::byte> Values::push_constants(const shader::ModuleInterface& int
     return bytes;
 }
 
-std::vector<gpu::SpecializationConstant> Values::constants(const shader::ModuleInterface& interface,
-                                                           const std::string& file) const {
-    std::vector<gpu::SpecializationConstant> all;
-    for (const shader::SpecializationConstant& constant : interface.constants)
+std::vector<backend::vulkan::SpecializationConstant> Values::constants(
+    const module::ModuleInterface& interface, const std::string& file) const {
+    std::vector<backend::vulkan::SpecializationConstant> all;
+    for (const module::SpecializationConstant& constant : interface.constants)
         all.push_back({.id = constant.id, .bits = bits_of(at(constant.name, 1, file)[0], constant.type)});
     return all;
 }

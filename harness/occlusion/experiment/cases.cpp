@@ -228,7 +228,7 @@ scene::ClosedFormView closed_form_of(const Case& one) {
     throw std::invalid_argument(fmt::format("closed_form {}: expected {}", one.scene, known));
 }
 
-BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {
+BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, backend::Extent extent) {
     BenchmarkFrames frames{.extent = extent,
                            .frames = experiment.frames,
                            .scored = one.scored.value_or(experiment.scored),

@@ -273,10 +273,11 @@ std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuf
 
 }  // namespace
 
-ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes)
+ConfigurationStudy::ConfigurationStudy(const backend::vulkan::Device& device,
+                                       const scene::PassLibrary& passes)
     : device_(&device), passes_(passes) {}
 
-effect::AmbientOcclusion& ConfigurationStudy::effect_for(gpu::Extent extent) {
+effect::AmbientOcclusion& ConfigurationStudy::effect_for(backend::Extent extent) {
     const auto key = std::pair(extent.width, extent.height);
     return effects_.try_emplace(key, *device_, passes_, extent).first->second;
 }
@@ -330,8 +331,8 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const eff
     return visit;
 }
 
-PlainRun::PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
-                   effect::SliceTaps taps, int blurs)
+PlainRun::PlainRun(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
+                   backend::Extent extent, effect::SliceTaps taps, int blurs)
     : slices_(device, passes, extent, taps, blurs) {}
 
 ConfigurationVisit PlainRun::visit(BenchmarkViews& views, int round) {

@@ -29,7 +29,7 @@ namespace gloam::experiment {
 
 // The frames of a scene that the benchmark uses, and the number of rays of their truth.
 struct BenchmarkFrames {
-    gpu::Extent extent;
+    backend::Extent extent;
     int frames = 16;  // of a temporal run
     int scored = 8;   // the last ones of these: 1 to frames
     int every = 1;    // of these, from one that counts to the next
@@ -186,7 +186,7 @@ struct ConfigurationVisit {
 class ConfigurationStudy {
   public:
     // The device must outlive this object.
-    ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes);
+    ConfigurationStudy(const backend::vulkan::Device& device, const scene::PassLibrary& passes);
 
     // Round 0 judges all scored frames and warms up; it does not time single frames. Each later round times a
     // single frame at one of the scored frames, in turn. A temporal run goes through all frames each time and
@@ -195,12 +195,12 @@ class ConfigurationStudy {
                                            bool temporal, int round);
 
   private:
-    effect::AmbientOcclusion& effect_for(gpu::Extent extent);
+    effect::AmbientOcclusion& effect_for(backend::Extent extent);
     [[nodiscard]] ConfigurationVisit single(BenchmarkViews& views, effect::Settings settings, int round);
     [[nodiscard]] ConfigurationVisit temporal(BenchmarkViews& views, const effect::Settings& settings,
                                               int round);
 
-    const gpu::Device* device_;
+    const backend::vulkan::Device* device_;
     scene::PassLibrary passes_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, effect::AmbientOcclusion>
         effects_;  // by size of the view
@@ -210,7 +210,7 @@ class ConfigurationStudy {
 class PlainRun {
   public:
     // `blurs`: times that the plain blur is applied, >= 0. Throws like PlainSlices.
-    PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+    PlainRun(const backend::vulkan::Device& device, const scene::PassLibrary& passes, backend::Extent extent,
              effect::SliceTaps taps, int blurs);
 
     // Round 0 judges all scored frames. Each later round times them. Throws like

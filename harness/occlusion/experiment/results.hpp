@@ -37,8 +37,8 @@ struct PointQuality {
 
 // What one visit to a candidate in a case gave.
 struct Visit {
-    gpu::Extent size;  // of the experiment
-    Case shown;        // its name, and what tables say of it; all else is empty
+    backend::Extent size;  // of the experiment
+    Case shown;            // its name, and what tables say of it; all else is empty
     std::string candidate;
     std::string group;                       // of the candidate
     int round = 0;                           // 0: errors

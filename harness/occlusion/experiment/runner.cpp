@@ -41,7 +41,7 @@ struct Visited {
 // All cases at one size.
 class SizeRun {
   public:
-    SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record)
+    SizeRun(const Experiment& experiment, backend::Extent extent, const Place& place, Record& record)
         : experiment_(experiment), extent_(extent), place_(place), record_(record) {
         for (const Table& table : experiment.tables)
             measures_.insert(table.measures.begin(), table.measures.end());
@@ -222,7 +222,8 @@ class SizeRun {
         if (subject.kind != Kind::effect) return std::nullopt;
         const effect::Settings& settings = subject.settings;
         constexpr std::uint32_t pixels = 257;  // of a side of its image
-        if (!closed_form_) closed_form_.emplace(place_.device, place_.passes, gpu::Extent{pixels, pixels});
+        if (!closed_form_)
+            closed_form_.emplace(place_.device, place_.passes, backend::Extent{pixels, pixels});
         const effect::Estimate measured =
             effect::measured(*closed_form_, pixels, view, settings, experiment_.frames);
         const effect::Remap remap = remap_of(settings);
@@ -243,7 +244,7 @@ class SizeRun {
     // radius: in the world; that of the views where it is not given.
     [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round,
                                            std::optional<double> radius = {}) {
-        const gpu::Extent extent = views.frames().extent;
+        const backend::Extent extent = views.frames().extent;
         switch (subject.kind) {
             case Kind::plain:
                 return loops_
@@ -262,7 +263,7 @@ class SizeRun {
                     studies_
                         .try_emplace(
                             subject.hoisted, place_.device,
-                            subject.hoisted ? passes : passes.with(shader::Optimization::performance))
+                            subject.hoisted ? passes : passes.with(module::Optimization::performance))
                         .first->second;
                 const auto world = static_cast<float>(radius.value_or(views.scene().ao_radius));
                 return study.visit(views, with_radius(subject.settings, world), subject.sequence, round);
@@ -271,7 +272,7 @@ class SizeRun {
     }
 
     const Experiment& experiment_;
-    gpu::Extent extent_;
+    backend::Extent extent_;
     const Place& place_;
     Record& record_;
     // What cases share, by what it is made for.
@@ -284,9 +285,9 @@ class SizeRun {
 
 }  // namespace
 
-void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
+void run(const Experiment& experiment, const std::vector<backend::Extent>& sizes, const Place& place,
          Record& record) {
-    for (const gpu::Extent extent : sizes) {
+    for (const backend::Extent extent : sizes) {
         require_possible(experiment, place);
         if (experiment.rounds > 0) effect::require_timestamps(place.device.info());
         SizeRun(experiment, extent, place, record).run();

@@ -15,13 +15,13 @@ namespace gloam::experiment {
 struct Picture {
     std::string name;  // "CASE-CANDIDATE-KIND"
     std::string kind;  // one of Layer::pictures
-    gpu::Extent extent;
+    backend::Extent extent;
     std::vector<float> values;  // occlusion, magnitudes of errors, or parts of the most that there can be
 };
 
 // Where an experiment runs. The device and the passes must outlive the call.
 struct Place {
-    const gpu::Device& device;
+    const backend::vulkan::Device& device;
     const scene::PassLibrary& passes;
     std::filesystem::path truth_cache;  // empty: the truth is not kept
     std::filesystem::path meshes;       // of views
@@ -41,7 +41,7 @@ void require_possible(const Experiment& experiment, const Place& place);
 // the candidates in reverse, so that the machine's drift affects all alike. Throws like require_possible(),
 // BenchmarkViews and effect::AmbientOcclusion, and std::runtime_error for a device without timestamps if
 // there are rounds.
-void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
+void run(const Experiment& experiment, const std::vector<backend::Extent>& sizes, const Place& place,
          Record& record);
 
 }  // namespace gloam::experiment

@@ -33,13 +33,13 @@ struct LightingOptions {
 // The light of a picture at several samples of each pixel, so that its edges are smooth. The occlusion stays
 // that of the pixels: a sample shows the pixel of `pixel`.
 struct PictureLight {
-    gpu::Extent extent;                // in pixels of the view
+    backend::Extent extent;            // in pixels of the view
     int samples = 1;                   // on each side of a pixel
     SplitLight light;                  // of each sample: extent * samples on each side, rows from the top
     std::vector<glm::vec3> albedo;     // of each sample; 0 at the background
     std::vector<std::uint32_t> pixel;  // of each sample: the pixel whose surface it shows
 
-    [[nodiscard]] gpu::Extent sampled() const {
+    [[nodiscard]] backend::Extent sampled() const {
         const auto count = static_cast<std::uint32_t>(samples);
         return {extent.width * count, extent.height * count};
     }

@@ -142,7 +142,7 @@ std::vector<ClosedFormView> closed_form_views(Projection projection) {
 
 GBuffer draw(const ClosedFormView& view, std::uint32_t size) {
     GBuffer buffer = draw(view.scene, {size, size});
-    buffer.border = gpu::Extent{size / 2, size / 2};
+    buffer.border = backend::Extent{size / 2, size / 2};
     // Several surfaces meet in the middle.
     buffer.normal[std::size_t{size} * (size / 2) + size / 2] = view_rotation(view.scene.camera)[2];
     return buffer;

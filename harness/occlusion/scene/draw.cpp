@@ -56,13 +56,13 @@ glm::vec3 motion_of(std::size_t pixel, const glm::vec3& previous_position, const
 // One frame of one scene.
 class Shot {
   public:
-    Shot(const Scene& scene, gpu::Extent frame, const DrawOptions& options)
+    Shot(const Scene& scene, backend::Extent frame, const DrawOptions& options)
         : options_(options),
           mesh_(view_space_mesh(scene, options.frame)),
           rays_(mesh_),
           objects_(objects_of_triangles(scene)) {
-        const gpu::Extent border = guard_border(frame, options.guard);
-        const gpu::Extent wide = with_border(frame, border);
+        const backend::Extent border = guard_border(frame, options.guard);
+        const backend::Extent wide = with_border(frame, border);
         const double aspect = static_cast<double>(wide.width) / wide.height;
         const int previous = std::max(0, options.frame - 1);
         const Camera now = with_border(camera_at(scene, options.frame), frame, border);
@@ -177,7 +177,7 @@ Mesh view_space_mesh(const Scene& scene, int frame) {
     return all;
 }
 
-GBuffer draw(const Scene& scene, gpu::Extent extent, const DrawOptions& options) {
+GBuffer draw(const Scene& scene, backend::Extent extent, const DrawOptions& options) {
     return Shot(scene, extent, options).take();
 }
 

@@ -25,6 +25,6 @@ struct DrawOptions {
 // other begins, there is solid still. From frame 1 on the camera holds the previous frame's view.
 // With a guard the view is larger than `extent`; GBuffer::border is the difference on each side. Throws
 // std::invalid_argument for a guard out of range.
-[[nodiscard]] GBuffer draw(const Scene& scene, gpu::Extent extent, const DrawOptions& options = {});
+[[nodiscard]] GBuffer draw(const Scene& scene, backend::Extent extent, const DrawOptions& options = {});
 
 }  // namespace gloam::scene

@@ -103,7 +103,7 @@ glm::mat4 projection_from_planes(const json& camera) {
 }
 
 // What an image lacks to have the projection's axis in its middle (GBuffer::off_centre).
-glm::dvec2 off_centre_of(const glm::mat4& projection, gpu::Extent extent) {
+glm::dvec2 off_centre_of(const glm::mat4& projection, backend::Extent extent) {
     const bool orthographic = projection[2][3] == 0.0F;
     const glm::dvec4 offset(orthographic ? -projection[3] : projection[2]);
     const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F || projection[0][2] != 0.0F ||
@@ -145,7 +145,7 @@ bool turned(CameraFrame& camera) {
 }
 
 // Guard band: pixels on the left and right, and at top and bottom, or on each of the four sides.
-Border border_of(const json& root, gpu::Extent extent) {
+Border border_of(const json& root, backend::Extent extent) {
     const json* given_border = given(root, "border");
     if (given_border == nullptr) return {};
     std::vector<std::uint32_t> n = pixels_in(*given_border);
@@ -157,7 +157,7 @@ Border border_of(const json& root, gpu::Extent extent) {
 }
 
 // What is around the viewport in an image.
-Border around_viewport(const json& root, gpu::Extent image) {
+Border around_viewport(const json& root, backend::Extent image) {
     const json* viewport = given(root, "viewport");
     if (viewport == nullptr) return {};
     const std::vector<std::uint32_t> n = pixels_in(*viewport);
@@ -174,7 +174,7 @@ FrameDescription parse(const std::string& text) {
     const json root = json::parse(text);
     if (!root.is_object() || given(root, "camera") == nullptr)
         throw std::runtime_error("expected an object with \"camera\" in it");
-    const gpu::Extent image{side(root, "width"), side(root, "height")};
+    const backend::Extent image{side(root, "width"), side(root, "height")};
     const Border around = around_viewport(root, image);
     GBuffer view{.extent = frame_of({.extent = image, .border = around}),
                  .camera = camera_of(root["camera"])};

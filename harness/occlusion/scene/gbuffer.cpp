@@ -19,7 +19,7 @@ void keep_motion_inside(GBuffer& frame) {
 // The view in a window that is larger by these pixels on the left, at the top, on the right and at the
 // bottom, with background in them; smaller where they are negative.
 GBuffer in_window(GBuffer view, const glm::ivec4& more) {
-    const gpu::Extent from = view.extent;
+    const backend::Extent from = view.extent;
     const glm::ivec2 before(more.x, more.y);
     const glm::ivec2 behind(more.z, more.w);
     const glm::ivec2 size = glm::ivec2(from.width, from.height) + before + behind;
@@ -88,7 +88,7 @@ glm::vec3 earlier(const GBuffer& view, const PixelPositions& now, const PixelPos
 
 }  // namespace
 
-gpu::Extent guard_border(gpu::Extent frame, double guard) {
+backend::Extent guard_border(backend::Extent frame, double guard) {
     if (!(guard >= 0.0 && guard <= 0.5))
         throw std::invalid_argument(fmt::format("guard {:g}: expected 0 to 0.5", guard));
     const auto pixels = [&](double side) {
@@ -97,11 +97,11 @@ gpu::Extent guard_border(gpu::Extent frame, double guard) {
     return {pixels(frame.width), pixels(frame.height)};
 }
 
-gpu::Extent with_border(gpu::Extent frame, const Border& border) {
+backend::Extent with_border(backend::Extent frame, const Border& border) {
     return {border.left + frame.width + border.right, border.top + frame.height + border.bottom};
 }
 
-gpu::Extent frame_of(const GBuffer& view) {
+backend::Extent frame_of(const GBuffer& view) {
     const auto inner = [](std::uint32_t side, std::uint32_t before, std::uint32_t after) {
         if (before < side && after < side - before) return side - before - after;
         throw std::invalid_argument(fmt::format(
@@ -112,8 +112,8 @@ gpu::Extent frame_of(const GBuffer& view) {
             inner(view.extent.height, border.top, border.bottom)};
 }
 
-Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border) {
-    if (border == gpu::Extent{}) return camera;
+Camera with_border(const Camera& camera, backend::Extent frame, backend::Extent border) {
+    if (border == backend::Extent{}) return camera;
     Camera wider = camera;
     const double factor = (frame.height + 2.0 * border.height) / frame.height;  // 1 + 2 guard
     wider.fovy_rad = 2.0 * std::atan(factor * std::tan(0.5 * camera.fovy_rad));

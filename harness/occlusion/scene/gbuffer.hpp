@@ -37,11 +37,11 @@ struct Border {
     Border(std::uint32_t l, std::uint32_t t, std::uint32_t r, std::uint32_t b)
         : left(l), top(t), right(r), bottom(b) {}
     // The same on the left and right (width), and at top and bottom (height).
-    Border(gpu::Extent each)  // NOLINT(google-explicit-constructor)
+    Border(backend::Extent each)  // NOLINT(google-explicit-constructor)
         : Border(each.width, each.height, each.width, each.height) {}
 
     // What two opposite sides have in common.
-    [[nodiscard]] gpu::Extent each_side() const { return {std::min(left, right), std::min(top, bottom)}; }
+    [[nodiscard]] backend::Extent each_side() const { return {std::min(left, right), std::min(top, bottom)}; }
 
     friend bool operator==(const Border&, const Border&) = default;
 };
@@ -49,7 +49,7 @@ struct Border {
 // The input of an ambient-occlusion effect from an engine: one frame, rows from the top. Each image has width
 // * height elements, or is empty.
 struct GBuffer {
-    gpu::Extent extent;
+    backend::Extent extent;
     std::vector<float> depth;  // eye-linear, world units; background +infinity
     std::vector<glm::vec3>
         normal;  // view space, unit, facing the viewer; background 0. Empty: from the depth
@@ -85,22 +85,22 @@ struct GBuffer {
 // The band in pixels, on the left and right (width) and at top and bottom (height): guard times each side of
 // the frame, rounded to the nearest pixel, halves up. guard: 0 to 0.5; usual values are 0.05 to 0.1. Throws
 // std::invalid_argument for other values.
-[[nodiscard]] gpu::Extent guard_border(gpu::Extent frame, double guard);
+[[nodiscard]] backend::Extent guard_border(backend::Extent frame, double guard);
 
 // The size of the frame with its band.
-[[nodiscard]] gpu::Extent with_border(gpu::Extent frame, const Border& border);
+[[nodiscard]] backend::Extent with_border(backend::Extent frame, const Border& border);
 
 // The size of a view without its band. Throws std::invalid_argument for a band that leaves no pixel.
-[[nodiscard]] gpu::Extent frame_of(const GBuffer& view);
+[[nodiscard]] backend::Extent frame_of(const GBuffer& view);
 
 // The camera of the larger view: tan(fov'/2) = (1 + 2 border / frame) tan(fov/2) along each axis. Its aspect
 // is that of with_border().
-[[nodiscard]] Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border);
+[[nodiscard]] Camera with_border(const Camera& camera, backend::Extent frame, backend::Extent border);
 
 // A window of an image, from its pixel `first` on; `around` where it reaches beyond the image.
 template <class Texel>
-[[nodiscard]] std::vector<Texel> window_of(const std::vector<Texel>& image, gpu::Extent extent,
-                                           const glm::ivec2& first, gpu::Extent window,
+[[nodiscard]] std::vector<Texel> window_of(const std::vector<Texel>& image, backend::Extent extent,
+                                           const glm::ivec2& first, backend::Extent window,
                                            const Texel& around = {}) {
     std::vector<Texel> inner(image.empty() ? 0 : std::size_t{window.width} * window.height, around);
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -114,7 +114,7 @@ template <class Texel>
 // The pixels of an image of `view` that belong to the frame.
 template <class Texel>
 [[nodiscard]] std::vector<Texel> cropped(const GBuffer& view, const std::vector<Texel>& image) {
-    const gpu::Extent frame = frame_of(view);
+    const backend::Extent frame = frame_of(view);
     if (frame == view.extent) return image;
     return window_of(image, view.extent, {view.border.left, view.border.top}, frame);
 }

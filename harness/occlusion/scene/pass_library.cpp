@@ -20,20 +20,20 @@ std::string lines_of(const std::vector<std::string>& defines) {
 PassLibrary::PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache)
     : glsl_(std::move(glsl)), cache_(cache) {}
 
-PassLibrary PassLibrary::with(shader::Optimization optimization) const {
+PassLibrary PassLibrary::with(module::Optimization optimization) const {
     PassLibrary other = *this;
     other.optimization_ = optimization;
     return other;
 }
 
 PassLibrary PassLibrary::unrolled() const {
-    return optimization_ == shader::Optimization::hoisting ? with(shader::Optimization::unrolling) : *this;
+    return optimization_ == module::Optimization::hoisting ? with(module::Optimization::unrolling) : *this;
 }
 
-shader::Source PassLibrary::source(const std::string& name,
+source::Source PassLibrary::source(const std::string& name,
                                    const std::vector<Replacement>& replacements) const {
     const std::filesystem::path file = glsl_ / "passes" / name;
-    std::string text = shader::read_text(file);
+    std::string text = module::read_text(file);
     for (const Replacement& replacement : replacements) {
         const std::string line = "#include \"" + replacement.include + "\"";
         const std::size_t at = text.find(line);
@@ -46,18 +46,18 @@ shader::Source PassLibrary::source(const std::string& name,
 std::string PassLibrary::text(const std::string& name, const std::vector<std::string>& defines,
                               const std::vector<Replacement>& replacements,
                               const std::map<std::uint32_t, std::uint32_t>& constants,
-                              shader::Language language) const {
-    return shader::pack({{.name = "defines", .text = lines_of(defines)}, source(name, replacements)},
-                        {.language = language, .stage = shader::stage_of_file(name), .constants = constants},
+                              source::Language language) const {
+    return module::pack({{.name = "defines", .text = lines_of(defines)}, source(name, replacements)},
+                        {.language = language, .stage = source::stage_of_file(name), .constants = constants},
                         {glsl_});
 }
 
-shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,
+module::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,
                                    const std::vector<Replacement>& replacements) const {
-    shader::Source pass = source(name, replacements);
+    source::Source pass = source(name, replacements);
     // The #version line must remain the first.
     pass.text.insert(pass.text.find('\n', pass.text.find("#version")) + 1, lines_of(defines));
-    return cache_.compile(pass, {.stage = shader::stage_of_file(name).value(),
+    return cache_.compile(pass, {.stage = source::stage_of_file(name).value(),
                                  .include_roots = {glsl_},
                                  .variant = {.optimization = optimization_}});
 }

@@ -29,32 +29,32 @@ class PassLibrary {
 
     Inputs inputs = Inputs::by_device;  // where pipelines are made of the passes
 
-    // The same passes with another optimization than shader::Optimization::hoisting.
-    [[nodiscard]] PassLibrary with(shader::Optimization optimization) const;
+    // The same passes with another optimization than module::Optimization::hoisting.
+    [[nodiscard]] PassLibrary with(module::Optimization optimization) const;
 
     // The same passes; where loop invariants are hoisted, drivers are asked to unroll the loops as well.
     [[nodiscard]] PassLibrary unrolled() const;
 
     // Compiles the pass passes/NAME, whose suffix determines the stage. `defines` are defined before the
     // first line. Throws std::runtime_error for a missing file, std::invalid_argument for a replacement of a
-    // file that the pass does not include, shader::CompileError for a pass that does not compile.
-    [[nodiscard]] shader::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
+    // file that the pass does not include, source::CompileError for a pass that does not compile.
+    [[nodiscard]] module::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
                                         const std::vector<Replacement>& replacements = {}) const;
 
     // The same pass as one text of this version without #include and #if, with its constants set
-    // (shader::pack()). Throws like compile().
+    // (module::pack()). Throws like compile().
     [[nodiscard]] std::string text(const std::string& name, const std::vector<std::string>& defines = {},
                                    const std::vector<Replacement>& replacements = {},
                                    const std::map<std::uint32_t, std::uint32_t>& constants = {},
-                                   shader::Language language = shader::Language::vulkan450) const;
+                                   source::Language language = source::Language::vulkan450) const;
 
   private:
-    [[nodiscard]] shader::Source source(const std::string& name,
+    [[nodiscard]] source::Source source(const std::string& name,
                                         const std::vector<Replacement>& replacements) const;
 
     std::filesystem::path glsl_;
-    shader::SpirvCache cache_;
-    shader::Optimization optimization_ = shader::Optimization::hoisting;
+    module::SpirvCache cache_;
+    module::Optimization optimization_ = module::Optimization::hoisting;
 };
 
 }  // namespace gloam::scene

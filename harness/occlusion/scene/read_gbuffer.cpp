@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
     throw std::runtime_error(file.string() + ": " + what);
 }
 
-std::string size_text(gpu::Extent extent, int channels) {
+std::string size_text(backend::Extent extent, int channels) {
     return fmt::format("{}x{} with {} channel{}", extent.width, extent.height, channels,
                        channels == 1 ? "" : "s");
 }
@@ -35,8 +35,8 @@ std::vector<float> read_image(const fs::path& stem, const FrameDescription& fram
     if (!has_pfm && !has_exr) return {};
     const fs::path& file = has_pfm ? pfm : exr;
     base::FloatImage image = has_pfm ? base::read_pfm(pfm) : read_exr(exr, channels);
-    const gpu::Extent found{image.width, image.height};
-    const gpu::Extent extent = with_border(frame.view.extent, frame.around);
+    const backend::Extent found{image.width, image.height};
+    const backend::Extent extent = with_border(frame.view.extent, frame.around);
     if (found != extent || image.channels != channels) {
         fail_with_frame(
             file, "is " + size_text(found, image.channels) + ", expected " + size_text(extent, channels));

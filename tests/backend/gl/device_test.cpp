@@ -3,7 +3,7 @@
 #include "backend/gl/program.hpp"
 #include "support/test_name.hpp"
 
-namespace gloam::gl::device_test {
+namespace gloam::backend::gl::device_test {
 
 // The device of a test, which is skipped in one line where this machine has no such device.
 class Opened : public testing::Test {
@@ -183,4 +183,4 @@ INSTANTIATE_TEST_SUITE_P(All, OpenGlDispatches,
 INSTANTIATE_TEST_SUITE_P(All, OpenGlDraws,
                          testing::Values("gl:llvmpipe-3.3", "es:llvmpipe-3.0", "es:softpipe-3.0"), name_of);
 
-}  // namespace gloam::gl::device_test
+}  // namespace gloam::backend::gl::device_test

@@ -3,7 +3,7 @@
 #include "backend/vulkan/resources.hpp"
 #include "base/half.hpp"
 
-namespace gloam::gpu::test::buffer_test {
+namespace gloam::backend::vulkan::test::buffer_test {
 
 using BufferTest = GpuTest;
 
@@ -140,4 +140,4 @@ TEST_F(ImageTest, UploadWantsEveryTexel) {
     }
 }
 
-}  // namespace gloam::gpu::test::buffer_test
+}  // namespace gloam::backend::vulkan::test::buffer_test

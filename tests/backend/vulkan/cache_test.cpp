@@ -8,7 +8,7 @@
 #include "base/cached_file.hpp"
 #include "support/full_disk.hpp"
 
-namespace gloam::gpu::test::cache_test {
+namespace gloam::backend::vulkan::test::cache_test {
 
 namespace fs = std::filesystem;
 
@@ -166,4 +166,4 @@ TEST_F(PipelineCacheTest, CannotBeWrittenIsNoError) {
     EXPECT_EQ(files_in(folder.path()).size(), 1u);
 }
 
-}  // namespace gloam::gpu::test::cache_test
+}  // namespace gloam::backend::vulkan::test::cache_test

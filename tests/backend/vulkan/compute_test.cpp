@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backend/vulkan/gpu_test.hpp"
 
-namespace gloam::gpu::test::compute_test {
+namespace gloam::backend::vulkan::test::compute_test {
 
 using ComputeTest = GpuTest;
 
@@ -172,4 +172,4 @@ TEST_F(TimestampTest, AreMonotone) {
     EXPECT_TRUE(std::ranges::is_sorted(times));
 }
 
-}  // namespace gloam::gpu::test::compute_test
+}  // namespace gloam::backend::vulkan::test::compute_test

@@ -3,7 +3,7 @@
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/internal/instance.hpp"
 
-namespace gloam::gpu::test::device_test {
+namespace gloam::backend::vulkan::test::device_test {
 
 using ValidationTest = GpuTest;
 
@@ -142,4 +142,4 @@ TEST_F(DriversTest, WhatIsNoDriverIsNamed) {
     expect_refused(folder.write("a:b.json", good_manifest), {"a:b.json", "colon"});
 }
 
-}  // namespace gloam::gpu::test::device_test
+}  // namespace gloam::backend::vulkan::test::device_test

@@ -6,7 +6,7 @@
 #include "support/environment.hpp"
 #include "support/files.hpp"
 
-namespace gloam::gpu::test {
+namespace gloam::backend::vulkan::test {
 
 // Opens devices with validation, and fails on any message, those of closing the device included.
 class GpuTest : public ::testing::Test {
@@ -44,8 +44,8 @@ std::span<const std::byte> bytes_of(const T& value) {
 }
 
 // The module of a shader without its #version line.
-inline shader::Spirv compiled(const std::string& text, shader::Stage stage = shader::Stage::compute) {
-    return shader::compile({"test", "#version 450\n" + text}, {.stage = stage});
+inline module::Spirv compiled(const std::string& text, source::Stage stage = source::Stage::compute) {
+    return module::compile({"test", "#version 450\n" + text}, {.stage = stage});
 }
 
 // A pipeline of a compute shader, without its #version line.
@@ -108,4 +108,4 @@ inline void run(const Device& device, const ComputePipeline& pipeline, const std
     commands.submit();
 }
 
-}  // namespace gloam::gpu::test
+}  // namespace gloam::backend::vulkan::test

@@ -7,7 +7,7 @@
 #include "backend/vulkan/gpu_test.hpp"
 #include "base/process.hpp"
 
-namespace gloam::gpu::test::mismatch_test {
+namespace gloam::backend::vulkan::test::mismatch_test {
 
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
@@ -37,7 +37,7 @@ TEST_F(MismatchTest, PipelinesThatCannotBe) {
     expect_error<std::invalid_argument>([&] { make({.spirv = {}}); }, {"not a SPIR-V module", "0 words"});
     expect_error<std::invalid_argument>([&] { make({.spirv = garbage}); },
                                         {"not a SPIR-V module", "0x12345678"});
-    const shader::Spirv fill = compiled(fill_shader);
+    const module::Spirv fill = compiled(fill_shader);
     expect_error<std::invalid_argument>([&] { make({.spirv = fill, .push_constant_bytes = 6}); },
                                         {"6 bytes"});
     expect_error<std::invalid_argument>([&] { make({.spirv = fill, .push_constant_bytes = 1u << 20}); },
@@ -147,4 +147,4 @@ TEST(TimeoutDeathTest, DestructionNeitherWaitsNorBreaksTheRules) {
                 "saw: device .* within 0.2 s .prompt.");
 }
 
-}  // namespace gloam::gpu::test::mismatch_test
+}  // namespace gloam::backend::vulkan::test::mismatch_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backend/vulkan/gpu_test.hpp"
 
-namespace gloam::gpu::test::raster_test {
+namespace gloam::backend::vulkan::test::raster_test {
 
 constexpr Extent extent{8, 6};
 constexpr std::size_t pixels = extent.width * extent.height;
@@ -10,11 +10,11 @@ class RasterTest : public GpuTest {
   protected:
     // Fragments of the top left half add a value to an image of one channel.
     RasterPipeline adding() {
-        const shader::Spirv vertex = compiled(R"(
+        const module::Spirv vertex = compiled(R"(
 void main() { gl_Position = vec4(2.0 * vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1) - 1.0, 0.0, 1.0); }
 )",
-                                              shader::Stage::vertex);
-        const shader::Spirv fragment = compiled(R"(
+                                              source::Stage::vertex);
+        const module::Spirv fragment = compiled(R"(
 layout(binding = 0, r32f) uniform image2D values;
 layout(push_constant) uniform Constants { float value; };
 void main() {
@@ -22,7 +22,7 @@ void main() {
     imageStore(values, pixel, imageLoad(values, pixel) + value);
 }
 )",
-                                                shader::Stage::fragment);
+                                                source::Stage::fragment);
         return {device(),
                 {.vertex_spirv = vertex,
                  .fragment_spirv = fragment,
@@ -87,4 +87,4 @@ TEST_F(RasterTest, TimesOfLaterDispatchesAreTheirOwn) {
     EXPECT_LT(share, 0.2);  // the first has 12,000 times the work
 }
 
-}  // namespace gloam::gpu::test::raster_test
+}  // namespace gloam::backend::vulkan::test::raster_test

@@ -22,15 +22,15 @@ class Bench {
     }
 
   private:
-    static check::LabOptions options(const std::filesystem::path& glsl,
-                                     const std::filesystem::path& methods) {
-        check::LabOptions all = gloam::test::make_lab().options();
+    static subject::LabOptions options(const std::filesystem::path& glsl,
+                                       const std::filesystem::path& methods) {
+        subject::LabOptions all = gloam::test::make_lab().options();
         all.include_roots = {glsl, GLOAM_STRESS_SHADERS, methods};
         return all;
     }
 
     effect::MethodFunctions methods_;
-    check::Lab lab_;
+    subject::Lab lab_;
     scene::PassLibrary passes_;
 };
 

@@ -24,12 +24,12 @@ struct AuditCommand {
     std::vector<std::string> devices;
     std::string json;
     std::string html;
-    check::AuditOptions options;
+    audit::AuditOptions options;
 };
 
 // Says what is left out; throws where nothing remains.
 void say_left_out(const std::string& file, const FileFunctions& read) {
-    for (const check::Skipped& function : read.functions.left_out)
+    for (const subject::Skipped& function : read.functions.left_out)
         fmt::print("{}\n",
                    base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
     for (const std::string& made : read.file->excerpts.by_macro)
@@ -40,22 +40,22 @@ void say_left_out(const std::string& file, const FileFunctions& read) {
 }
 
 // One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
-std::vector<check::Audit> audits_of(const AuditCommand& command, const std::string& file,
+std::vector<audit::Audit> audits_of(const AuditCommand& command, const std::string& file,
                                     const FileFunctions& read) {
-    std::vector<check::Audit> audits;
-    const check::Ranges ranges = ranges_from(command.own.ranges);
-    const check::Lab interpreter = lab_of(read.file);
+    std::vector<audit::Audit> audits;
+    const subject::Ranges ranges = ranges_from(command.own.ranges);
+    const subject::Lab interpreter = lab_of(read.file);
     if (!command.devices.empty()) require_good_drivers();
-    std::vector<check::Lab> labs;
+    std::vector<subject::Lab> labs;
     for (const std::string& device : command.devices) labs.push_back(lab_of(read.file, device));
-    for (const check::OwnFunction& function : read.functions.found) {
+    for (const subject::OwnFunction& function : read.functions.found) {
         try {
-            audits.push_back(check::audit(interpreter, function, ranges, command.options));
+            audits.push_back(audit::audit(interpreter, function, ranges, command.options));
         } catch (const interpreter::Error& error) {
             throw std::runtime_error(fmt::format("{}: {}: {}", file, function.name, error.what()));
         }
-        for (const check::Lab& lab : labs)
-            add_witness(audits.back(), lab, question_of(lab, function, ranges), command.options);
+        for (const subject::Lab& lab : labs)
+            add_witness(audits.back(), lab, judge::question_of(lab, function, ranges), command.options);
         fmt::print("{}\n", to_text(audits.back()));
         (void)std::fflush(stdout);
     }
@@ -71,7 +71,7 @@ int run_audit(const AuditCommand& command, EquationsNamed* equations) {
     const record::AuditReport report{
         .file = file, .source = read.file->text, .audits = audits_of(command, file, read)};
     int status = 0;
-    for (const check::Audit& audit : report.audits) {
+    for (const audit::Audit& audit : report.audits) {
         if (audit.is_broken()) status = 1;
         if (!audit.was_run() && status == 0) status = 2;
     }

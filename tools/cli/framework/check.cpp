@@ -18,7 +18,7 @@ namespace gloam::cli {
 namespace {
 
 void print_failure(const CheckOptions& options, const record::DeviceSummary& device,
-                   const check::Answer& row) {
+                   const judge::Answer& row) {
     fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
     if (row.variant.empty()) return;  // the device itself
     fmt::print("run it again: {}\n", command_for(options, device, row));
@@ -26,25 +26,25 @@ void print_failure(const CheckOptions& options, const record::DeviceSummary& dev
 
 // What is said of rows behind the table: of failures, of what was not judged (which a table would say),
 // coverage, and inputs for which a user's function has no defined result.
-void print_not_judged(const check::Answer& row) {
-    if (row.outcome() == check::Outcome::not_judged && row.reason != check::Reason::unchanged)
+void print_not_judged(const judge::Answer& row) {
+    if (row.outcome() == judge::Outcome::not_judged && row.reason != judge::Reason::unchanged)
         fmt::print("{} {}: not judged: {}\n", row.equation, row.variant,
                    base::one_line(row.ran() ? row.not_judged_because() : row.error));
 }
 
-void print_coverage(const check::Answer& row) {
+void print_coverage(const judge::Answer& row) {
     if (row.coverage) fmt::print("{} {}: {}\n", row.equation, row.variant, to_text(*row.coverage));
 }
 
-void print_undefined(const check::Answer& row) {
+void print_undefined(const judge::Answer& row) {
     if (row.undefined > 0)
         fmt::print("{} {}: {} {} of {} inputs, which were not judged: {}\n", row.equation, row.variant,
-                   row.no_result == check::NoResult::too_long ? "it takes too long for"
+                   row.no_result == judge::NoResult::too_long ? "it takes too long for"
                                                               : "the result is undefined for",
                    row.undefined, row.inputs(), row.first_undefined);
 }
 
-void print_rows(const CheckOutcome& outcome, void (*print)(const check::Answer& row)) {
+void print_rows(const CheckOutcome& outcome, void (*print)(const judge::Answer& row)) {
     for (const record::CheckReport& report : outcome.reports) std::ranges::for_each(report.rows, print);
 }
 
@@ -52,10 +52,10 @@ void print_rows(const CheckOutcome& outcome, void (*print)(const check::Answer& 
 std::string step_summary(const std::vector<record::CheckReport>& reports) {
     std::map<std::string, std::array<std::size_t, 4>> counts;  // as the columns
     for (const record::CheckReport& report : reports) {
-        for (const check::Answer& row : report.rows) {
+        for (const judge::Answer& row : report.rows) {
             if (row.steps().empty()) continue;
             auto& [modules, changed, failed, not_judged] = counts[row.variant];
-            const bool is_changed = row.reason != check::Reason::unchanged;
+            const bool is_changed = row.reason != judge::Reason::unchanged;
             ++modules;
             if (is_changed) ++changed;
             if (row.failed()) ++failed;
@@ -85,7 +85,7 @@ void require_fitting(const CheckOptions& options) {
 // for an outcome that is not complete, unless a check failed.
 int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
     for (const record::CheckReport& report : outcome.reports)
-        for (const check::Answer& row : report.rows)
+        for (const judge::Answer& row : report.rows)
             if (row.failed()) print_failure(options, report.device, row);
     if (options.rows)
         fmt::print("\n{}", record::table_legend());
@@ -183,7 +183,7 @@ Command check_command(EquationsNamed* equations) {
             .run =
                 [] {
                     if (!options.compilers.empty() && options.device.empty())
-                        options.device = check::interpreter_name;
+                        options.device = subject::interpreter_name;
                     return print_outcome(options, check(options));
                 },
             .examples =

@@ -22,8 +22,8 @@ constexpr std::string_view bisect_option = "--exit-code";
 
 // One check.
 struct CheckTask {
-    check::AnswerIdentity identity;  // of the row, until that says more
-    check::RunOptions run;
+    judge::AnswerIdentity identity;  // of the row, until that says more
+    judge::RunOptions run;
     bool coverage = false;
     std::string path;  // of a user's file; empty: an equation of the catalogue
     OwnFileOptions own;

@@ -60,14 +60,14 @@ std::string with_definitions(std::string text, const std::vector<std::string>& d
     const std::size_t end = version == std::string::npos ? std::string::npos : text.find('\n', version);
     const std::size_t at = end == std::string::npos ? 0 : end + 1;
     return text.insert(
-        at, fmt::format("{}#line {}\n", shader::definitions_of(defines),
+        at, fmt::format("{}#line {}\n", module::definitions_of(defines),
                         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1));
 }
 
 std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::filesystem::path& file) {
-    const std::string text = with_definitions(shader::read_text(file), command.own.defines);
-    const shader::Spirv module = base::tried(file, [&] {
-        return shader::compile({std::filesystem::absolute(file).string(), text},
+    const std::string text = with_definitions(module::read_text(file), command.own.defines);
+    const module::Spirv module = base::tried(file, [&] {
+        return module::compile({std::filesystem::absolute(file).string(), text},
                                {.include_roots = include_roots_of(file, command.own.includes)});
     });
     return {{{.name = file.filename().string()}, cost_of(module, command.options)}};
@@ -75,8 +75,8 @@ std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::files
 
 std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
     auto [own, functions] = functions_of(file, command.functions, command.own);
-    std::vector<check::Skipped>& left_out = functions.left_out;
-    std::erase_if(functions.found, [&](const check::OwnFunction& one) {
+    std::vector<subject::Skipped>& left_out = functions.left_out;
+    std::erase_if(functions.found, [&](const subject::OwnFunction& one) {
         const bool of_quad = one.team.kind == backend::Team::Kind::quad;
         if (of_quad) left_out.push_back({one.name, "it needs the derivatives of a fragment shader"});
         return of_quad;
@@ -84,11 +84,11 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
     if (functions.found.empty())
         throw std::runtime_error(
             fmt::format("{}: nothing was counted: {}", file.string(), why_nothing(left_out)));
-    for (const check::Skipped& one : left_out)
+    for (const subject::Skipped& one : left_out)
         fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
-    const check::Lab lab = lab_of(own);
-    std::vector<shader::Spirv> kernels;
-    for (const check::OwnFunction& one : functions.found)
+    const subject::Lab lab = lab_of(own);
+    std::vector<module::Spirv> kernels;
+    for (const subject::OwnFunction& one : functions.found)
         kernels.push_back(cost_kernel(lab, one.file, one.function.name, one.signature()));
     std::vector<CostRow> rows;
     for (const cost::Cost& one : costs_of(kernels, command.options))
@@ -207,9 +207,9 @@ int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of)
 
 }  // namespace
 
-shader::Spirv cost_kernel(const check::Lab& lab, const std::string& file, const std::string& function,
-                          const check::Signature& signature) {
-    check::KernelSource source = lab.source(file, function, signature);
+module::Spirv cost_kernel(const subject::Lab& lab, const std::string& file, const std::string& function,
+                          const subject::Signature& signature) {
+    subject::KernelSource source = lab.source(file, function, signature);
     source.preserve_nan = false;
     return lab.compile_kernel({"kernel of " + function, kernel_code(source)}, source.images);
 }

@@ -12,7 +12,7 @@ namespace gloam::cli {
 // A pass of a frame, as `gloam cost` counts it.
 struct FramePass {
     std::string name;
-    shader::Spirv module;
+    module::Spirv module;
     std::vector<backend::Constant> constants;
     double pixels = 1.0;  // of the view, that an invocation makes
     double share = 1.0;   // of the view, that the pass runs on
@@ -26,7 +26,7 @@ struct PresetFrame {
 };
 
 // The kernel that `gloam check` makes of a function, but for what it declares of NaN: what is counted.
-[[nodiscard]] shader::Spirv cost_kernel(const check::Lab& lab, const std::string& file,
-                                        const std::string& function, const check::Signature& signature);
+[[nodiscard]] module::Spirv cost_kernel(const subject::Lab& lab, const std::string& file,
+                                        const std::string& function, const subject::Signature& signature);
 
 }  // namespace gloam::cli

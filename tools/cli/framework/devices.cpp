@@ -43,7 +43,7 @@ void print_json(const Drivers& drivers) {
                            {"type", device.type},
                            {"driver", device.driver},
                            {"api_version", device.api_version}});
-    all.push_back(record::json_of(check::interpreter()->info()));
+    all.push_back(record::json_of(subject::interpreter_backend()->info()));
     all.back()["index"] = nullptr;
     fmt::print("{}\n", nlohmann::ordered_json{{"gloam", base::version()}, {"devices", all}}.dump(2));
 }
@@ -65,7 +65,7 @@ int run_devices(bool json) {
         if (!listing.error.empty()) fmt::print("OpenGL on {}: {}\n", name, listing.error);
     }
     fmt::print("interpreter: for `gloam check --device interpreter`\n");
-    print_float_controls(check::interpreter()->info().float32);
+    print_float_controls(subject::interpreter_backend()->info().float32);
     return 0;
 }
 

@@ -47,9 +47,9 @@ Listing listed(const std::string& what, std::vector<std::string> environment = {
                                 .environment = std::move(environment)});
     if (result.end == base::ProcessResult::End::time)
         return {.error = fmt::format("does not load within {:g} s", patience.count()),
-                .reason = check::Reason::hang};
+                .reason = judge::Reason::hang};
     if (result.output.empty())
-        return {.error = base::one_line("its process " + result.how()), .reason = check::Reason::crash};
+        return {.error = base::one_line("its process " + result.how()), .reason = judge::Reason::crash};
     try {
         return record::from_line<Listing>(result.output.substr(0, result.output.find('\n')));
     } catch (const std::exception& error) {
@@ -88,18 +88,18 @@ std::vector<fs::path> asked_for;  // manifests of --driver
 
 void tell_the_loader() {
     std::vector<fs::path> all = asked_for;
-    const auto swiftshader = gpu::find_swiftshader();
+    const auto swiftshader = backend::vulkan::find_swiftshader();
     const auto is_swiftshader = [&](const fs::path& manifest) {
         std::error_code none;
         return fs::equivalent(manifest, *swiftshader, none);
     };
-    if (swiftshader && !gpu::drivers_are_chosen() && std::ranges::none_of(all, is_swiftshader))
+    if (swiftshader && !backend::vulkan::drivers_are_chosen() && std::ranges::none_of(all, is_swiftshader))
         all.push_back(*swiftshader);
-    gpu::add_drivers(all);
+    backend::vulkan::add_drivers(all);
     for (fs::path& manifest : asked_for) {
         manifest = fs::absolute(manifest);
         const Listing alone = listed("vulkan", only(manifest));
-        if (!alone.devices.empty() || alone.reason != check::Reason::none) continue;  // the command says it
+        if (!alone.devices.empty() || alone.reason != judge::Reason::none) continue;  // the command says it
         throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
                                              manifest.string(),
                                              alone.error.empty() ? "it gives none" : alone.error));
@@ -108,14 +108,15 @@ void tell_the_loader() {
 
 }  // namespace
 
-gpu::Device open_device(const std::string& name, bool validation) {
+backend::vulkan::Device open_device(const std::string& name, bool validation) {
     require_good_drivers();
-    return gpu::Device({.device = name,
-                        .validation = validation ? gpu::Validation::on : gpu::Validation::off,
-                        .cache_directory = cache_directory()});
+    return backend::vulkan::Device(
+        {.device = name,
+         .validation = validation ? backend::vulkan::Validation::on : backend::vulkan::Validation::off,
+         .cache_directory = cache_directory()});
 }
 
-int validation_status(gpu::Device& device) {
+int validation_status(backend::vulkan::Device& device) {
     const auto messages = device.take_validation_messages();
     for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
     return messages.empty() ? 0 : 1;
@@ -127,7 +128,7 @@ void say_skipped(const BrokenDriver& driver) {
 
 std::vector<std::pair<std::string, Listing>> list_opengl() {
     std::vector<std::pair<std::string, Listing>> executors;
-    for (const std::string& name : gl::executors()) executors.emplace_back(name, listed(name));
+    for (const std::string& name : backend::gl::executors()) executors.emplace_back(name, listed(name));
     return executors;
 }
 
@@ -144,11 +145,11 @@ std::vector<std::string> gl_device_names() {
 
 Drivers load_drivers() {
     Drivers found{listed("vulkan"), {}};
-    if (found.reason == check::Reason::none) return found;
+    if (found.reason == judge::Reason::none) return found;
     std::string others;
     for (const fs::path& manifest : driver_manifests()) {
         const Listing alone = listed("vulkan", only(manifest));
-        if (alone.reason == check::Reason::none)
+        if (alone.reason == judge::Reason::none)
             others += (others.empty() ? "" : ":") + manifest.string();
         else
             found.broken.push_back({alone, manifest});

@@ -20,8 +20,8 @@
 namespace gloam::cli {
 namespace {
 
-using check::Word;
-using shader::Scalar;
+using module::Scalar;
+using subject::Word;
 
 struct ExplainOptions {
     std::vector<std::string> words;  // what to run, then values
@@ -31,7 +31,7 @@ struct ExplainOptions {
 
 // What a scalar's value is, in words.
 const char* expected_of(Scalar scalar) {
-    if (shader::is_float(scalar)) return "a number";
+    if (module::is_float(scalar)) return "a number";
     return scalar == Scalar::bool_  ? "true or false"
            : scalar == Scalar::int_ ? "a whole number"
                                     : "a whole number, 0 or more";
@@ -45,9 +45,9 @@ std::optional<Word> word_from(Scalar scalar, const std::string& text) {
         const auto [at, error] = std::from_chars(text.data() + 2, end, bits, 16);
         return error == std::errc() && at == end ? std::optional(bits) : std::nullopt;
     }
-    if (shader::is_float(scalar)) {
+    if (module::is_float(scalar)) {
         const auto number = base::number_from<double>(text);
-        return number ? std::optional(check::float_word(scalar, *number)) : std::nullopt;
+        return number ? std::optional(subject::float_word(scalar, *number)) : std::nullopt;
     }
     if (scalar == Scalar::bool_ && (text == "true" || text == "false")) return text == "true" ? 1U : 0U;
     if (scalar != Scalar::int_) return base::number_from<Word>(text);
@@ -57,19 +57,19 @@ std::optional<Word> word_from(Scalar scalar, const std::string& text) {
 
 // The words of an input. A function of a quad or a work group takes the values of all its invocations, one
 // after another for each parameter, or those of one invocation, which all have then.
-std::vector<Word> input_from(const check::OwnFunction& own, std::vector<std::string> texts) {
+std::vector<Word> input_from(const subject::OwnFunction& own, std::vector<std::string> texts) {
     struct Value {
-        const shader::Parameter& parameter;
+        const module::Parameter& parameter;
         Scalar scalar;
         std::size_t in_one;  // its number among those of one invocation
     };
     std::vector<Value> values;
     std::size_t of_one = 0;
     std::size_t pixels = 0;  // of images, which come last
-    for (const shader::Parameter& p : own.function.parameters) {
-        if (p.direction == shader::Direction::out) continue;
-        const bool alone = own.team.count() == 1 || !check::is_of_each(p);
-        const std::vector<Scalar> scalars = check::scalars_of(alone ? p.type : shader::element_of(p.type));
+    for (const module::Parameter& p : own.function.parameters) {
+        if (p.direction == source::Direction::out) continue;
+        const bool alone = own.team.count() == 1 || !subject::is_of_each(p);
+        const std::vector<Scalar> scalars = subject::scalars_of(alone ? p.type : module::element_of(p.type));
         for (std::size_t k = 0; k < (alone ? 1 : own.team.count()); ++k)
             for (std::size_t i = 0; i < scalars.size(); ++i) values.push_back({p, scalars[i], of_one + i});
         of_one += scalars.size();
@@ -80,7 +80,7 @@ std::vector<Word> input_from(const check::OwnFunction& own, std::vector<std::str
         for (std::size_t k = 1; k <= pixels; ++k) texts.push_back(std::to_string(k));
     if (texts.size() != all && texts.size() != of_one)
         throw std::invalid_argument(fmt::format(
-            "{} takes {} values{}{}, got {}", shader::to_glsl(own.function), all,
+            "{} takes {} values{}{}, got {}", module::to_glsl(own.function), all,
             pixels == 0 ? "" : fmt::format(" (or {}, where pixels are 1, 2, 3 ...)", all - pixels),
             all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), texts.size()));
     std::vector<Word> input;
@@ -89,7 +89,7 @@ std::vector<Word> input_from(const check::OwnFunction& own, std::vector<std::str
         const std::optional<Word> word = word_from(value.scalar, text);
         if (!word)
             throw std::invalid_argument(fmt::format("{} {}: expected {}, or bits as 0x..., found \"{}\"",
-                                                    shader::to_glsl(value.parameter.type),
+                                                    module::to_glsl(value.parameter.type),
                                                     value.parameter.name, expected_of(value.scalar), text));
         input.push_back(*word);
     }
@@ -111,8 +111,8 @@ Target target_of(const std::vector<std::string>& words, EquationsNamed* equation
             throw std::invalid_argument(words.front() + ": expected a function of this file behind it");
         return {path_of_shader(words[0]), words[1], {words.begin() + 2, words.end()}};
     }
-    const std::vector<check::Question> found = equations({words.front()});
-    const check::Question& first = found.front();
+    const std::vector<judge::Question> found = equations({words.front()});
+    const judge::Question& first = found.front();
     if (words.front().find_first_of("*?") != std::string::npos && found.size() > 1)
         throw std::invalid_argument(fmt::format("{} names {} functions: expected one, for example {}",
                                                 words.front(), found.size(), first.function));
@@ -121,19 +121,20 @@ Target target_of(const std::vector<std::string>& words, EquationsNamed* equation
 
 int run_explain(const ExplainOptions& options, EquationsNamed* equations) {
     const Target target = target_of(options.words, equations);
-    const check::OwnFunctions functions = functions_of(target.file, {target.function}, options.own).functions;
+    const subject::OwnFunctions functions =
+        functions_of(target.file, {target.function}, options.own).functions;
     if (functions.found.empty())
         throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
                                                 functions.left_out.front().why));
-    const check::OwnFunction& own = functions.found.front();
+    const subject::OwnFunction& own = functions.found.front();
     const std::vector<Word> input = input_from(own, target.values);
     try {
         numeric::Random random(1);
-        const auto scenarios = check::random_scenarios(own.images);
-        const check::ImageSet images =
-            scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
-        const check::Explanation all =
-            check::explain({.variant = shader::variant(options.variant)}, own, input, images);
+        const auto scenarios = subject::random_scenarios(own.images);
+        const subject::ImageSet images =
+            scenarios.empty() ? subject::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
+        const judge::Explanation all =
+            judge::explain({.variant = module::variant(options.variant)}, own, input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
         return 0;
     } catch (const interpreter::Error& error) {

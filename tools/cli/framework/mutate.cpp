@@ -86,7 +86,7 @@ std::vector<fs::path> shaders_of(const std::vector<std::string>& paths) {
 // Whether a shader below the folder includes the file, at once or through others.
 bool is_included(const fs::path& file, const fs::path& folder, const std::vector<std::string>& includes) {
     return std::ranges::any_of(shaders_of({folder.string()}), [&](const fs::path& other) {
-        const auto read = shader::include_closure(shader::read_text(other), include_roots_of(other, includes),
+        const auto read = module::include_closure(module::read_text(other), include_roots_of(other, includes),
                                                   other.parent_path());
         return std::ranges::any_of(read, [&](const auto& one) { return fs::equivalent(one.path, file); });
     });
@@ -149,9 +149,9 @@ class Trials {
                 progress_bar(what));
         };
         each(all_of(Fate::untried), "compiled", [&](MutantRow& row) {
-            const check::Change change = files_[row.file].change_of(row.mutation);
-            if (change == check::Change::invalid) row.fate = Fate::invalid;
-            if (change == check::Change::same) row.fate = Fate::same;
+            const audit::Change change = files_[row.file].change_of(row.mutation);
+            if (change == audit::Change::invalid) row.fate = Fate::invalid;
+            if (change == audit::Change::same) row.fate = Fate::same;
             if (row.fate == Fate::untried && !(row.reason = known_reason(row)).empty())
                 row.fate = Fate::known;
         });
@@ -178,10 +178,10 @@ class Trials {
         for (const std::string& path : command_.paths)
             if (fs::exists(path)) named.push_back(fs::canonical(path));
         for (const fs::path& file : shaders_of(command_.paths)) {
-            const std::string text = shader::read_text(file);
+            const std::string text = module::read_text(file);
             real.push_back(fs::canonical(file));
             const auto roots = include_roots_of(real.back(), command_.includes);
-            base::try_compiler(file, [&] { const check::MutantFile tried(real.back(), text, roots); });
+            base::try_compiler(file, [&] { const audit::MutantFile tried(real.back(), text, roots); });
             files_.emplace_back(real.back(), text, roots);
             report.files.push_back(file.string());
         }
@@ -191,17 +191,17 @@ class Trials {
                 throw std::runtime_error(fmt::format("{}: expected a file below --include {}",
                                                      report.files[i], command_.includes.front()));
         // Of folders all is taken: which file is read behind which is the engine's matter.
-        for (const check::MutantFile& file : files_)
+        for (const audit::MutantFile& file : files_)
             if (std::ranges::find(named, file.path()) != named.end() && !file.trouble().empty() &&
                 !is_included(file.path(), root_, command_.includes))
-                throw shader::CompileError(file.trouble());
+                throw source::CompileError(file.trouble());
     }
 
     // All faults, or one at each of some places; by file and place, as the report has them.
     void draw() {
-        std::map<std::pair<std::size_t, std::size_t>, std::vector<const shader::Mutation*>> places;
+        std::map<std::pair<std::size_t, std::size_t>, std::vector<const source::Mutation*>> places;
         for (std::size_t file = 0; file < files_.size(); ++file)
-            for (const shader::Mutation& one : files_[file].mutations())
+            for (const source::Mutation& one : files_[file].mutations())
                 places[{file, one.begin}].push_back(&one);
         if (places.empty()) throw std::runtime_error("the files have no place for a fault");
         numeric::Random random(command_.seed);
@@ -229,7 +229,7 @@ class Trials {
 
     void read_known() {
         if (command_.known.empty()) return;
-        std::istringstream lines(shader::read_text(command_.known));
+        std::istringstream lines(module::read_text(command_.known));
         int number = 0;
         for (std::string line; std::getline(lines, line);) {
             ++number;
@@ -247,7 +247,7 @@ class Trials {
     }
 
     [[nodiscard]] std::string known_reason(const MutantRow& row) const {
-        const std::string text = shader::mutated(files_[row.file].text(), row.mutation);
+        const std::string text = source::mutated(files_[row.file].text(), row.mutation);
         const std::size_t first = text.substr(0, row.mutation.begin).rfind('\n') + 1;
         const std::size_t end = text.find('\n', row.mutation.begin + row.mutation.after.size());
         const std::string line = trimmed(text.substr(first, end - first));
@@ -287,7 +287,7 @@ class Trials {
         const fs::path name = files_[file].path().lexically_relative(root_);
         base::write_file(*copy / name, text);
         const auto begin = Clock::now();
-        // For a program that is to read this copy, see shader::overlaid(); and which file has changed.
+        // For a program that is to read this copy, see module::overlaid(); and which file has changed.
         base::ProcessResult result = base::run_process(
             command_.command,
             {.patience = patience,
@@ -319,7 +319,7 @@ class Trials {
         const double patience =
             command_.patience.value_or(least_patience + patience_factor * unchanged_.at(row.file));
         const base::ProcessResult result =
-            run_with(row.file, shader::mutated(files_[row.file].text(), row.mutation),
+            run_with(row.file, source::mutated(files_[row.file].text(), row.mutation),
                      std::chrono::milliseconds(static_cast<long>(1000.0 * patience)), row.seconds);
         using End = base::ProcessResult::End;
         row.fate = result.succeeded()        ? Fate::survived
@@ -330,7 +330,7 @@ class Trials {
     const MutateCommand& command_;
     unsigned jobs_;
     Clock::time_point end_ = Clock::time_point::max();
-    std::deque<check::MutantFile> files_;
+    std::deque<audit::MutantFile> files_;
     fs::path root_;                                  // that is copied
     std::deque<base::TemporaryFolder> copies_;       // one for each job
     std::vector<const fs::path*> free_;              // of these

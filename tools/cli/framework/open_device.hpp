@@ -14,12 +14,12 @@
 namespace gloam::cli {
 
 // Opens the device of --device and --validation; its pipelines are cached in cache_directory(). Throws like
-// gpu::Device.
-[[nodiscard]] gpu::Device open_device(const std::string& name, bool validation);
+// backend::vulkan::Device.
+[[nodiscard]] backend::vulkan::Device open_device(const std::string& name, bool validation);
 
 // Prints the validation messages since the last call. Returns the exit status: 0 without messages, otherwise
 // 1.
-[[nodiscard]] int validation_status(gpu::Device& device);
+[[nodiscard]] int validation_status(backend::vulkan::Device& device);
 
 // --driver of a command that opens devices. Before the command runs, the Vulkan loader gets the manifests of
 // these drivers, and of a browser's SwiftShader, unless the environment chooses the drivers itself. A driver
@@ -30,7 +30,7 @@ namespace gloam::cli {
 struct Listing {
     std::vector<backend::DeviceInfo> devices;
     std::string error;                           // why there are none
-    check::Reason reason = check::Reason::none;  // crash, hang: it ended, or was ended, without a word
+    judge::Reason reason = judge::Reason::none;  // crash, hang: it ended, or was ended, without a word
 };
 
 // What each executor of OpenGL and OpenGL ES has (backend/gl/device.hpp), by its name. Each is opened in a

@@ -14,9 +14,9 @@
 
 namespace gloam::cli {
 
-check::Ranges ranges_from(const std::vector<std::string>& texts) {
-    check::Ranges ranges;
-    for (const std::string& text : texts) ranges.insert(check::range_from(text));
+subject::Ranges ranges_from(const std::vector<std::string>& texts) {
+    subject::Ranges ranges;
+    for (const std::string& text : texts) ranges.insert(subject::range_from(text));
     return ranges;
 }
 
@@ -39,7 +39,7 @@ std::pair<std::string, std::vector<std::string>> file_and_functions(const std::v
     if (is_shader_file(file) || std::filesystem::exists(file, none))
         return {file, {words.begin() + 1, words.end()}};
     std::vector<std::string> functions;
-    for (const check::Question& equation : equations(words)) {
+    for (const judge::Question& equation : equations(words)) {
         const std::string other = path_of_shader(equation.file);
         if (functions.empty()) file = other;
         if (file != other)
@@ -50,26 +50,26 @@ std::pair<std::string, std::vector<std::string>> file_and_functions(const std::v
     return {file, functions};
 }
 
-check::Lab lab_of(std::shared_ptr<const check::OwnFile> file, const std::string& device) {
-    return check::Lab({.device = device, .cache_directory = cache_directory(), .file = std::move(file)});
+subject::Lab lab_of(std::shared_ptr<const subject::OwnFile> file, const std::string& device) {
+    return subject::Lab({.device = device, .cache_directory = cache_directory(), .file = std::move(file)});
 }
 
 FileFunctions functions_of(const std::filesystem::path& file, const std::vector<std::string>& names,
                            const OwnFileOptions& options) {
-    const std::string text = shader::read_text(file);
-    const check::Ranges ranges = ranges_from(options.ranges);
+    const std::string text = module::read_text(file);
+    const subject::Ranges ranges = ranges_from(options.ranges);
     FileFunctions all = base::tried(file.string(), [&] {
         const std::filesystem::path path = std::filesystem::absolute(file);
-        FileFunctions read{std::make_shared<const check::OwnFile>(
+        FileFunctions read{std::make_shared<const subject::OwnFile>(
                                path, text, include_roots_of(path, options.includes), options.defines),
                            {}};
         read.functions =
-            check::own_functions({.cache_directory = cache_directory(), .file = read.file}, names);
+            subject::own_functions({.cache_directory = cache_directory(), .file = read.file}, names);
         return read;
     });
     std::set<std::string> parameters;
-    for (const check::OwnFunction& own : all.functions.found)
-        for (const shader::Parameter& parameter : own.function.parameters) parameters.insert(parameter.name);
+    for (const subject::OwnFunction& own : all.functions.found)
+        for (const module::Parameter& parameter : own.function.parameters) parameters.insert(parameter.name);
     for (const auto& range : ranges)
         if (!parameters.contains(range.first))
             throw std::invalid_argument(fmt::format("--range {}: no parameter has this name, only: {}",
@@ -77,7 +77,7 @@ FileFunctions functions_of(const std::filesystem::path& file, const std::vector<
     return all;
 }
 
-std::string why_nothing(const std::vector<check::Skipped>& left_out) {
+std::string why_nothing(const std::vector<subject::Skipped>& left_out) {
     if (left_out.empty())
         return "it defines no function but main in GLSL (HLSL is not read), or its #if conditions leave none";
     if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;

@@ -34,16 +34,16 @@ struct OwnFileOptions {
     const std::vector<std::string>& words, EquationsNamed* equations);
 
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
-[[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
+[[nodiscard]] subject::Ranges ranges_from(const std::vector<std::string>& texts);
 
 // A user's file with the include roots that the command line adds, read once for all labs, and its functions
-// with these names (check::own_functions()); without names all.
+// with these names (subject::own_functions()); without names all.
 struct FileFunctions {
-    std::shared_ptr<const check::OwnFile> file;
-    check::OwnFunctions functions;
+    std::shared_ptr<const subject::OwnFile> file;
+    subject::OwnFunctions functions;
 };
 
-// Throws std::runtime_error for a missing file; shader::CompileError for what the preprocessor rejects;
+// Throws std::runtime_error for a missing file; source::CompileError for what the preprocessor rejects;
 // std::invalid_argument for a function that it does not define, and for a range without a parameter of its
 // name.
 [[nodiscard]] FileFunctions functions_of(const std::filesystem::path& file,
@@ -51,10 +51,10 @@ struct FileFunctions {
                                          const OwnFileOptions& options);
 
 // A lab for the functions of a file.
-[[nodiscard]] check::Lab lab_of(std::shared_ptr<const check::OwnFile> file,
-                                const std::string& device = std::string(check::interpreter_name));
+[[nodiscard]] subject::Lab lab_of(std::shared_ptr<const subject::OwnFile> file,
+                                  const std::string& device = std::string(subject::interpreter_name));
 
 // Why nothing is left of a file of which these functions were left out.
-[[nodiscard]] std::string why_nothing(const std::vector<check::Skipped>& left_out);
+[[nodiscard]] std::string why_nothing(const std::vector<subject::Skipped>& left_out);
 
 }  // namespace gloam::cli

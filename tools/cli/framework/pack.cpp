@@ -39,12 +39,12 @@ Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots, 
         const bool exists = fs::exists(name, none);
         const bool may_exist = is_shader_file(name) || name.find('/') != std::string::npos;
         if (exists || (may_exist && name.find_first_of("*?") == std::string::npos)) {
-            packed.files.push_back(exists ? fs::path(name) : shader::resolve_include(name, {}, roots));
+            packed.files.push_back(exists ? fs::path(name) : module::resolve_include(name, {}, roots));
             whole = true;
             continue;
         }
-        for (const check::Question& equation : equations({name})) {
-            const fs::path file = shader::resolve_include(equation.file, {}, roots);
+        for (const judge::Question& equation : equations({name})) {
+            const fs::path file = module::resolve_include(equation.file, {}, roots);
             if (std::ranges::find(packed.files, file) == packed.files.end()) packed.files.push_back(file);
             packed.functions.push_back(equation.function);
         }
@@ -54,21 +54,21 @@ Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots, 
     return packed;
 }
 
-// Throws like shader::pack(), in one line for what Vulkan alone refuses: uniforms outside blocks.
-std::string packed_text(const std::vector<fs::path>& files, const shader::PackRequest& request,
+// Throws like module::pack(), in one line for what Vulkan alone refuses: uniforms outside blocks.
+std::string packed_text(const std::vector<fs::path>& files, const source::PackRequest& request,
                         const std::vector<fs::path>& roots, const std::vector<std::string>& defines) {
     try {
-        return shader::pack(files, request, roots, defines);
-    } catch (const shader::CompileError& error) {
+        return module::pack(files, request, roots, defines);
+    } catch (const source::CompileError& error) {
         const std::string what = error.what();
         if (what.find("non-opaque uniforms") == std::string::npos) throw;
         throw std::invalid_argument(what.substr(0, what.find('\n')) + "; for OpenGL take --version 430");
     }
 }
 
-std::optional<shader::Target> target_of(const PackOptions& options) {
+std::optional<module::Target> target_of(const PackOptions& options) {
     if (options.target.empty()) return std::nullopt;
-    const auto target = shader::target_from(options.target);
+    const auto target = module::target_from(options.target);
     if (!target)
         throw std::invalid_argument("unknown target \"" + options.target + "\": expected hlsl or msl");
     if (options.version != "450")
@@ -82,30 +82,30 @@ std::optional<shader::Target> target_of(const PackOptions& options) {
 void pack_files(const PackOptions& options, EquationsNamed* equations) {
     if (options.files.empty())
         throw std::invalid_argument("nothing to pack: give files, or --effect for all passes of the effect");
-    const auto language = shader::language_from(options.version);
+    const auto language = source::language_from(options.version);
     if (!language) {
         throw std::invalid_argument("unknown GLSL version \"" + options.version +
                                     "\": expected 450, 430, 330, 150, 300es, 310es or 320es");
     }
-    const std::optional<shader::Target> target = target_of(options);
+    const std::optional<module::Target> target = target_of(options);
     std::vector<fs::path> roots{glsl_directory()};
     roots.insert(roots.begin(), options.includes.begin(), options.includes.end());
     const auto [files, functions] = find_all(options, roots, equations);
-    shader::PackRequest request{.language = *language, .functions = functions};
+    source::PackRequest request{.language = *language, .functions = functions};
     for (const fs::path& file : files) {
         // As in check and audit, "#include <sub/x.glsl>" may name a file beside the one that is given.
         roots.insert(roots.begin(), fs::absolute(file).parent_path());
-        if (!request.stage) request.stage = shader::stage_of_file(file);
+        if (!request.stage) request.stage = source::stage_of_file(file);
     }
     const record::OutputFile out(options.out);
     const std::string packed = base::tried(files.front(), [&] {
         const std::string text = packed_text(files, request, roots, options.defines);
-        if (shader::code_lines(text) <= 1)  // its #version
+        if (source::code_lines(text) <= 1)  // its #version
             throw std::invalid_argument(files.front().string() +
                                         ": nothing was packed: expected a text with more than comments");
         if (!target) return text;
-        return shader::translated({.name = files.front().string(), .text = text}, *target,
-                                  request.stage.value_or(shader::Stage::compute));
+        return module::translated({.name = files.front().string(), .text = text}, *target,
+                                  request.stage.value_or(source::Stage::compute));
     });
     const std::string text = with_version(packed, target ? std::nullopt : language);
     if (options.out.empty()) {
@@ -122,16 +122,16 @@ std::string line_table(const std::vector<std::string>& files) {
     for (const std::string& name : files) {
         std::error_code none;
         const fs::path file =
-            fs::is_regular_file(name, none) ? fs::path(name) : shader::resolve_include(name, {}, {glsl});
-        all.push_back(shader::pack({file}, {.functions = {}}, {glsl}));
-        text += fmt::format("| `{}` | {} |\n", name, shader::code_lines(all.back()));
+            fs::is_regular_file(name, none) ? fs::path(name) : module::resolve_include(name, {}, {glsl});
+        all.push_back(module::pack({file}, {.functions = {}}, {glsl}));
+        text += fmt::format("| `{}` | {} |\n", name, source::code_lines(all.back()));
     }
-    return text + fmt::format("| together | {} |\n", shader::code_lines(all));
+    return text + fmt::format("| together | {} |\n", source::code_lines(all));
 }
 
-std::string with_version(std::string text, std::optional<shader::Language> language) {
-    using enum shader::Language;
-    static const std::map<shader::Language, const char*> names{{vulkan450, "Vulkan"},
+std::string with_version(std::string text, std::optional<source::Language> language) {
+    using enum source::Language;
+    static const std::map<source::Language, const char*> names{{vulkan450, "Vulkan"},
                                                                {gl430, "OpenGL 4.3"},
                                                                {gl330, "OpenGL 3.3"},
                                                                {gl150, "OpenGL 3.2"},

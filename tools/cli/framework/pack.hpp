@@ -27,11 +27,11 @@ struct PackOptions {
 void pack_files(const PackOptions& options, EquationsNamed* equations);
 
 // A Markdown table: for each file its lines of code as packed, without blank ones and comments, and behind
-// them those of all together, each function once. Throws like shader::pack().
+// them those of all together, each function once. Throws like module::pack().
 [[nodiscard]] std::string line_table(const std::vector<std::string>& files);
 
 // The packed text with gloam's version, and what takes this language, at its head: behind #version, which
 // must be the first line.
-[[nodiscard]] std::string with_version(std::string text, std::optional<shader::Language> language);
+[[nodiscard]] std::string with_version(std::string text, std::optional<source::Language> language);
 
 }  // namespace gloam::cli

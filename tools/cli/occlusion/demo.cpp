@@ -60,7 +60,7 @@ std::vector<Shown> demo_scenes() {
             {"moving", "a rolling ball and a turning box, followed with their history", {}}};
 }
 
-void render_scene(Shown& scene, const DemoOptions& demo, const gpu::Device& device) {
+void render_scene(Shown& scene, const DemoOptions& demo, const backend::vulkan::Device& device) {
     const RenderOptions options{.shown = {.source = scene.name == "bunny" ? bunny : scene.name,
                                           .frames = 8,
                                           .truth = "",
@@ -144,7 +144,7 @@ std::string check_line(const CheckOutcome& outcome) {
     std::string names;
     std::size_t named = 0;
     for (const record::CheckReport& report : outcome.reports) {
-        for (const check::Answer& row : report.rows) {
+        for (const judge::Answer& row : report.rows) {
             if (!row.failed() || ++named > most_named) continue;
             names += (names.empty() ? "" : ", ") + row.function;
         }
@@ -158,7 +158,7 @@ std::string check_line(const CheckOutcome& outcome) {
 int run_demo(const DemoOptions& demo) {
     record::OutputFolder out(demo.out);
     const fs::path folder = fs::absolute(demo.out);
-    gpu::Device device = open_device(demo.device, false);
+    backend::vulkan::Device device = open_device(demo.device, false);
     say(demo, "device    " + device.info().name);
     std::vector<Shown> scenes = demo_scenes();
     for (Shown& scene : scenes) {

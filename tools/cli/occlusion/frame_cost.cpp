@@ -11,10 +11,10 @@
 namespace gloam::cli {
 
 std::string text_of(const effect::PlannedPass& pass, const scene::PassLibrary& library,
-                    shader::Language language) {
+                    source::Language language) {
     const effect::PassSource& source = pass.source;
     std::map<std::uint32_t, std::uint32_t> constants;
-    for (const gpu::SpecializationConstant& one : source.constants) constants[one.id] = one.bits;
+    for (const backend::vulkan::SpecializationConstant& one : source.constants) constants[one.id] = one.bits;
     return library.text(source.file, source.defines, source.replaced, constants, language);
 }
 
@@ -22,18 +22,18 @@ namespace {
 
 double bytes_of_level(const effect::PlannedImage& image, std::uint32_t level) {
     return std::ldexp(1.0 * image.extent.width * image.extent.height, -2 * static_cast<int>(level)) *
-           static_cast<double>(gpu::texel_bytes(image.format));
+           static_cast<double>(backend::vulkan::texel_bytes(image.format));
 }
 
 // Bytes of what the pass reads and writes, each image and buffer once.
 double bytes_of(const effect::Plan& plan, const effect::PlannedPass& pass,
                 const scene::PassLibrary& library) {
-    const shader::Spirv used =
-        shader::with_passes(shader::compile({pass.source.file, text_of(pass, library)}, {}),
+    const module::Spirv used =
+        module::with_passes(module::compile({pass.source.file, text_of(pass, library)}, {}),
                             {"--freeze-spec-const", "--fold-spec-const-op-composite", "--ccp",
                              "--eliminate-dead-branches", "-O"});
     double bytes = 0.0;
-    for (const shader::Binding& binding : shader::reflect(used).bindings) {
+    for (const module::Binding& binding : module::reflect(used).bindings) {
         const std::string& name = pass.resources.at(binding.number);
         const effect::ImageName bound = effect::image_name_of(name);
         const double times = (binding.reads ? 1.0 : 0.0) + (binding.writes ? 1.0 : 0.0);
@@ -45,8 +45,8 @@ double bytes_of(const effect::Plan& plan, const effect::PlannedPass& pass,
     return bytes;
 }
 
-double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv& module, double view) {
-    const auto [x, y, z] = shader::reflect(module).local_size;
+double pixels_of_invocation(const effect::PlannedPass& pass, const module::Spirv& module, double view) {
+    const auto [x, y, z] = module::reflect(module).local_size;
     const double invocations = 1.0 * x * y * z;
     return view / (invocations * pass.groups[0] * pass.groups[1] * pass.groups[2]);
 }
@@ -83,7 +83,7 @@ PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& 
     PresetFrame frame{.passes = {}, .memory = memory_of(plan)};
     const double full = tiles.value_or(preset.ends_with(".json") ? 1.0 : effect::preset_named(preset).tiles);
     for (const effect::PlannedPass& pass : plan.passes) {
-        const shader::Spirv module = effect::module_of(pass.source, library);
+        const module::Spirv module = effect::module_of(pass.source, library);
         frame.passes.push_back({.name = pass.name,
                                 .module = module,
                                 .constants = pass.source.constants,

@@ -121,28 +121,29 @@ class Declarations {
     // parameters; a kernel of several functions is in no file, and has types alone.
     std::string of(const catalogue::Entry& entry) {
         const catalogue::Description& d = entry.description;
-        const check::Signature& signature = entry.question.signature;
+        const subject::Signature& signature = entry.question.signature;
         const auto [known, is_new] = files_.try_emplace(d.file);
         if (is_new)
-            known->second = cache_.functions(check::probe_of(d.file), {.include_roots = {glsl_directory()}});
-        for (const shader::Function& function : known->second) {
+            known->second =
+                cache_.functions(subject::probe_of(d.file), {.include_roots = {glsl_directory()}});
+        for (const module::Function& function : known->second) {
             const bool is_it = function.name == d.function && function.result == signature.result &&
                                std::ranges::equal(function.parameters, signature.parameters, {},
-                                                  &shader::Parameter::type, &shader::Parameter::type);
-            if (is_it) return shader::to_glsl(function);
+                                                  &module::Parameter::type, &module::Parameter::type);
+            if (is_it) return module::to_glsl(function);
         }
-        return check::to_glsl(signature, d.function);
+        return subject::to_glsl(signature, d.function);
     }
 
   private:
-    shader::SpirvCache cache_ = check::shader_cache({.cache_directory = cache_directory()});
-    std::map<std::string, std::vector<shader::Function>> files_;
+    module::SpirvCache cache_ = subject::shader_cache({.cache_directory = cache_directory()});
+    std::map<std::string, std::vector<module::Function>> files_;
 };
 
 nlohmann::ordered_json equation_json(const catalogue::Entry& entry, Declarations& declarations) {
     const catalogue::Description& d = entry.description;
     return {{"name", d.id},      {"description", d.title}, {"function", declarations.of(entry)},
-            {"file", d.file},    {"formula", d.formula},   {"error", check::to_text(entry.question.budget)},
+            {"file", d.file},    {"formula", d.formula},   {"error", judge::to_text(entry.question.budget)},
             {"source", d.source}};
 }
 
@@ -196,7 +197,7 @@ std::vector<ListedKind> all_kinds() {
         {"presets", preset_names, preset_json},
         {"scenes", scene_names},
         {"settings", setting_names, setting_json},
-        {"variants", [] { return named(shader::variants(), &shader::Variant::description); }},
+        {"variants", [] { return named(module::variants(), &module::Variant::description); }},
         {"views", view_names}};
 }
 

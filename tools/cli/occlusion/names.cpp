@@ -17,11 +17,11 @@ using Facts = std::map<std::string, std::array<std::string, 3>>;
 
 Facts facts_of(const catalogue::Entries& entries) {
     Facts facts;
-    const check::Lab lab({.device = std::string(check::interpreter_name),
-                          .include_roots = {glsl_directory()},
-                          .cache_directory = cache_directory()});
+    const subject::Lab lab({.device = std::string(subject::interpreter_name),
+                            .include_roots = {glsl_directory()},
+                            .cache_directory = cache_directory()});
     Texts things;
-    std::vector<shader::Spirv> kernels;
+    std::vector<module::Spirv> kernels;
     for (const auto& [d, question, known] : entries) {
         const bool is_method = d.file.starts_with("gloam/methods/");
         const std::string thing = is_method ? "method " + d.function.substr(6) : d.function;
@@ -115,7 +115,7 @@ catalogue::Found found_named(const std::vector<std::string>& names) {
         fmt::format("\"{}\" fits several rows: expected the name of one", found.several));
 }
 
-std::vector<check::Question> equations_named(const std::vector<std::string>& names) {
+std::vector<judge::Question> equations_named(const std::vector<std::string>& names) {
     catalogue::Found found = found_named(names);
     const std::vector<Named> rows = names_of(found.rows);
     if (!found.lacking.empty())
@@ -124,7 +124,7 @@ std::vector<check::Question> equations_named(const std::vector<std::string>& nam
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (found.rows[i].has.back().starts_with('('))
             fmt::print(stderr, "{}: {}\n", rows[i].name, rows[i].description);
-    std::vector<check::Question> questions;
+    std::vector<judge::Question> questions;
     for (catalogue::Entry& entry : found.entries) questions.push_back(std::move(entry.question));
     return questions;
 }

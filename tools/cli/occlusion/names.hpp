@@ -24,10 +24,10 @@ struct Named {
 
 // The equations among these, those of all commands. Throws like found_named(), and for a row without a
 // function.
-[[nodiscard]] std::vector<check::Question> equations_named(const std::vector<std::string>& names);
+[[nodiscard]] std::vector<judge::Question> equations_named(const std::vector<std::string>& names);
 
 // The same, and passes ("PASS-remap", "PASS-frame-fast") by their names or globs of these.
-[[nodiscard]] std::vector<check::Question> subjects_named(const std::vector<std::string>& names);
+[[nodiscard]] std::vector<judge::Question> subjects_named(const std::vector<std::string>& names);
 
 // What the papers print, and what has it; and as a page.
 [[nodiscard]] std::vector<Named> names_of(const std::vector<catalogue::PrintedRow>& rows);
@@ -40,6 +40,6 @@ struct Named {
 
 // A pass of a plan as one text, with its constants set.
 [[nodiscard]] std::string text_of(const effect::PlannedPass& pass, const scene::PassLibrary& library,
-                                  shader::Language language = shader::Language::vulkan450);
+                                  source::Language language = source::Language::vulkan450);
 
 }  // namespace gloam::cli

@@ -55,8 +55,8 @@ effect::Settings settings_of(const PackCommand& options) {
                                 file_of(effect::method_named(settings.method)));
 }
 
-shader::Language language_of(const std::string& version) {
-    const auto language = shader::language_from(version);
+source::Language language_of(const std::string& version) {
+    const auto language = source::language_from(version);
     if (version == "310es" || version == "320es")
         throw std::invalid_argument(
             "--effect --version " + version +
@@ -80,7 +80,7 @@ effect::PlanOptions plan_options(const PackCommand& options) {
 
 // The header of the library with the format of what is shown, and the preset.
 std::string header_of(const std::string& preset, const effect::Settings& settings, bool orthographic) {
-    std::string header = shader::read_text(glsl_directory() / "passes/frame/gloam_frame.h");
+    std::string header = module::read_text(glsl_directory() / "passes/frame/gloam_frame.h");
     if (settings.output != effect::OutputFormat::r8) {
         constexpr std::string_view shown = " * shown        R8  ";
         const std::string format = settings.output == effect::OutputFormat::r16f ? "R16F" : "R32F";
@@ -101,17 +101,17 @@ std::string header_of(const std::string& preset, const effect::Settings& setting
 // std::invalid_argument for invalid options, std::runtime_error for a folder that cannot be written to.
 void pack_effect(const PackCommand& options) {
     const effect::Settings settings = settings_of(options);
-    const shader::Language language = language_of(options.version);
-    const bool compute = shader::usual_stage(language) == shader::Stage::compute;
+    const source::Language language = language_of(options.version);
+    const bool compute = source::usual_stage(language) == source::Stage::compute;
     if (settings.bent_normals && !compute)
         throw std::invalid_argument(
             "--effect --bent-normals: compute shaders have them; expected --version 450 or 430");
-    if (settings.bent_normals && language == shader::Language::gl430 &&
+    if (settings.bent_normals && language == source::Language::gl430 &&
         settings.resolution == effect::Resolution::tiles)
         throw std::invalid_argument(
             "--effect --bent-normals --version 430: OpenGL 4.3 has too few images for tiles; expected --set "
             "resolution=full or half, or --version 450");
-    if (options.plain_uniforms && language == shader::Language::vulkan450)
+    if (options.plain_uniforms && language == source::Language::vulkan450)
         throw std::invalid_argument("--uniforms plain: Vulkan has blocks alone; expected another --version");
     const scene::PassLibrary library(glsl_directory());
     record::OutputFolder folder(options.out);
@@ -120,7 +120,7 @@ void pack_effect(const PackCommand& options) {
         if (!compute) pass.source.file.replace(pass.source.file.size() - 5, 5, ".frag");
         if (options.visibility && (pass.name == "filter" || pass.name == "join"))
             pass.source.constants.push_back({.id = 10, .bits = 1});
-        if (language != shader::Language::vulkan450 && !options.plain_uniforms)
+        if (language != source::Language::vulkan450 && !options.plain_uniforms)
             pass.source.defines.emplace_back("GLOAM_PARAMETER_BLOCK");
         if (!compute)  // there are no lists
             std::erase_if(pass.source.defines,
@@ -140,8 +140,8 @@ void pack_one_pass(const PackCommand& options) {
     if (options.normals != "none" && options.normals != "view")
         throw std::invalid_argument("--one-pass --normals " + options.normals + ": expected view or none");
     const bool own_version = options.version != "none";
-    const auto language = shader::language_from(own_version ? options.version : "330");
-    if (!language || *language == shader::Language::vulkan450)
+    const auto language = source::language_from(own_version ? options.version : "330");
+    if (!language || *language == source::Language::vulkan450)
         throw std::invalid_argument("--one-pass --version " + options.version +
                                     ": expected 430, 330, 150, 300es or none");
     const scene::PassLibrary library(glsl_directory());
@@ -182,13 +182,13 @@ std::string method_table(const fs::path& glsl) {
     std::vector<std::string> passes;
     for (const effect::MethodInfo& method : effect::methods()) {
         functions.push_back(
-            shader::pack({glsl / file_of(method)}, {.functions = {"gloam_" + method.name}}, {glsl}));
+            module::pack({glsl / file_of(method)}, {.functions = {"gloam_" + method.name}}, {glsl}));
         passes.push_back(sampling_pass(glsl, method.name));
-        text += fmt::format("| {} | {} | {} |\n", method.name, shader::code_lines(functions.back()),
-                            shader::code_lines(passes.back()));
+        text += fmt::format("| {} | {} | {} |\n", method.name, source::code_lines(functions.back()),
+                            source::code_lines(passes.back()));
     }
     return text +
-           fmt::format("| together | {} | {} |\n", shader::code_lines(functions), shader::code_lines(passes));
+           fmt::format("| together | {} | {} |\n", source::code_lines(functions), source::code_lines(passes));
 }
 
 void pack_npm(const PackCommand& options) {

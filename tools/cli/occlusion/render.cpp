@@ -113,7 +113,7 @@ int run_render(RenderOptions& options) {
         shown.source = std::exchange(*shown.truth, "");
     const RenderInput input = open_input(options);
     record::OutputFolder out(options.out);
-    gpu::Device device = open_device(options.device, options.validation);
+    backend::vulkan::Device device = open_device(options.device, options.validation);
     const std::vector<Rendered> runs = render(options, input, device, &out);
     out.write("sheet.png", sheet_of(runs));
     out.keep();

@@ -110,7 +110,7 @@ struct RenderInput {
     int first_frame = 0;     // of a scene: view 0 shows it
     int frames_per_view = 1;
     // With the guard band and the layers of the settings.
-    std::function<scene::GBuffer(const gpu::Device&, int view, const effect::Settings&)> load;
+    std::function<scene::GBuffer(const backend::vulkan::Device&, int view, const effect::Settings&)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
     // frame: of the scene. Empty: the truth is unknown.
     std::function<ViewTruth(const scene::GBuffer& view, int frame, double radius)> truth;
@@ -143,7 +143,7 @@ struct FrameChange {
 // Pictures of a frame for display, in 8-bit colour. Those of the truth are empty where there is none.
 struct Pictures {
     std::string name;  // of its files, without the part from _ on
-    gpu::Extent extent;
+    backend::Extent extent;
     base::RgbBytes plain;        // lit, without occlusion
     base::RgbBytes shaded;       // lit, with occlusion
     base::RgbBytes visibility;   // white where open
@@ -172,7 +172,7 @@ struct Rendered {
 // The report of a candidate. run: all of it but this.
 [[nodiscard]] nlohmann::ordered_json report_of(const RenderOptions& options, const RenderInput& input,
                                                const RenderCandidate& candidate,
-                                               const gpu::DeviceInfo& device, const Rendered& run,
+                                               const backend::DeviceInfo& device, const Rendered& run,
                                                const nlohmann::ordered_json& frames);
 
 // A few lines for people: device, settings, and the last frame.
@@ -187,7 +187,7 @@ using Files = std::map<std::string, std::string>;
 
 // The traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm (the
 // standard errors).
-[[nodiscard]] Files truth_files(const std::string& prefix, gpu::Extent size, const ViewTruth& traced);
+[[nodiscard]] Files truth_files(const std::string& prefix, backend::Extent size, const ViewTruth& traced);
 
 // STEM_ao.pfm and .png, of the filtered image. With Resolution::tiles STEM_tiles.png as well: the occlusion,
 // tinted in each tile of 8 x 8 pixels by the frame's work in it: blue background, green a radius below a
@@ -223,6 +223,7 @@ void add_pictures(record::Page& page, record::OutputFolder& folder, const std::s
 // Renders the views of an input with each candidate. folder: of the files, PREFIXrender.json among them;
 // nullptr: none are written.
 [[nodiscard]] std::vector<Rendered> render(const RenderOptions& options, const RenderInput& input,
-                                           const gpu::Device& device, record::OutputFolder* folder);
+                                           const backend::vulkan::Device& device,
+                                           record::OutputFolder* folder);
 
 }  // namespace gloam::cli

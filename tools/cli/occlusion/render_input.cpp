@@ -51,7 +51,7 @@ std::optional<glm::dvec3> parse_point(const char* option, const std::string& tex
     return glm::dvec3(numbers[0], numbers[1], numbers[2]);
 }
 
-scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
+scene::MeshView mesh_view(const MeshOptions& mesh, backend::Extent extent) {
     scene::MeshView view{.ground = !mesh.no_ground};
     const auto up = scene::axis_named(mesh.up);
     if (!up) throw std::invalid_argument(fmt::format("--up {}: expected x, y, z, -x, -y or -z", mesh.up));
@@ -69,7 +69,7 @@ scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
     return view;
 }
 
-scene::Scene load_scene(const RenderCase& shown, gpu::Extent extent) {
+scene::Scene load_scene(const RenderCase& shown, backend::Extent extent) {
     const std::string& source = shown.source;
     const scene::MeshView view = mesh_view(shown.mesh, extent);
     if (std::ranges::count(scene::all_views(), source, &scene::ViewInfo::name) > 0) {
@@ -90,14 +90,14 @@ scene::Scene load_scene(const RenderCase& shown, gpu::Extent extent) {
 }
 
 // what: the view, with what makes it so wide.
-void require_allowed(const std::string& what, gpu::Extent wide, const gpu::DeviceInfo& device) {
+void require_allowed(const std::string& what, backend::Extent wide, const backend::DeviceInfo& device) {
     if (wide.width <= device.max_image_size && wide.height <= device.max_image_size) return;
     throw std::invalid_argument(fmt::format("{}: {} x {} pixels; {} allows at most {} a side", what,
                                             wide.width, wide.height, device.name, device.max_image_size));
 }
 
 RenderInput from_scene(const RenderCase& shown) {
-    const gpu::Extent extent = parse_size(shown.size);
+    const backend::Extent extent = parse_size(shown.size);
     const auto scene = std::make_shared<const scene::Scene>(load_scene(shown, extent));
     const int frames = shown.frames.value_or(1);
     const bool moves = scene->camera_path || !scene->objects.empty();
@@ -112,7 +112,7 @@ RenderInput from_scene(const RenderCase& shown) {
     const bool motion = follows && !scene->objects.empty();
     input.load = [scene, extent, motion, first = shown.frame,
                   encoding = scene::encoding_named(shown.depth, shown.normals)](
-                     const gpu::Device& device, int view, const effect::Settings& settings) {
+                     const backend::vulkan::Device& device, int view, const effect::Settings& settings) {
         const double guard = double{settings.guard};
         require_allowed(fmt::format("--size {}x{}, guard band included", extent.width, extent.height),
                         scene::with_border(extent, scene::guard_border(extent, guard)), device.info());
@@ -149,11 +149,11 @@ RenderInput from_gbuffer(const RenderCase& shown) {
     }
     const bool alone = input.views.size() == 1;  // a frame of a sequence may show nothing but sky
     input.load = [folder = shown.gbuffer, encoding = scene::encoding_named(shown.depth, shown.normals), alone,
-                  off_centre = glm::ivec2(0)](const gpu::Device& device, int view,
+                  off_centre = glm::ivec2(0)](const backend::vulkan::Device& device, int view,
                                               const effect::Settings&) mutable {
         scene::GBuffer read = scene::read_gbuffer(folder, view, encoding, off_centre);
         off_centre = read.off_centre;
-        const gpu::Extent wide = with_border(read.extent, centring_border(read));
+        const backend::Extent wide = with_border(read.extent, centring_border(read));
         require_allowed(folder.string() + ", with background up to a centred projection", wide,
                         device.info());
         read = centred(std::move(read));
@@ -208,7 +208,7 @@ void add_truth(RenderInput& input, const RenderCase& shown) {
         input.every_truth = false;
         input.truth = [file = *shown.truth, image = base::read_pfm(*shown.truth)](const scene::GBuffer& view,
                                                                                   int, double) {
-            if (gpu::Extent{image.width, image.height} == view.extent && image.channels == 1)
+            if (backend::Extent{image.width, image.height} == view.extent && image.channels == 1)
                 return ViewTruth{.known = effect::truth_from(view, image.texels)};
             throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
                                                     file, image.width, image.height, image.channels,

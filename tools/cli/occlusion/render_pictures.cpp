@@ -30,11 +30,11 @@ std::vector<float> components_of(const std::vector<glm::vec3>& vectors) {
     return texels;
 }
 
-std::string pfm_of(const std::vector<float>& texels, gpu::Extent extent, int channels = 1) {
+std::string pfm_of(const std::vector<float>& texels, backend::Extent extent, int channels = 1) {
     return base::to_pfm(texels, extent.width, extent.height, channels);
 }
 
-std::string png_of(const base::RgbBytes& rgb, gpu::Extent extent) {
+std::string png_of(const base::RgbBytes& rgb, backend::Extent extent) {
     return base::to_png(rgb, extent.width, extent.height);
 }
 
@@ -56,7 +56,7 @@ Files gbuffer_files(int number, const scene::GBuffer& view) {
     return files;
 }
 
-Files truth_files(const std::string& prefix, gpu::Extent size, const ViewTruth& traced) {
+Files truth_files(const std::string& prefix, backend::Extent size, const ViewTruth& traced) {
     Files files{{prefix + "truth_error.pfm", pfm_of(traced.best().standard_error, size)}};
     for (const auto& [name, truth] :
          {std::pair("truth", &traced.best()), std::pair("truth_depth", &*traced.depth)}) {

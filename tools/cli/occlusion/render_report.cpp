@@ -156,8 +156,8 @@ ordered_json frame_json(const RenderInput& input, const ShadedView& shown, int i
 }
 
 ordered_json report_of(const RenderOptions& options, const RenderInput& input,
-                       const RenderCandidate& candidate, const gpu::DeviceInfo& device, const Rendered& run,
-                       const ordered_json& frames) {
+                       const RenderCandidate& candidate, const backend::DeviceInfo& device,
+                       const Rendered& run, const ordered_json& frames) {
     const effect::Settings& s = run.settings;
     return {{"gloam", base::version()},
             {"device",

@@ -71,7 +71,7 @@ std::string cut_before(const ShadedView& shown, const std::optional<ShadedView>&
 // Renders an input with one candidate after the other.
 class Renderer {
   public:
-    Renderer(const RenderOptions& options, const RenderInput& input, const gpu::Device& device,
+    Renderer(const RenderOptions& options, const RenderInput& input, const backend::vulkan::Device& device,
              record::OutputFolder* folder)
         : options_(options), input_(input), device_(device), folder_(folder) {
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
@@ -189,7 +189,7 @@ class Renderer {
 
     const RenderOptions& options_;
     const RenderInput& input_;
-    const gpu::Device& device_;
+    const backend::vulkan::Device& device_;
     record::OutputFolder* folder_;
     std::optional<record::OutputFolder> gbuffer_out_;
     scene::PassLibrary passes_{glsl_directory(), cache_directory()};
@@ -202,7 +202,7 @@ class Renderer {
 }  // namespace
 
 std::vector<Rendered> render(const RenderOptions& options, const RenderInput& input,
-                             const gpu::Device& device, record::OutputFolder* folder) {
+                             const backend::vulkan::Device& device, record::OutputFolder* folder) {
     Renderer renderer(options, input, device, folder);
     std::vector<Rendered> runs;
     for (const RenderCandidate& candidate : input.candidates) runs.push_back(renderer.render(candidate));

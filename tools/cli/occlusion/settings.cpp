@@ -23,7 +23,8 @@ using nlohmann::ordered_json;
 namespace {
 
 // sides: the allowed ones, in words.
-gpu::Extent size_within(const std::string& text, std::uint32_t least, std::uint32_t most, const char* sides) {
+backend::Extent size_within(const std::string& text, std::uint32_t least, std::uint32_t most,
+                            const char* sides) {
     const std::size_t times = std::min(text.find('x'), text.size());
     const auto side = [&](std::string_view number) {
         const auto pixels = base::number_from<std::uint32_t>(number);
@@ -115,11 +116,11 @@ effect::Settings settings_for(const RenderCandidate& candidate, const std::optio
     return settings;
 }
 
-gpu::Extent parse_size(const std::string& text) {
+backend::Extent parse_size(const std::string& text) {
     return size_within(text, 1, std::numeric_limits<std::uint32_t>::max(), "1 or more");
 }
 
-gpu::Extent judged_size(const std::string& text) {
+backend::Extent judged_size(const std::string& text) {
     return size_within(text, 16, 4096, "16 to 4096");
 }
 

@@ -44,10 +44,10 @@ void apply(effect::Settings& settings, const std::string& assignment);
                                             const std::optional<double>& view_radius);
 
 // The value of --size: "640x360". Throws std::invalid_argument that names --size.
-[[nodiscard]] gpu::Extent parse_size(const std::string& text);
+[[nodiscard]] backend::Extent parse_size(const std::string& text);
 
 // The value of --size for images that are judged: each side 16 to 4096 pixels, so that a kernel, a window and
 // a pixel's neighbours fit.
-[[nodiscard]] gpu::Extent judged_size(const std::string& text);
+[[nodiscard]] backend::Extent judged_size(const std::string& text);
 
 }  // namespace gloam::cli

@@ -74,7 +74,7 @@ void show_progress(const std::string& text) {
 // {"gloam", "device": {"name", "driver"}, "versions", "rows": [{"run", "varied", "quantity", "measured",
 // "bound", "passed"}]}. bound is null where nothing is promised. Infinite numbers are the strings "inf" and
 // "-inf", NaN is "nan".
-std::string to_json(const gpu::DeviceInfo& device, const std::vector<stress::Row>& rows) {
+std::string to_json(const backend::DeviceInfo& device, const std::vector<stress::Row>& rows) {
     return record::to_text({{"gloam", base::version()},
                             {"device", {{"name", device.name}, {"driver", device.driver}}},
                             {"versions", versions()},
@@ -91,12 +91,12 @@ int run_stress(const StressOptions& options) {
     const record::OutputFile json(options.json);
     require_good_drivers();
     const effect::MethodFunctions methods;
-    const check::Lab lab({.device = options.device,
-                          .validation = options.validation,
-                          .include_roots = {glsl_directory(), data_directory("stress"), methods.folder()},
-                          .cache_directory = cache_directory()});
+    const subject::Lab lab({.device = options.device,
+                            .validation = options.validation,
+                            .include_roots = {glsl_directory(), data_directory("stress"), methods.folder()},
+                            .cache_directory = cache_directory()});
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
-    const gpu::DeviceInfo& device = lab.device().info();
+    const backend::DeviceInfo& device = lab.device().info();
     fmt::print("device: {} ({})\n", device.name, device.driver);
     fmt::print(layout, "run", "varied", "measured", "value", "bound", "verdict");
     std::vector<stress::Row> rows;

@@ -5,24 +5,24 @@
 
 #include "numeric/numbers.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 
-std::vector<Slot> slots_of(const Question& question) {
+std::vector<Slot> slots_of(const judge::Question& question) {
     std::vector<Slot> slots;
     std::size_t first = 0;
     std::size_t at = 0;
-    for (const shader::Parameter& parameter : question.signature.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
-        const std::size_t count = scalars_of(parameter.type).size();
-        const Values& values = question.domain.parameters().at(at++);
+    for (const module::Parameter& parameter : question.signature.parameters) {
+        if (parameter.direction == source::Direction::out) continue;
+        const std::size_t count = subject::scalars_of(parameter.type).size();
+        const subject::Values& values = question.domain.parameters().at(at++);
         if (count > 0) slots.push_back({&parameter, &values, first, count});
         first += count;
     }
     return slots;
 }
 
-Moves::Moves(const Question& question, std::size_t drawn, glm::ivec2 image_size, std::uint64_t input_seed,
-             std::uint64_t seed)
+Moves::Moves(const judge::Question& question, std::size_t drawn, glm::ivec2 image_size,
+             std::uint64_t input_seed, std::uint64_t seed)
     : random_(seed),
       scalars_(question.signature.input_scalars()),
       slots_(slots_of(question)),
@@ -55,25 +55,26 @@ void Moves::climb(std::vector<Candidate>& pool, std::size_t inputs, std::size_t 
     }
 }
 
-std::vector<Word> Moves::from_pool(const std::vector<Candidate>& pool) {
+std::vector<subject::Word> Moves::from_pool(const std::vector<Candidate>& pool) {
     if (pool.empty()) {
         const auto row = drawn_.row(random_.below(drawn_.count()));
         return {row.begin(), row.end()};
     }
     constexpr std::uint64_t most_moves = 3;
     const double rank = random_.unit() * random_.unit();
-    std::vector<Word> words = pool[static_cast<std::size_t>(rank * static_cast<double>(pool.size()))].words;
+    std::vector<subject::Word> words =
+        pool[static_cast<std::size_t>(rank * static_cast<double>(pool.size()))].words;
     for (std::uint64_t moves = 1 + random_.below(most_moves); moves > 0; --moves) move(words);
     return words;
 }
 
-void Moves::move(std::vector<Word>& words) {
+void Moves::move(std::vector<subject::Word>& words) {
     const Slot& slot = slots_[random_.below(slots_.size())];
     const auto at = static_cast<std::ptrdiff_t>(slot.first);
     const auto count = static_cast<std::ptrdiff_t>(slot.count);
     constexpr int tries = 4;  // to find a move that stays inside the domain
     for (int i = 0; i < tries; ++i) {
-        std::vector<Word> value(words.begin() + at, words.begin() + at + count);
+        std::vector<subject::Word> value(words.begin() + at, words.begin() + at + count);
         if (random_.below(4) == 0) {
             const auto other = drawn_.row(random_.below(drawn_.count())).subspan(slot.first, slot.count);
             value.assign(other.begin(), other.end());
@@ -87,14 +88,14 @@ void Moves::move(std::vector<Word>& words) {
     }
 }
 
-Word Moves::moved_scalar(shader::Scalar scalar, Word word) {
+subject::Word Moves::moved_scalar(module::Scalar scalar, subject::Word word) {
     const bool down = random_.below(2) == 0;
-    const unsigned bits = shader::bits_of(scalar);
+    const unsigned bits = module::bits_of(scalar);
     const std::int64_t distance = std::int64_t{1} << random_.below(bits * 13 / 16);
-    if (scalar == shader::Scalar::bool_) return 1U - word;
-    if (!shader::is_float(scalar)) return word + static_cast<Word>(down ? -distance : distance);
+    if (scalar == module::Scalar::bool_) return 1U - word;
+    if (!module::is_float(scalar)) return word + static_cast<subject::Word>(down ? -distance : distance);
     if (random_.below(32) == 0) return word ^ 0x80000000U;
-    return stepped_float(scalar, word, down ? -distance : distance);
+    return subject::stepped_float(scalar, word, down ? -distance : distance);
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

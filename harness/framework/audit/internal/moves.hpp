@@ -10,18 +10,18 @@
 #include "numeric/random.hpp"
 #include "subject/domain.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 
 // The words of one in or inout parameter in an input.
 struct Slot {
-    const shader::Parameter* parameter;
-    const Values* values;
+    const module::Parameter* parameter;
+    const subject::Values* values;
     std::size_t first;
     std::size_t count;
 };
 
 // In the order of the parameters; without samplers, which have no words. The question must outlive them.
-[[nodiscard]] std::vector<Slot> slots_of(const Question& question);
+[[nodiscard]] std::vector<Slot> slots_of(const judge::Question& question);
 
 // Candidates of a search for a worst input: inputs drawn from a domain, and inputs a little beside the worst
 // so far. All stay inside the domain.
@@ -29,16 +29,16 @@ class Moves {
   public:
     // Draws `drawn` inputs (at least 1), which candidates exchange parameters with. The domain of the
     // question must outlive this object.
-    Moves(const Question& question, std::size_t drawn, glm::ivec2 image_size, std::uint64_t input_seed,
+    Moves(const judge::Question& question, std::size_t drawn, glm::ivec2 image_size, std::uint64_t input_seed,
           std::uint64_t seed);
 
-    [[nodiscard]] const Domain::Inputs& drawn() const { return drawn_; }  // before adjustment
+    [[nodiscard]] const subject::Domain::Inputs& drawn() const { return drawn_; }  // before adjustment
     // Whether a candidate can differ from another.
     [[nodiscard]] bool possible() const { return !slots_.empty(); }
 
     // An input and how bad it is.
     struct Candidate {
-        std::vector<Word> words;  // as drawn, before adjustment
+        std::vector<subject::Word> words;  // as drawn, before adjustment
         double score = 0.0;
     };
 
@@ -52,16 +52,16 @@ class Moves {
                const std::function<void(std::vector<Candidate>&)>& run, const std::function<bool()>& goes_on);
 
   private:
-    [[nodiscard]] std::vector<Word> from_pool(const std::vector<Candidate>& pool);
+    [[nodiscard]] std::vector<subject::Word> from_pool(const std::vector<Candidate>& pool);
     // A change of an input: a float moves by a power of two of steps, from a neighbour to several binades
     // away, or changes its sign; or a parameter takes its value in another drawn input.
-    void move(std::vector<Word>& words);
-    Word moved_scalar(shader::Scalar scalar, Word word);
+    void move(std::vector<subject::Word>& words);
+    subject::Word moved_scalar(module::Scalar scalar, subject::Word word);
 
     numeric::Random random_;
-    std::vector<shader::Scalar> scalars_;
+    std::vector<module::Scalar> scalars_;
     std::vector<Slot> slots_;
-    Domain::Inputs drawn_;
+    subject::Domain::Inputs drawn_;
 };
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

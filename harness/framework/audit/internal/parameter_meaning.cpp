@@ -12,7 +12,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -166,4 +166,4 @@ std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::s
     return std::nullopt;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

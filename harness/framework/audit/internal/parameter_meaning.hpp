@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 
 // The largest number where only the smallest is known, and the smallest positive number of usual size.
 inline constexpr double usual_high = 1000.0;
@@ -29,4 +29,4 @@ struct Meaning {
 [[nodiscard]] std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::string& name,
                                                         const std::set<std::string>& others, bool is_vector);
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

@@ -9,7 +9,7 @@
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 namespace {
 
 constexpr double least_part = 1e-4;  // of a result, that another way must change
@@ -18,7 +18,7 @@ constexpr int tried_drivers = 3;
 // What an operation without a float result gave.
 struct Decision {
     AuditLocation place;
-    std::vector<Word> bits;
+    std::vector<subject::Word> bits;
 
     friend bool operator==(const Decision&, const Decision&) = default;
 };
@@ -34,7 +34,8 @@ void append(const interpreter::Step<N>& step, std::vector<Decision>& all) {
 }
 
 template <class N>
-std::vector<Decision> decisions_of(InterpretedKernel<N>& kernel, std::span<const Word> input) {
+std::vector<Decision> decisions_of(subject::InterpretedKernel<N>& kernel,
+                                   std::span<const subject::Word> input) {
     std::vector<Decision> all;
     const auto run = [&] {
         try {
@@ -62,7 +63,7 @@ double distance_to(const numeric::Bounds& bounds, double x) {
 
 }  // namespace
 
-std::optional<Parting> AuditRuns::parting_of(std::span<const Word> input, const Reading& reading) {
+std::optional<Parting> AuditRuns::parting_of(std::span<const subject::Word> input, const Reading& reading) {
     if (!reading.fault.empty()) return std::nullopt;
     const std::vector<double> own = in_double(input);
     if (own.size() == reading.outputs.size()) {
@@ -80,14 +81,15 @@ std::optional<Parting> AuditRuns::parting_of(std::span<const Word> input, const 
     return std::nullopt;
 }
 
-std::optional<Parting> AuditRuns::parting_of_driver(std::span<const Word> input, const Reading& reading,
-                                                    int driver) {
+std::optional<Parting> AuditRuns::parting_of_driver(std::span<const subject::Word> input,
+                                                    const Reading& reading, int driver) {
     std::vector<double> results;
     bool faults = false;
     const auto take = [&](std::size_t w, const interpreter::Value<numeric::Interval>& value) {
-        const numeric::Bounds bounds = shader::is_float(scalars_[w])
-                                           ? value.number().bounds()
-                                           : numeric::Bounds::point(whole_number(scalars_[w], value.bits()));
+        const numeric::Bounds bounds =
+            module::is_float(scalars_[w])
+                ? value.number().bounds()
+                : numeric::Bounds::point(subject::whole_number(scalars_[w], value.bits()));
         const bool known = bounds.is_point() && !reading.outputs[w].permitted.is_anything();
         results.push_back(known ? bounds.low : std::nan(""));
     };
@@ -105,11 +107,11 @@ std::optional<Parting> AuditRuns::parting_of_driver(std::span<const Word> input,
     return std::nullopt;
 }
 
-AuditLocation AuditRuns::place_of(const Parting& parting, std::span<const Word> input) {
+AuditLocation AuditRuns::place_of(const Parting& parting, std::span<const subject::Word> input) {
     const std::vector<Decision> here = decisions_of(kernel_, input);
     if (parting.driver == 0) return first_other(here, decisions_of(doubles_, input));
     drivers_.machine().set_sampling(static_cast<std::uint64_t>(parting.driver));
     return first_other(here, decisions_of(drivers_, input));
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

@@ -6,17 +6,19 @@
 
 #include "audit/internal/search.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 namespace {
 
-using Words = std::vector<Word>;
-using shader::Scalar;
+using namespace subject;
+
+using Words = std::vector<subject::Word>;
+using module::Scalar;
 
 // A number of the input, and where it may be special: the middle and the quarters of its range first.
 struct Axis {
     const Slot* slot;
     std::size_t word;  // in the input
-    std::vector<Word> places;
+    std::vector<subject::Word> places;
 };
 
 constexpr std::size_t most_axes = 16;
@@ -49,9 +51,9 @@ Axis axis_of(const Slot& slot, std::size_t k, Scalar scalar, const std::vector<d
     all.insert(all.end(), {0.0, 0.5, 0.25, 0.75, 1.0});
     Axis axis{.slot = &slot, .word = slot.first + k, .places = {}};
     for (const double place : all) {
-        const bool whole = !shader::is_float(scalar);
+        const bool whole = !module::is_float(scalar);
         if (!std::isfinite(place) || (whole && std::abs(place) > 0x1p32)) continue;
-        axis.places.push_back(whole ? static_cast<Word>(static_cast<std::int64_t>(std::floor(place)))
+        axis.places.push_back(whole ? static_cast<subject::Word>(static_cast<std::int64_t>(std::floor(place)))
                                     : float_word(scalar, place));
     }
     return axis;
@@ -77,7 +79,7 @@ std::vector<std::vector<double>> diagonals(std::size_t components) {
 
 }  // namespace
 
-std::vector<Words> places_of(const Question& question, std::span<const float> numbers,
+std::vector<Words> places_of(const judge::Question& question, std::span<const float> numbers,
                              const Domain::Inputs& drawn, std::size_t most) {
     const std::vector<Slot> slots = slots_of(question);
     const std::vector<double> zeros = zeros_of(numbers);
@@ -94,7 +96,7 @@ std::vector<Words> places_of(const Question& question, std::span<const float> nu
             all.push_back(std::move(words));
     };
     for (const Slot& slot : slots) {
-        const shader::Type& type = slot.parameter->type;
+        const module::Type& type = slot.parameter->type;
         const std::vector<Scalar> scalars = scalars_of(type);
         for (std::size_t k = 0; k < slot.count && axes.size() < most_axes; ++k)
             if (scalars[k] != Scalar::bool_) axes.push_back(axis_of(slot, k, scalars[k], zeros));
@@ -124,7 +126,7 @@ std::vector<Words> places_of(const Question& question, std::span<const float> nu
             });
     }
     for (const Axis& a : axes)
-        for (const Word at : a.places) place([&](Words& words) { words[a.word] = at; });
+        for (const subject::Word at : a.places) place([&](Words& words) { words[a.word] = at; });
     for (const Axis& a : axes)
         for (const Axis& b : axes)
             for (std::size_t i = 0; a.word < b.word && i < most_of_pairs * most_of_pairs; ++i)
@@ -136,4 +138,4 @@ std::vector<Words> places_of(const Question& question, std::span<const float> nu
     return all;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

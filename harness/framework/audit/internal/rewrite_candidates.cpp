@@ -11,10 +11,10 @@
 #include "base/text.hpp"
 #include "source/tokens.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 namespace {
 
-using shader::Token;
+using source::Token;
 
 constexpr const char* exp_minus_1 =
     "float exp_minus_1(float x) { return abs(x) < 0.5 ? x * (1.0 + x * (0.5 + x * (0.166666667 + x * "
@@ -77,7 +77,7 @@ constexpr std::array rules{
 // The tokens of a text; a name with its members is one: "light.color".
 std::vector<Token> with_members(std::string_view text) {
     std::vector<Token> all;
-    for (Token& token : shader::tokens_of(text)) {
+    for (Token& token : source::tokens_of(text)) {
         const bool goes_on =
             !all.empty() && token.begin == all.back().end() &&
             ((token == "." && all.back().is_word()) || (token.is_word() && all.back().text.ends_with('.')));
@@ -95,7 +95,7 @@ class Matcher {
     explicit Matcher(std::string_view text) : text_(text), tokens_(with_members(text)) {}
 
     void add(const Rule& rule, std::vector<std::pair<std::size_t, AuditRewrite>>& found) {
-        const std::vector<Token> pattern = shader::tokens_of(rule.from);
+        const std::vector<Token> pattern = source::tokens_of(rule.from);
         for (std::size_t first = 0; first + 2 < tokens_.size(); ++first) {
             captured_.clear();
             std::size_t end = first;
@@ -184,4 +184,4 @@ std::vector<std::pair<std::size_t, AuditRewrite>> candidates_of(std::string_view
     return found;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

@@ -14,7 +14,7 @@
 #include "module/compile.hpp"
 #include "numeric/numbers.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 namespace {
 
 constexpr std::size_t most_tried = 24;
@@ -33,12 +33,12 @@ struct Score {
 
 // An input with the original's results.
 struct Case {
-    std::vector<Word> words;
+    std::vector<subject::Word> words;
     Reading original;
     bool sound = false;  // they are proper ones
 };
 
-bool is_broken(AuditRuns& runs, const std::vector<Word>& words, const Reading& reading) {
+bool is_broken(AuditRuns& runs, const std::vector<subject::Word>& words, const Reading& reading) {
     return shows(Concern::fault, reading) || shows(Concern::not_finite, reading) ||
            runs.is_undefined(words, reading);
 }
@@ -112,13 +112,13 @@ std::pair<std::string, unsigned> place_at(std::string_view text, std::size_t at,
 
 std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search) {
     constexpr std::size_t most_examples = 32;  // of a kind
-    std::vector<std::vector<Word>> all = search.traced;
+    std::vector<std::vector<subject::Word>> all = search.traced;
     for (const auto& [concern, examples] : search.examples)
         if (concern != Concern::fault && concern != Concern::parting)
             for (const auto* some : {&examples.random, &examples.others})
                 std::ranges::copy(*some | std::views::take(most_examples), std::back_inserter(all));
     std::vector<Case> cases;
-    for (const std::vector<Word>& words : all) {
+    for (const std::vector<subject::Word>& words : all) {
         Reading reading = runs.read(words);
         const bool sound = !is_broken(runs, words, reading);
         cases.push_back({words, std::move(reading), sound});
@@ -128,17 +128,17 @@ std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search) {
 
 }  // namespace
 
-std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search) {
+std::vector<AuditRewrite> rewrites(const subject::Lab& lab, AuditRuns& runs, const AuditSearch& search) {
     std::vector<AuditRewrite> all;
-    const Question& question = runs.question();
-    const KernelSource& source = runs.source();
+    const judge::Question& question = runs.question();
+    const subject::KernelSource& source = runs.source();
     if (source.text.empty()) return all;
     const std::vector<Case> cases = cases_of(runs, search);
     const Score before = score_on(runs, cases);
     std::size_t tried = 0;
     for (auto& [begin, change] : candidates_of(source.text)) {
         if (tried++ == most_tried) break;
-        KernelSource changed = source;
+        subject::KernelSource changed = source;
         changed.text.replace(begin, change.before.size(), change.after);
         changed.text.insert(0, change.helper);
         try {
@@ -148,11 +148,11 @@ std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditS
             if (change.gain.empty() || harms(before, after)) continue;
             std::tie(change.file, change.line) = place_at(source.text, begin, question.file);
             all.push_back(std::move(change));
-        } catch (const shader::CompileError&) {
+        } catch (const source::CompileError&) {
             continue;  // a type for which the change is not meant
         }
     }
     return all;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

@@ -15,9 +15,12 @@
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 
-using shader::Scalar;
+using namespace judge;
+using namespace subject;
+
+using module::Scalar;
 
 AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSource& source, std::uint64_t seed)
     : AuditRuns(lined_module(lab, source), question, images_of(question.first_scenario(), seed)) {}
@@ -58,7 +61,7 @@ Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
         }
         if (auto why = kernel_.machine().why_undefined(value)) {
             reading.outputs.push_back({.permitted = numeric::Bounds::anything(), .undefined = why});
-        } else if (shader::is_float(scalars_[w])) {
+        } else if (module::is_float(scalars_[w])) {
             const interpreter::Explained x = value.number();
             reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});
         } else {
@@ -83,7 +86,7 @@ bool AuditRuns::is_undefined(std::span<const Word> input, const Reading& reading
     bool undefined = false;
     const auto take = [&](std::size_t w, const interpreter::Value<numeric::Interval>& value) {
         undefined = undefined || value.is_undefined();
-        if (undefined || !shader::is_float(scalars_[w])) return;
+        if (undefined || !module::is_float(scalars_[w])) return;
         const numeric::Bounds bounds = value.number().bounds();
         undefined = bounds.is_anything() || bounds.nan;
     };
@@ -157,23 +160,23 @@ void AuditRuns::set_usual(const Domain::Inputs& inputs) {
 namespace {
 
 std::string short_text(Scalar scalar, Word word) {
-    if (shader::is_float(scalar)) return fmt::format("{}", from_word<float>(word));
-    return scalar == Scalar::uint_ ? fmt::format("{}", word) : text_of(scalar, word);
+    if (module::is_float(scalar)) return fmt::format("{}", from_word<float>(word));
+    return scalar == Scalar::uint_ ? fmt::format("{}", word) : subject::text_of(scalar, word);
 }
 
 }  // namespace
 
 std::string AuditRuns::named(std::span<const Word> input) const {
     std::vector<std::string> all;
-    const std::function<void(const shader::Type&, const std::string&)> add = [&](const shader::Type& type,
+    const std::function<void(const module::Type&, const std::string&)> add = [&](const module::Type& type,
                                                                                  const std::string& name) {
         if (type.scalar == Scalar::structure && !type.sizes.empty()) {
             for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
-                add(shader::element_of(type), fmt::format("{}[{}]", name, i));
+                add(module::element_of(type), fmt::format("{}[{}]", name, i));
             return;
         }
         if (type.scalar == Scalar::structure) {
-            for (const shader::Member& member : type.members) add(member.type, name + "." + member.name);
+            for (const module::Member& member : type.members) add(member.type, name + "." + member.name);
             return;
         }
         if (type.scalar == Scalar::sampler) return;
@@ -185,8 +188,8 @@ std::string AuditRuns::named(std::span<const Word> input) const {
         all.push_back(fmt::format(fmt::runtime(numbers.size() == 1 ? "{} = {}" : "{} = ({})"), name,
                                   fmt::join(numbers, ", ")));
     };
-    for (const shader::Parameter& parameter : question_.signature.parameters)
-        if (parameter.direction != shader::Direction::out) add(parameter.type, parameter.name);
+    for (const module::Parameter& parameter : question_.signature.parameters)
+        if (parameter.direction != source::Direction::out) add(parameter.type, parameter.name);
     return fmt::format("{}", fmt::join(all, ", "));
 }
 
@@ -210,4 +213,4 @@ Loss AuditRuns::largest(Concern concern, const Reading& reading) const {
     return worst;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

@@ -15,7 +15,7 @@
 #include "subject/interpreted_kernel.hpp"
 #include "subject/lab.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 
 // One scalar of the result, on every number type at once. An integer or bool is exact.
 struct OutputReading {
@@ -51,62 +51,64 @@ class AuditRuns {
   public:
     using Gaps = numeric::Paths::Gaps;
 
-    AuditRuns(const Lab& lab, const Question& question, const KernelSource& source, std::uint64_t seed);
+    AuditRuns(const subject::Lab& lab, const judge::Question& question, const subject::KernelSource& source,
+              std::uint64_t seed);
     // The same function with another text, measured like `original`, on the same images.
-    AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
+    AuditRuns(const subject::Lab& lab, const judge::Question& question, const subject::KernelSource& changed,
               const AuditRuns& original);
 
     // `gaps`: of Vulkan's rules.
-    [[nodiscard]] Reading read(std::span<const Word> input, Gaps gaps = Gaps::closed);
+    [[nodiscard]] Reading read(std::span<const subject::Word> input, Gaps gaps = Gaps::closed);
 
     // Whether some driver that keeps the rules has an undefined result: a guard that holds in float32 may
     // keep it from every driver, which intervals along one path do not see. `reading`: of the input.
-    [[nodiscard]] bool is_undefined(std::span<const Word> input, const Reading& reading,
+    [[nodiscard]] bool is_undefined(std::span<const subject::Word> input, const Reading& reading,
                                     Gaps gaps = Gaps::closed);
-    [[nodiscard]] bool is_undefined(std::span<const Word> input, Gaps gaps) {
+    [[nodiscard]] bool is_undefined(std::span<const subject::Word> input, Gaps gaps) {
         return is_undefined(input, read(input, gaps), gaps);
     }
 
     // Whether double, or one of a few drivers that keep the rules, takes another path than float32 and gives
     // another result; the first that does. `reading`: of the input.
-    [[nodiscard]] std::optional<Parting> parting_of(std::span<const Word> input, const Reading& reading);
+    [[nodiscard]] std::optional<Parting> parting_of(std::span<const subject::Word> input,
+                                                    const Reading& reading);
     // The decision that parts them; unknown if it has no line.
-    [[nodiscard]] AuditLocation place_of(const Parting& parting, std::span<const Word> input);
+    [[nodiscard]] AuditLocation place_of(const Parting& parting, std::span<const subject::Word> input);
 
     // Bounds of each output on all paths, in any order of sums.
-    [[nodiscard]] std::vector<numeric::Bounds> permitted(std::span<const Word> input);
+    [[nodiscard]] std::vector<numeric::Bounds> permitted(std::span<const subject::Word> input);
     // The outputs in double, on double's own path. Empty if there is a fault.
-    [[nodiscard]] std::vector<double> in_double(std::span<const Word> input);
+    [[nodiscard]] std::vector<double> in_double(std::span<const subject::Word> input);
     // The outputs of correctly rounded float32, likewise.
-    [[nodiscard]] std::vector<double> in_float(std::span<const Word> input);
+    [[nodiscard]] std::vector<double> in_float(std::span<const subject::Word> input);
     // The operations of one input. Empty if there is a fault.
-    [[nodiscard]] Explanation steps(std::span<const Word> input, Gaps gaps = Gaps::closed);
+    [[nodiscard]] judge::Explanation steps(std::span<const subject::Word> input, Gaps gaps = Gaps::closed);
 
     // Learns the usual size of the results: the median magnitude over these inputs.
-    void set_usual(const Domain::Inputs& inputs);
+    void set_usual(const subject::Domain::Inputs& inputs);
 
     // The largest of the outputs' losses of digits, or of the widths of what drivers are permitted.
     [[nodiscard]] Loss largest(Concern concern, const Reading& reading) const;
 
     // "x = 0.5, n = (0, 1, 0)": an input by the names of the parameters, each float with enough digits.
-    [[nodiscard]] std::string named(std::span<const Word> input) const;
+    [[nodiscard]] std::string named(std::span<const subject::Word> input) const;
 
-    [[nodiscard]] const Question& question() const { return question_; }
-    [[nodiscard]] const KernelSource& source() const { return *modules_[0]->source; }
+    [[nodiscard]] const judge::Question& question() const { return question_; }
+    [[nodiscard]] const subject::KernelSource& source() const { return *modules_[0]->source; }
     [[nodiscard]] glm::ivec2 image_size() const { return question_.first_scenario().size; }
     [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
     // The float constants of the function's module.
-    [[nodiscard]] std::vector<float> numbers() const { return shader::float_constants(modules_[0]->spirv); }
+    [[nodiscard]] std::vector<float> numbers() const { return module::float_constants(modules_[0]->spirv); }
 
   private:
-    AuditRuns(KernelModule module, const Question& question, ImageSet images);
-    [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const Word> input,
+    AuditRuns(subject::KernelModule module, const judge::Question& question, subject::ImageSet images);
+    [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const subject::Word> input,
                                                            const Reading& reading, int driver);
     // Runs a kernel along paths of the rules, at most `most`, and takes its outputs by their numbers, or why
     // it has none.
     template <class N, class Take, class Fail>
-    numeric::Paths::Outcome run(InterpretedKernel<N>& kernel, std::span<const Word> input, Gaps gaps,
-                                const Take& take, const Fail& fail, std::size_t most = 1) {
+    numeric::Paths::Outcome run(subject::InterpretedKernel<N>& kernel, std::span<const subject::Word> input,
+                                Gaps gaps, const Take& take, const Fail& fail, std::size_t most = 1) {
         const std::uint64_t before = kernel.machine().steps();
         const auto once = [&] {
             if (most > 1) numeric::Paths::choose_only_wholes();
@@ -124,19 +126,19 @@ class AuditRuns {
         return outcome;
     }
 
-    const Question& question_;
-    std::vector<shader::Scalar> scalars_;
+    const judge::Question& question_;
+    std::vector<module::Scalar> scalars_;
     std::vector<std::size_t> sizes_;  // of the result's vectors
     std::vector<double> least_;       // results in a word below count as large as this
-    ImageSet images_;
-    KernelModules modules_;
-    Decoded decoded_;
-    Interpretation interpretation_;
-    InterpretedKernel<interpreter::Explained> kernel_;
-    InterpretedKernel<float> floats_;
-    InterpretedKernel<double> doubles_;
-    InterpretedKernel<numeric::Interval> drivers_;  // one driver after another
+    subject::ImageSet images_;
+    subject::KernelModules modules_;
+    judge::Decoded decoded_;
+    judge::Interpretation interpretation_;
+    subject::InterpretedKernel<interpreter::Explained> kernel_;
+    subject::InterpretedKernel<float> floats_;
+    subject::InterpretedKernel<double> doubles_;
+    subject::InterpretedKernel<numeric::Interval> drivers_;  // one driver after another
     std::uint64_t instructions_ = 0;
 };
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

@@ -8,8 +8,10 @@
 
 #include "judge/reproduction.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::audit::internal {
 namespace {
+
+using namespace subject;
 
 constexpr std::size_t drawn_part = 2;   // one of this many inputs is drawn
 constexpr std::size_t random_part = 4;  // one of this many drawn ones has no special value
@@ -61,13 +63,13 @@ class Search {
     void for_each_float(const Visit& visit) const {
         for (const Slot& slot : slots_)
             for (std::size_t k = 0; k < slot.count; ++k)
-                if (scalars_of(slot.parameter->type).at(k) == shader::Scalar::float_) visit(slot, k);
+                if (scalars_of(slot.parameter->type).at(k) == module::Scalar::float_) visit(slot, k);
     }
 
     // A row with another number in a slot; nullopt if the domain has no such number.
-    static std::optional<std::vector<Word>> with(std::span<const Word> row, const Slot& slot, std::size_t k,
-                                                 float number) {
-        std::vector<Word> words(row.begin(), row.end());
+    static std::optional<std::vector<subject::Word>> with(std::span<const subject::Word> row,
+                                                          const Slot& slot, std::size_t k, float number) {
+        std::vector<subject::Word> words(row.begin(), row.end());
         words[slot.first + k] = to_word(number);
         if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return std::nullopt;
         return words;
@@ -82,7 +84,7 @@ class Search {
                 const auto usual = with(drawn.row(i), slot, k, 0x1p-6F);
                 if (!usual || !with(drawn.row(i), slot, k, -0x1p-6F)) return;
                 for (const float tiny : {-0x1p-30F, 0x1p-30F}) {
-                    std::vector<Word> words = *usual;
+                    std::vector<subject::Word> words = *usual;
                     words[slot.first + k] = to_word(tiny);
                     runs_.question().domain.adjust(words);
                     if (shows(Concern::fault, runs_.read(words))) keep(Concern::fault, words, false);
@@ -92,7 +94,7 @@ class Search {
 
     // Numbers as people write them: int(x * 10.0) decides otherwise in double for 0.7, and for few floats
     // that are drawn.
-    void try_decimals(std::span<const Word> row) {
+    void try_decimals(std::span<const subject::Word> row) {
         constexpr int most_steps = 100;
         for_each_float([&](const Slot& slot, std::size_t k) {
             for (const double unit : {0.1, 1.0})
@@ -101,7 +103,7 @@ class Search {
         });
     }
 
-    void try_parting(std::vector<Word>& words) {
+    void try_parting(std::vector<subject::Word>& words) {
         runs_.question().domain.adjust(words);
         const Reading reading = runs_.read(words);
         if (reading.fault.empty() && !runs_.is_undefined(words, reading) && runs_.parting_of(words, reading))
@@ -111,7 +113,7 @@ class Search {
     // Where the function goes wrong at one number only.
     void try_places(const Domain::Inputs& drawn) {
         constexpr double share = 0.6;
-        for (std::vector<Word>& words :
+        for (std::vector<subject::Word>& words :
              places_of(runs_.question(), runs_.numbers(), drawn, options_.inputs / 2)) {
             if (!has_steps(share)) break;
             runs_.question().domain.adjust(words);
@@ -123,7 +125,7 @@ class Search {
     std::size_t draw(const Domain::Inputs& drawn, bool random, double share) {
         std::size_t i = 0;
         for (; i < drawn.count() && has_steps(share); ++i) {
-            const std::vector<Word> words(drawn.row(i).begin(), drawn.row(i).end());
+            const std::vector<subject::Word> words(drawn.row(i).begin(), drawn.row(i).end());
             const Reading reading = run(words, true, random);
             if (!reading.fault.empty()) continue;
             for (const Concern concern : losses)
@@ -144,8 +146,8 @@ class Search {
     }
 
     // `drawn`: before adjustment. `draws`: it does not come from a climb.
-    Reading run(const std::vector<Word>& drawn, bool draws, bool random) {
-        std::vector<Word> words = drawn;
+    Reading run(const std::vector<subject::Word>& drawn, bool draws, bool random) {
+        std::vector<subject::Word> words = drawn;
         runs_.question().domain.adjust(words);
         Reading reading = runs_.read(words);
         ++found_.inputs;
@@ -165,7 +167,7 @@ class Search {
     }
 
     // Returns whether a result is undefined.
-    bool keep_broken(const std::vector<Word>& words, const Reading& reading, bool random) {
+    bool keep_broken(const std::vector<subject::Word>& words, const Reading& reading, bool random) {
         for (const Concern concern : {Concern::fault, Concern::not_finite})
             if (shows(concern, reading)) keep(concern, words, random);
         const bool undefined = runs_.is_undefined(words, reading);
@@ -173,7 +175,7 @@ class Search {
         return undefined;
     }
 
-    void keep(Concern concern, const std::vector<Word>& words, bool random) {
+    void keep(Concern concern, const std::vector<subject::Word>& words, bool random) {
         Examples& examples = found_.examples[concern];
         if (random) ++examples.shown;
         auto& kept = random ? examples.random : examples.others;
@@ -205,13 +207,14 @@ bool shows(Concern concern, const Reading& reading) {
                                [&](const OutputReading& output) { return shows(concern, output); });
 }
 
-std::vector<Word> simplified(const AuditRuns& runs, const std::vector<Word>& words,
-                             const std::function<bool(const std::vector<Word>&)>& still) {
-    const auto first_still = [&](std::span<const std::vector<Word>> inputs) -> std::optional<Sample> {
+std::vector<subject::Word> simplified(const AuditRuns& runs, const std::vector<subject::Word>& words,
+                                      const std::function<bool(const std::vector<subject::Word>&)>& still) {
+    const auto first_still =
+        [&](std::span<const std::vector<subject::Word>> inputs) -> std::optional<judge::Sample> {
         const auto found = std::ranges::find_if(inputs, still);
-        return found == inputs.end() ? std::nullopt : std::optional(Sample{.inputs = *found});
+        return found == inputs.end() ? std::nullopt : std::optional(judge::Sample{.inputs = *found});
     };
     return still(words) ? shrink(runs.question(), {.inputs = words}, first_still).inputs : words;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::audit::internal

@@ -10,7 +10,7 @@
 #include "backend/gl/internal/context.hpp"
 #include "backend/shader_cache.hpp"
 
-namespace gloam::gl::internal {
+namespace gloam::backend::gl::internal {
 namespace {
 
 constexpr const char* library_name = "libEGL.so.1";
@@ -194,9 +194,9 @@ GLint Context::integer(GLenum what) const {
     return value;
 }
 
-}  // namespace gloam::gl::internal
+}  // namespace gloam::backend::gl::internal
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 namespace {
 
 using internal::Context;
@@ -208,11 +208,11 @@ DeviceName required_name(const std::string& text) {
         "no OpenGL device \"{}\": expected a name such as gl:llvmpipe-4.5 or es:softpipe-3.1", text));
 }
 
-std::uint32_t limit(const Context& context, GLenum what) {
+std::uint32_t limit(const internal::Context& context, GLenum what) {
     return static_cast<std::uint32_t>(std::max(context.integer(what), 0));
 }
 
-DeviceInfo describe(const Context& context, const DeviceName& name) {
+DeviceInfo describe(const internal::Context& context, const DeviceName& name) {
     DeviceInfo info;
     info.id = name;
     info.name = to_string(name);
@@ -237,7 +237,8 @@ bool runs(const DeviceInfo& info, const std::string& executor) {
 
 }  // namespace
 
-Device::Device(const std::string& name) : context_(base::make_hidden<Context>(required_name(name))) {
+Device::Device(const std::string& name)
+    : context_(base::make_hidden<internal::Context>(required_name(name))) {
     const DeviceName wanted = required_name(name);
     info_ = describe(*context_, wanted);
     if (wanted.executor != "system" && !runs(info_, wanted.executor)) {
@@ -263,4 +264,4 @@ std::vector<DeviceInfo> list_devices(const std::string& executor) {
     return devices;
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

@@ -12,7 +12,7 @@
 #include "backend/backend.hpp"
 #include "base/hidden.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 
 // There is no EGL library, no display without a window, or no such software renderer.
 class Unavailable : public backend::Error {
@@ -103,4 +103,4 @@ class Device : public backend::Backend {
 // where it is one of the other executors. Throws Unavailable where there is no EGL at all.
 [[nodiscard]] std::vector<DeviceInfo> list_devices(const std::string& executor);
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

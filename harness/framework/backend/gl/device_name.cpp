@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 namespace {
 
 const char* prefix_of(Api api) {
@@ -56,4 +56,4 @@ std::vector<Version> versions() {
     return {{Api::gl, 4, 5}, {Api::gl, 3, 3}, {Api::es, 3, 2}, {Api::es, 3, 1}, {Api::es, 3, 0}};
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

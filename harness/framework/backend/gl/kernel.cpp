@@ -7,7 +7,7 @@
 
 #include "backend/gl/program.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 namespace {
 
 Program program_of(const Device& device, const backend::KernelProgram& kernel) {
@@ -156,4 +156,4 @@ std::unique_ptr<backend::Kernel> Device::make_kernel(const backend::KernelProgra
     return std::make_unique<FragmentKernel>(*this, program);
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

@@ -7,7 +7,7 @@
 #include "backend/backend.hpp"
 
 // The interface of a kernel's text (Device::make_kernel).
-namespace gloam::gl {
+namespace gloam::backend::gl {
 
 // A compute shader has the buffers of backend::KernelBinding, and backend::KernelRun as a uniform buffer:
 inline constexpr unsigned kernel_run_binding = 16;
@@ -32,4 +32,4 @@ inline constexpr std::size_t kernel_fault_words = sizeof(backend::KernelFaults) 
     return std::min((row + kernel_target_words - 1) / kernel_target_words, most);
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

@@ -8,7 +8,7 @@
 
 #include "backend/gl/internal/context.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 namespace {
 
 using internal::Functions;
@@ -57,7 +57,7 @@ std::string log_of(GLuint object, Number number, Log log) {
 // A shader object, until it is part of a program.
 class Shader {
   public:
-    Shader(const Functions& gl, GLenum stage, const ShaderText& shader)
+    Shader(const internal::Functions& gl, GLenum stage, const ShaderText& shader)
         : gl_(gl), handle_(gl.CreateShader(stage)) {
         const char* const text = shader.text.c_str();
         gl_.ShaderSource(handle_, 1, &text, nullptr);
@@ -76,13 +76,13 @@ class Shader {
     [[nodiscard]] GLuint handle() const { return handle_; }
 
   private:
-    const Functions& gl_;
+    const internal::Functions& gl_;
     GLuint handle_;
 };
 
 // Textures of four words a pixel, as the targets of the framebuffer that is bound.
 std::vector<Handle> bound_targets(const Device& device, const Draw& work) {
-    const Functions& gl = device.context().use();
+    const internal::Functions& gl = device.context().use();
     std::vector<Handle> textures;
     std::vector<GLenum> places;
     gl.ActiveTexture(GL_TEXTURE0);
@@ -102,7 +102,7 @@ std::vector<Handle> bound_targets(const Device& device, const Draw& work) {
     return textures;
 }
 
-void set_uniforms(const Functions& gl, const Draw& work) {
+void set_uniforms(const internal::Functions& gl, const Draw& work) {
     const GLuint program = work.program.handle();
     gl.UseProgram(program);
     for (std::size_t i = 0; i < work.textures.size(); ++i) {
@@ -118,7 +118,7 @@ void set_uniforms(const Functions& gl, const Draw& work) {
 
 Program::Program(const Device& device, Stage stage, const ShaderText& shader)
     : handle_(device, Handle::Kind::program) {
-    const Functions& gl = device.context().use();
+    const internal::Functions& gl = device.context().use();
     const Shader own(gl, stage == Stage::compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER, shader);
     std::unique_ptr<Shader> vertices;
     if (stage == Stage::fragment) {
@@ -138,7 +138,7 @@ Program::Program(const Device& device, Stage stage, const ShaderText& shader)
 
 void dispatch(const Device& device, const Dispatch& work) {
     const internal::Context& context = device.context();
-    const Functions& gl = context.use();
+    const internal::Functions& gl = context.use();
     if (!has_compute(device.info().id.version))
         throw backend::Error(to_string(device.info().id.version) + " has no compute shaders");
     gl.UseProgram(work.program.handle());
@@ -161,7 +161,7 @@ void dispatch(const Device& device, const Dispatch& work) {
 
 std::vector<std::vector<Word>> draw(const Device& device, const Draw& work) {
     const internal::Context& context = device.context();
-    const Functions& gl = context.use();
+    const internal::Functions& gl = context.use();
     const Handle framebuffer(device, Handle::Kind::framebuffer);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     const std::vector<Handle> targets = bound_targets(device, work);
@@ -184,4 +184,4 @@ std::vector<std::vector<Word>> draw(const Device& device, const Draw& work) {
     return words;
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

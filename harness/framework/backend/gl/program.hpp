@@ -13,7 +13,7 @@
 #include "backend/gl/device.hpp"
 #include "backend/gl/resources.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 
 // Text of a shader, its #version line first, with the name that messages give it.
 struct ShaderText {
@@ -67,4 +67,4 @@ struct Draw {
 // Throws backend::Error.
 [[nodiscard]] std::vector<std::vector<Word>> draw(const Device& device, const Draw& work);
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

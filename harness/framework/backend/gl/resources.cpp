@@ -9,7 +9,7 @@
 #include "backend/gl/internal/context.hpp"
 #include "backend/sampled.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 namespace {
 
 // Every version has this target, and nothing else uses it.
@@ -159,4 +159,4 @@ WordTexture::WordTexture(const Device& device, std::span<const Word> words)
     context.check("a texture");
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

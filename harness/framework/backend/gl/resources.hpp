@@ -10,7 +10,7 @@
 
 #include "backend/gl/device.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 
 using backend::Word;
 
@@ -107,4 +107,4 @@ class WordTexture {
     Handle handle_;
 };
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

@@ -7,7 +7,7 @@
 #include "backend/gl/resources.hpp"
 #include "backend/sampled.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 namespace {
 
 using backend::SampledHeader;
@@ -103,4 +103,4 @@ void SampledTexture::bind(std::uint32_t unit) const {
     gl.ActiveTexture(GL_TEXTURE0);
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

@@ -3,7 +3,7 @@
 // one.
 #include "backend/gl/device.hpp"
 
-namespace gloam::gl {
+namespace gloam::backend::gl {
 
 namespace {
 
@@ -27,4 +27,4 @@ std::vector<DeviceInfo> list_devices(const std::string& /*executor*/) {
     refuse();
 }
 
-}  // namespace gloam::gl
+}  // namespace gloam::backend::gl

@@ -9,7 +9,7 @@
 #include "backend/vulkan/internal/context.hpp"
 #include "backend/vulkan/internal/objects.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::PipelineLayout& layout,
@@ -254,4 +254,4 @@ std::vector<double> Commands::times_ms() const {
     return times;
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

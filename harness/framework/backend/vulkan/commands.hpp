@@ -12,7 +12,7 @@
 #include "backend/vulkan/resources.hpp"
 #include "base/hidden.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 // sampled_image: a SampledImage with its own sampler, or an Image, of which the nearest texel is taken,
 // inside of it.
@@ -105,4 +105,4 @@ class RasterPipeline {
 void render(Commands& commands, const RasterPipeline& pipeline, Extent extent,
             std::span<const Resource> resources, std::span<const std::byte> push_constants);
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -11,7 +11,7 @@
 #include "base/cached_file.hpp"
 #include "base/process.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 Physical choose(const vk::raii::Instance& instance, const std::string& selector) {
@@ -286,4 +286,4 @@ vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::Des
                                                          .pPushConstantRanges = &range}};
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

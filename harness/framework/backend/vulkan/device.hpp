@@ -12,7 +12,7 @@
 
 #include "backend/backend.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 using backend::DeviceInfo;
 using backend::FloatControls;
@@ -87,4 +87,4 @@ class Device : public backend::Backend {
 // its library is missing; then nothing has changed.
 void add_drivers(std::span<const std::filesystem::path> manifests);
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

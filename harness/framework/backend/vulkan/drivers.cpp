@@ -11,7 +11,7 @@
 #include <string>
 #include <system_error>
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ void add_drivers(std::span<const fs::path> manifests) {
     if (!told) append(besides, files);
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -13,7 +13,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
@@ -291,4 +291,4 @@ std::vector<DeviceInfo> list_devices() {
     return infos;
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

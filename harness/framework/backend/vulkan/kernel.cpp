@@ -10,7 +10,7 @@
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/internal/context.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 using backend::Word;
@@ -150,4 +150,4 @@ std::unique_ptr<backend::Kernel> Device::make_kernel(const backend::KernelProgra
     return with_typed_errors([&] { return std::make_unique<VulkanKernel>(*this, program); });
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -14,7 +14,7 @@
 #include "backend/vulkan/internal/objects.hpp"
 #include "base/text.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 void choose(const std::string& chip) {
@@ -174,4 +174,4 @@ std::vector<RadvReport> compiled_by_radv(std::span<const RadvProgram> programs, 
     return reports;
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -11,7 +11,7 @@
 #include "backend/vulkan/device.hpp"
 
 // Mesa's driver RADV opens a device for a chip that is not there, and compiles for it. Nothing runs.
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 enum class DescriptorKind { storage_image, sampled_image, texture, sampler, storage_buffer, uniform_buffer };
 
@@ -48,4 +48,4 @@ inline constexpr const char* no_radv_message =
 [[nodiscard]] std::vector<RadvReport> compiled_by_radv(std::span<const RadvProgram> programs,
                                                        const std::string& chip, Validation validation);
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -3,7 +3,7 @@
 #include "backend/vulkan/internal/context.hpp"
 #include "backend/vulkan/internal/objects.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 constexpr auto raster_stages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
@@ -94,4 +94,4 @@ void render(Commands& commands, const RasterPipeline& pipeline, Extent extent,
     device_barrier(recording);
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -10,7 +10,7 @@
 #include "backend/vulkan/internal/objects.hpp"
 #include "base/half.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 Buffer::Handles make_buffer(Context& context, std::size_t bytes) {
     const auto limit = context.physical.info.max_buffer_bytes;
@@ -330,4 +330,4 @@ std::vector<float> Image::download() const {
     return texels;
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

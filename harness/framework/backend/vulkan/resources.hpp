@@ -13,7 +13,7 @@
 #include "backend/vulkan/device.hpp"
 #include "base/hidden.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 // A storage buffer in host-visible, coherent memory, mapped during its lifetime. Its contents are undefined
 // at first. Throws std::runtime_error when `bytes` is 0 or exceeds the device's limit, or memory is
@@ -72,12 +72,6 @@ enum class Format {
 // Bytes of a texel in the image.
 [[nodiscard]] std::uint64_t texel_bytes(Format format);
 
-struct Extent {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    friend bool operator==(const Extent&, const Extent&) = default;
-};
-
 // A 2-D storage image in device memory, row 0 at the top. Its contents are undefined at first. Throws
 // std::runtime_error when a side is 0 or exceeds the device's limit, the device does not support the format,
 // or memory is exhausted. levels: how many it has, each of half the sides of the one before; uploads and
@@ -125,4 +119,4 @@ class SampledImage {
     base::Hidden<Handles> handles;
 };
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

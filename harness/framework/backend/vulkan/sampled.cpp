@@ -7,7 +7,7 @@
 #include "backend/vulkan/internal/context.hpp"
 #include "backend/vulkan/internal/objects.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 namespace {
 
 using backend::SampledHeader;
@@ -116,4 +116,4 @@ SampledImage::SampledImage(const Device& device, std::span<const backend::Word> 
     });
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -99,7 +99,7 @@ const PointerInfo& Lowering::pointer_of(Id id) const {
 
 std::uint8_t Lowering::flags_of(Id result, Id type) const {
     const Type& scalar = module_.types.scalar_of(type);
-    const Decorations decorations = module_.declared.decorations_of(result);
+    const module::spirv::Decorations decorations = module_.declared.decorations_of(result);
     std::uint8_t all = 0;
     if (scalar.kind != Type::Kind::real) return all;
     if (decorations.no_contraction) all |= flags::no_contraction;
@@ -108,7 +108,7 @@ std::uint8_t Lowering::flags_of(Id result, Id type) const {
     return all;
 }
 
-void Lowering::remember_place(const shader::Instruction& i) {
+void Lowering::remember_place(const module::Instruction& i) {
     place_.word = i.at;
     place_.function = module_.name_of(scope_.function->id);
     const bool known = !code_.places.empty() && place_.line != 0 && code_.places.back().line == place_.line &&
@@ -117,10 +117,10 @@ void Lowering::remember_place(const shader::Instruction& i) {
     if (!known) code_.places.push_back(place_);
 }
 
-void Lowering::place_variable(const shader::Instruction& variable) {
+void Lowering::place_variable(const module::Instruction& variable) {
     const Type& pointer = module_.types.at(variable.word(1));
     const Id id = variable.word(2);
-    const Decorations decorations = module_.declared.decorations_of(id);
+    const module::spirv::Decorations decorations = module_.declared.decorations_of(id);
     PointerInfo info{.pointee = pointer.element};
     // A block without an instance has only its own name.
     const std::string own = module_.name_of(id);
@@ -171,7 +171,7 @@ void Lowering::place_globals() {
     }
     static const Function none{};
     scope_.function = &none;
-    for (const shader::Instruction& i : module_.computed_constants) {
+    for (const module::Instruction& i : module_.computed_constants) {
         // [length | OpSpecConstantOp, type, result, opcode, operands...] rewritten as an instruction with
         // that opcode.
         computed_.emplace_back(i.words.begin(), i.words.end());
@@ -186,7 +186,7 @@ void Lowering::place_globals() {
         global_types_[i.word(2)] = i.word(1);
         lower({.at = i.at, .opcode = opcode, .words = words});
     }
-    for (const shader::Instruction& variable : module_.variables) place_variable(variable);
+    for (const module::Instruction& variable : module_.variables) place_variable(variable);
 }
 
 Code Lowering::run(const std::string& entry_point) {
@@ -207,8 +207,8 @@ Code Lowering::run(const std::string& entry_point) {
 // Allocates slots for every result of the function before its first use, because a phi can refer to a later
 // result.
 void Lowering::allocate_results(const Function& function) {
-    for (const shader::Instruction& i : function.body) {
-        const auto [has_result, has_type] = shader::spirv::result_shape(i.opcode);
+    for (const module::Instruction& i : function.body) {
+        const auto [has_result, has_type] = module::spirv::result_shape(i.opcode);
         if (!has_result || !has_type || i.opcode == SpvOpFunctionParameter) continue;
         const Type& type = module_.types.at(i.word(1));
         scope_.types[i.word(2)] = i.word(1);
@@ -220,7 +220,7 @@ void Lowering::allocate_results(const Function& function) {
 void Lowering::lower_function(const Function& function) {
     if (std::ranges::find(calls_, function.id) != calls_.end())
         fail(Error::Kind::malformed, module_.name_of(function.id) + " calls itself");
-    const auto has_code = [](const shader::Instruction& i) {
+    const auto has_code = [](const module::Instruction& i) {
         return i.opcode != SpvOpFunctionParameter && i.opcode != SpvOpLine;
     };
     if (std::ranges::none_of(function.body, has_code))
@@ -233,18 +233,18 @@ void Lowering::lower_function(const Function& function) {
         scope_.returns.push_back(new_edge());
         emit(construct, 0, 0).extra = scope_.returns.back();
     }
-    const auto enter_line = [this](const shader::Instruction& line) {
+    const auto enter_line = [this](const module::Instruction& line) {
         place_.file = module_.string_of(line.word(1));
         place_.line = line.word(2);
     };
     // Instructions before the first line of their own belong to the first statement: the front end evaluates
     // a condition before it states the line of the branch.
-    for (const shader::Instruction& i : function.body) {
+    for (const module::Instruction& i : function.body) {
         if (i.opcode != SpvOpLine) continue;
         enter_line(i);
         if (&i != &function.body.front()) break;
     }
-    for (const shader::Instruction& i : function.body) {
+    for (const module::Instruction& i : function.body) {
         if (i.opcode == SpvOpLine && &i != &function.body.front()) enter_line(i);
         lower(i);
     }
@@ -275,7 +275,7 @@ void Lowering::close_edges() {
     for (const std::uint32_t edge : scope_.returns) code_.edges[edge].target = end;
 }
 
-void Lowering::lower(const shader::Instruction& i) {
+void Lowering::lower(const module::Instruction& i) {
     constexpr std::array<std::uint32_t, 4> without_code{SpvOpNop, SpvOpLine, SpvOpNoLine,
                                                         SpvOpFunctionParameter};
     if (std::ranges::find(without_code, i.opcode) != without_code.end()) return;

@@ -16,12 +16,12 @@ struct PointerInfo {
     enum class Space { slots, memory, shared, resource };
     Space space = Space::slots;
     bool is_static = true;
-    Pointer target;                   // if static
-    std::uint32_t index = 0;          // of the machine's pointer, if not static
-    Id pointee = 0;                   // type
-    MatrixLayout matrix;              // in memory
-    std::uint32_t scalar_stride = 0;  // of a column of a row-major matrix; 0: consecutive
-    std::uint32_t variable = 0;       // in Code::variables; 0: none
+    Pointer target;                      // if static
+    std::uint32_t index = 0;             // of the machine's pointer, if not static
+    Id pointee = 0;                      // type
+    module::spirv::MatrixLayout matrix;  // in memory
+    std::uint32_t scalar_stride = 0;     // of a column of a row-major matrix; 0: consecutive
+    std::uint32_t variable = 0;          // in Code::variables; 0: none
 };
 
 // Converts an entry point and all that it calls to Code. Every call becomes a copy of the function.
@@ -57,38 +57,38 @@ class Lowering {
     };
 
     void place_globals();
-    void place_variable(const shader::Instruction& variable);
+    void place_variable(const module::Instruction& variable);
     void lower_function(const Function& function);
     void allocate_results(const Function& function);
     void close_edges();
-    void lower(const shader::Instruction& i);
+    void lower(const module::Instruction& i);
     // Down to lower_group(), each hands on to the next what is not its own.
-    void lower_control(const shader::Instruction& i);
-    void lower_memory(const shader::Instruction& i);
-    void lower_composite(const shader::Instruction& i);
-    void lower_matrix(const shader::Instruction& i);
-    void lower_atomic(const shader::Instruction& i);
-    void lower_fetch(const shader::Instruction& i);
-    void lower_image(const shader::Instruction& i);
-    void lower_sampling(const shader::Instruction& i);
-    void lower_group(const shader::Instruction& i);
+    void lower_control(const module::Instruction& i);
+    void lower_memory(const module::Instruction& i);
+    void lower_composite(const module::Instruction& i);
+    void lower_matrix(const module::Instruction& i);
+    void lower_atomic(const module::Instruction& i);
+    void lower_fetch(const module::Instruction& i);
+    void lower_image(const module::Instruction& i);
+    void lower_sampling(const module::Instruction& i);
+    void lower_group(const module::Instruction& i);
     Slot lower_difference(Slot of, std::uint32_t count, std::uint32_t pick, std::uint8_t how);
     Slot lower_slope(Slot of, std::uint32_t count, std::uint32_t axis, std::uint8_t how, bool fine);
     struct Coordinates {
         Slot first;
         std::uint32_t count;
     };
-    Coordinates lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how);
-    void lower_derivative(const shader::Instruction& i);
-    void lower_collective(const shader::Instruction& i);
+    Coordinates lower_gradients(const module::Instruction& i, Coordinates at, Sampling& how);
+    void lower_derivative(const module::Instruction& i);
+    void lower_collective(const module::Instruction& i);
     void list_offsets(const PointerInfo& pointer, Instruction& instruction);
-    void lower_operation(const shader::Instruction& i);
-    void lower_bits(const shader::Instruction& i);
-    void lower_call(const shader::Instruction& i);
-    void lower_access_chain(const shader::Instruction& i);
-    void lower_local_variable(const shader::Instruction& i);
-    void lower_shuffle(const shader::Instruction& i);
-    void lower_switch(const shader::Instruction& i);
+    void lower_operation(const module::Instruction& i);
+    void lower_bits(const module::Instruction& i);
+    void lower_call(const module::Instruction& i);
+    void lower_access_chain(const module::Instruction& i);
+    void lower_local_variable(const module::Instruction& i);
+    void lower_shuffle(const module::Instruction& i);
+    void lower_switch(const module::Instruction& i);
     void load(Slot result, const PointerInfo& from, std::uint8_t flags);
     void store(const PointerInfo& to, Slot value);
 
@@ -107,7 +107,7 @@ class Lowering {
     [[nodiscard]] std::uint8_t flags_of(Id result, Id type) const;
     // Whether an instruction of the function names the result of another one.
     [[nodiscard]] bool is_used(Id result) const;
-    void remember_place(const shader::Instruction& i);
+    void remember_place(const module::Instruction& i);
     [[noreturn]] void fail(Error::Kind kind, const std::string& message) const;
 
     const Module& module_;

@@ -12,14 +12,14 @@ namespace gloam::interpreter::internal {
 
 bool Lowering::is_used(Id result) const {
     // A literal of the same value counts, too; it does no harm.
-    return std::ranges::any_of(scope_.function->body, [result](const shader::Instruction& i) {
-        const auto [has_result, has_type] = shader::spirv::result_shape(i.opcode);
+    return std::ranges::any_of(scope_.function->body, [result](const module::Instruction& i) {
+        const auto [has_result, has_type] = module::spirv::result_shape(i.opcode);
         const bool makes_it = has_result && has_type && i.word(2) == result;
         return std::ranges::count(i.words, result) > (makes_it ? 1 : 0);
     });
 }
 
-void Lowering::lower_group(const shader::Instruction& i) {
+void Lowering::lower_group(const module::Instruction& i) {
     const auto constant = [&](std::size_t word) {
         const auto value = module_.integer(i.word(word));
         if (!value) fail(Error::Kind::unknown_instruction, "a barrier of a computed scope");
@@ -62,7 +62,7 @@ Slot Lowering::lower_slope(Slot of, std::uint32_t count, std::uint32_t axis, std
     return any;
 }
 
-void Lowering::lower_derivative(const shader::Instruction& i) {
+void Lowering::lower_derivative(const module::Instruction& i) {
     constexpr std::uint32_t kinds = 3;  // along x, along y, the sum of both magnitudes
     const std::uint32_t kind = (i.opcode - SpvOpDPdx) % kinds;
     const bool fine = (i.opcode - SpvOpDPdx) / kinds == 1;
@@ -85,7 +85,7 @@ void Lowering::lower_derivative(const shader::Instruction& i) {
 
 // Of a sampler without a level: its coordinates, divided if they are projected, whose derivatives select the
 // level.
-Lowering::Coordinates Lowering::lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how) {
+Lowering::Coordinates Lowering::lower_gradients(const module::Instruction& i, Coordinates at, Sampling& how) {
     const Type& sampled = module_.types.at(type_of(i.word(3)));
     how.gradients = dimensions_of(module_.types.at(sampled.element));
     if (std::exchange(how.projected, false)) {
@@ -105,7 +105,7 @@ Lowering::Coordinates Lowering::lower_gradients(const shader::Instruction& i, Co
     return at;
 }
 
-void Lowering::lower_collective(const shader::Instruction& i) {
+void Lowering::lower_collective(const module::Instruction& i) {
     constexpr std::size_t first_operand = 4;  // behind the type, the result and the scope
     const auto constant = module_.integer(i.word(3));
     if (!constant || *constant != SpvScopeSubgroup)

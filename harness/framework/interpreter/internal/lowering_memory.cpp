@@ -42,7 +42,7 @@ struct Walk {
         const Type& type = types.at(at.pointee);
         if (index >= type.members.size())
             throw Error(Error::Kind::malformed, "a structure without such a member");
-        const shader::spirv::Member& member = type.members[index];
+        const module::spirv::Member& member = type.members[index];
         if (in_slots()) {
             for (std::uint32_t m = 0; m < index; ++m)
                 at.target.offset += types.slots(type.members[m].type) * unit();
@@ -62,7 +62,7 @@ struct Walk {
 
 }  // namespace
 
-void Lowering::lower_memory(const shader::Instruction& i) {
+void Lowering::lower_memory(const module::Instruction& i) {
     switch (i.opcode) {
         case SpvOpVariable:
             return lower_local_variable(i);
@@ -106,7 +106,7 @@ void Lowering::lower_memory(const shader::Instruction& i) {
     }
 }
 
-void Lowering::lower_local_variable(const shader::Instruction& i) {
+void Lowering::lower_local_variable(const module::Instruction& i) {
     PointerInfo info{.pointee = module_.types.at(i.word(1)).element};
     const std::uint32_t count = module_.types.slots(info.pointee);
     info.target.offset = new_slots(count);
@@ -118,7 +118,7 @@ void Lowering::lower_local_variable(const shader::Instruction& i) {
     scope_.pointers[i.word(2)] = info;
 }
 
-void Lowering::lower_access_chain(const shader::Instruction& i) {
+void Lowering::lower_access_chain(const module::Instruction& i) {
     Walk walk{module_.types, pointer_of(i.word(3)), {}};
     const bool from_static = walk.at.is_static;
     if (!from_static) walk.at.target.offset = 0;
@@ -195,7 +195,7 @@ void Lowering::store(const PointerInfo& to, Slot value) {
     }
 }
 
-void Lowering::lower_atomic(const shader::Instruction& i) {
+void Lowering::lower_atomic(const module::Instruction& i) {
     const bool is_known = i.opcode >= SpvOpAtomicLoad && i.opcode <= SpvOpAtomicXor &&
                           i.opcode != SpvOpAtomicCompareExchangeWeak;
     if (!is_known) return lower_image(i);
@@ -218,7 +218,7 @@ void Lowering::lower_atomic(const shader::Instruction& i) {
 
 // Blocks, branches and calls.
 
-void Lowering::lower_control(const shader::Instruction& i) {
+void Lowering::lower_control(const module::Instruction& i) {
     switch (i.opcode) {
         case SpvOpLabel:
             scope_.block = i.word(1);
@@ -280,7 +280,7 @@ void Lowering::lower_control(const shader::Instruction& i) {
     }
 }
 
-void Lowering::lower_switch(const shader::Instruction& i) {
+void Lowering::lower_switch(const module::Instruction& i) {
     Switch cases;
     cases.otherwise = edge_to(i.word(2));
     for (std::size_t k = 3; k + 1 < i.words.size(); k += 2)
@@ -291,7 +291,7 @@ void Lowering::lower_switch(const shader::Instruction& i) {
 
 // Values do not change, so a parameter shares the slots of its argument. A pointer parameter has its
 // argument's target.
-void Lowering::lower_call(const shader::Instruction& i) {
+void Lowering::lower_call(const module::Instruction& i) {
     const Function& callee = module_.function(i.word(3));
     if (callee.parameters.size() + 4 != i.words.size())
         fail(Error::Kind::malformed,

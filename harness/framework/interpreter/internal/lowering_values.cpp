@@ -50,7 +50,7 @@ std::optional<SamplingForm> form_of(std::uint32_t opcode) {
 
 }  // namespace
 
-void Lowering::lower_composite(const shader::Instruction& i) {
+void Lowering::lower_composite(const module::Instruction& i) {
     const Types& types = module_.types;
     const auto slots = [&] { return types.slots(i.word(1)); };
     const auto result = [&] { return slot_of(i.word(2)); };
@@ -114,7 +114,7 @@ void Lowering::lower_composite(const shader::Instruction& i) {
     }
 }
 
-void Lowering::lower_bits(const shader::Instruction& i) {
+void Lowering::lower_bits(const module::Instruction& i) {
     const Type& from = module_.types.scalar_of(type_of(i.word(3)));
     const Type& to = module_.types.scalar_of(i.word(1));
     const std::uint32_t count = module_.types.slots(i.word(1));
@@ -127,7 +127,7 @@ void Lowering::lower_bits(const shader::Instruction& i) {
          is_float ? 1 : 0);
 }
 
-void Lowering::lower_shuffle(const shader::Instruction& i) {
+void Lowering::lower_shuffle(const module::Instruction& i) {
     constexpr std::uint32_t undefined = 0xffffffffU;
     const Slot first = slot_of(i.word(3));
     const Slot second = slot_of(i.word(4));
@@ -147,7 +147,7 @@ void Lowering::lower_shuffle(const shader::Instruction& i) {
 
 // Matrices: `count` is the number of rows of a result column, `extra` the number of products in a sum, c the
 // number of columns.
-void Lowering::lower_matrix(const shader::Instruction& i) {
+void Lowering::lower_matrix(const module::Instruction& i) {
     const Types& types = module_.types;
     const auto shape = [&](std::size_t word) -> std::pair<std::uint32_t, std::uint32_t> {
         const Type& type = types.at(type_of(i.word(word)));
@@ -188,7 +188,7 @@ void Lowering::lower_matrix(const shader::Instruction& i) {
 }
 
 // An operation of SPIR-V or of GLSL.std.450 on numbers.
-void Lowering::lower_operation(const shader::Instruction& i) {
+void Lowering::lower_operation(const module::Instruction& i) {
     const bool is_extended = i.opcode == SpvOpExtInst;
     if (is_extended && (!module_.declared.extended_sets.contains(i.word(3)) || i.word(4) >= GLSLstd450Count))
         fail(Error::Kind::unknown_instruction,
@@ -226,7 +226,7 @@ void Lowering::lower_operation(const shader::Instruction& i) {
 
 // Images: fetches, loads, stores and sizes, without filtering.
 
-void Lowering::lower_fetch(const shader::Instruction& i) {
+void Lowering::lower_fetch(const module::Instruction& i) {
     const auto operand = [&](std::size_t word) { return slot_of(i.word(word)); };
     const std::uint32_t components = module_.types.slots(type_of(i.word(4)));
     // How integers of fewer bits become 32: texels are given with 32.
@@ -249,7 +249,7 @@ void Lowering::lower_fetch(const shader::Instruction& i) {
     instruction.extra = level ? operand(6) + 1 : 0;
 }
 
-void Lowering::lower_image(const shader::Instruction& i) {
+void Lowering::lower_image(const module::Instruction& i) {
     const auto operand = [&](std::size_t word) { return slot_of(i.word(word)); };
     const auto components = [&](std::size_t word) { return module_.types.slots(type_of(i.word(word))); };
     switch (i.opcode) {
@@ -284,7 +284,7 @@ void Lowering::lower_image(const shader::Instruction& i) {
     }
 }
 
-void Lowering::lower_sampling(const shader::Instruction& i) {
+void Lowering::lower_sampling(const module::Instruction& i) {
     const auto form = form_of(i.opcode);
     if (!form) return lower_group(i);
     const auto [implicit, compares, projected, gathers] = *form;

@@ -26,9 +26,9 @@ std::uint32_t bounded(std::uint64_t slots) {
     throw Error(Error::Kind::malformed, message);
 }
 
-std::vector<shader::Instruction> split(const shader::Spirv& words) {
+std::vector<module::Instruction> split(const module::Spirv& words) {
     try {
-        return shader::instructions(words);
+        return module::instructions(words);
     } catch (const std::runtime_error& error) {
         malformed(error.what());
     }
@@ -55,7 +55,7 @@ const Type& Types::scalar_of(Id id) const {
     return *type;
 }
 
-void Types::add(Id id, const shader::spirv::Type& declared, std::uint32_t length) {
+void Types::add(Id id, const module::spirv::Type& declared, std::uint32_t length) {
     using Kind = Type::Kind;
     Type type{declared};
     if (type.kind == Kind::array) type.count = length;
@@ -75,7 +75,7 @@ void Types::add(Id id, const shader::spirv::Type& declared, std::uint32_t length
             break;
         case Kind::structure: {
             std::uint64_t slots_in_all = 0;
-            for (const shader::spirv::Member& member : type.members) slots_in_all += slots(member.type);
+            for (const module::spirv::Member& member : type.members) slots_in_all += slots(member.type);
             type.slots = bounded(slots_in_all);
             break;
         }
@@ -99,8 +99,8 @@ std::uint32_t channels_of(const Type& image) {
     return std::ranges::find(two, image.format) != two.end() ? 2 : 4;
 }
 
-void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scalar_stride, std::uint32_t base,
-                           std::vector<std::uint32_t>& offsets) const {
+void Types::append_offsets(Id id, const module::spirv::MatrixLayout& matrix, std::uint32_t scalar_stride,
+                           std::uint32_t base, std::vector<std::uint32_t>& offsets) const {
     const Type& type = at(id);
     const auto every = [&](std::uint32_t stride, std::uint32_t inner_scalar_stride) {
         for (std::uint32_t i = 0; i < type.count; ++i)
@@ -118,7 +118,7 @@ void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scal
         case Type::Kind::array:
             return every(type.array_stride, 0);
         case Type::Kind::structure:
-            for (const shader::spirv::Member& member : type.members)
+            for (const module::spirv::Member& member : type.members)
                 append_offsets(member.type, member.matrix, 0, base + member.offset, offsets);
             return;
         default:
@@ -127,9 +127,9 @@ void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scal
     }
 }
 
-Module::Module(const shader::Spirv& words, std::span<const Constant> specialized) {
+Module::Module(const module::Spirv& words, std::span<const Constant> specialized) {
     for (const Constant& constant : specialized) specialized_[constant.id] = constant.bits;
-    for (const shader::Instruction& instruction : split(words)) {
+    for (const module::Instruction& instruction : split(words)) {
         if (open_ != nullptr || instruction.opcode == SpvOpFunction) {
             read_function(instruction);
         } else {
@@ -167,16 +167,16 @@ std::optional<std::uint32_t> Module::integer(Id id) const {
     return found->second.bits.front();
 }
 
-void Module::read_declaration(const shader::Instruction& i) {
+void Module::read_declaration(const module::Instruction& i) {
     switch (i.opcode) {
         case SpvOpString:
-            strings_[i.word(1)] = shader::literal_string(i, 2);
+            strings_[i.word(1)] = module::literal_string(i, 2);
             break;
         case SpvOpLine:
             line_ = i;
             break;
         case SpvOpEntryPoint:
-            entry_points_[shader::literal_string(i, 3)] = i.word(2);
+            entry_points_[module::literal_string(i, 3)] = i.word(2);
             break;
         case SpvOpGroupDecorate:
         case SpvOpGroupMemberDecorate:
@@ -193,22 +193,22 @@ void Module::read_declaration(const shader::Instruction& i) {
         default:
             if (i.opcode >= SpvOpConstantTrue && i.opcode <= SpvOpSpecConstantComposite) {
                 read_constant(i);
-            } else if (const shader::spirv::Type* type = declared.read(i)) {
-                if (const std::string other = shader::spirv::other_number(*type); !other.empty())
-                    throw Error(Error::Kind::unknown_instruction, shader::spirv::not_judged(other));
+            } else if (const module::spirv::Type* type = declared.read(i)) {
+                if (const std::string other = module::spirv::other_number(*type); !other.empty())
+                    throw Error(Error::Kind::unknown_instruction, module::spirv::not_judged(other));
                 types.add(i.word(1), *type, length_of(*type));
             }
     }
 }
 
-std::uint32_t Module::length_of(const shader::spirv::Type& type) const {
+std::uint32_t Module::length_of(const module::spirv::Type& type) const {
     if (type.kind != Type::Kind::array) return 0;
     const auto value = integer(type.length);
     if (!value) throw Error(Error::Kind::unknown_instruction, "an array whose length is computed");
     return *value;
 }
 
-void Module::read_constant(const shader::Instruction& i) {
+void Module::read_constant(const module::Instruction& i) {
     ConstantValue value{.type = i.word(1), .bits = {}};
     switch (i.opcode) {
         case SpvOpConstantTrue:
@@ -246,7 +246,7 @@ void Module::read_constant(const shader::Instruction& i) {
     constants[i.word(2)] = std::move(value);
 }
 
-void Module::read_function(const shader::Instruction& i) {
+void Module::read_function(const module::Instruction& i) {
     if (i.opcode == SpvOpFunction) {
         if (open_ != nullptr) malformed("a function inside a function");
         open_ = &functions_[i.word(2)];

@@ -14,12 +14,12 @@
 
 namespace gloam::interpreter::internal {
 
-using shader::spirv::Decorations;
-using shader::spirv::Id;
-using shader::spirv::MatrixLayout;
+using module::spirv::Decorations;
+using module::spirv::Id;
+using module::spirv::MatrixLayout;
 
 // A type of the module, with the number of elements of an array as `count`.
-struct Type : shader::spirv::Type {
+struct Type : module::spirv::Type {
     std::uint32_t slots = 0;
 };
 
@@ -33,7 +33,7 @@ struct Type : shader::spirv::Type {
 class Types {
   public:
     // `length`: of an array.
-    void add(Id id, const shader::spirv::Type& declared, std::uint32_t length);
+    void add(Id id, const module::spirv::Type& declared, std::uint32_t length);
 
     // Throws Error (malformed) for an ID that is not a type.
     [[nodiscard]] const Type& at(Id id) const;
@@ -47,8 +47,8 @@ class Types {
 
     // Appends the byte offset of every scalar of a type at offset `base`, plus 1 for a 16-bit scalar.
     // `scalar_stride`: between the components of a vector; 0: consecutive.
-    void append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scalar_stride, std::uint32_t base,
-                        std::vector<std::uint32_t>& offsets) const;
+    void append_offsets(Id id, const module::spirv::MatrixLayout& matrix, std::uint32_t scalar_stride,
+                        std::uint32_t base, std::vector<std::uint32_t>& offsets) const;
 
   private:
     std::map<Id, Type> types_;
@@ -64,13 +64,13 @@ struct Function {
     Id id = 0;
     Id result_type = 0;
     std::vector<Id> parameters;
-    std::vector<shader::Instruction> body;  // labels and line instructions included, also the line before it
+    std::vector<module::Instruction> body;  // labels and line instructions included, also the line before it
 };
 
 // A parsed module: its declarations, and its functions in order. `words` must outlive this object.
 class Module {
   public:
-    Module(const shader::Spirv& words, std::span<const Constant> constants);
+    Module(const module::Spirv& words, std::span<const Constant> constants);
 
     [[nodiscard]] Id entry_point(const std::string& name) const;
     [[nodiscard]] const Function& function(Id id) const;
@@ -82,18 +82,18 @@ class Module {
     // The value of an integer constant, if the ID is one.
     [[nodiscard]] std::optional<std::uint32_t> integer(Id id) const;
 
-    shader::spirv::Declarations declared;
+    module::spirv::Declarations declared;
     Types types;
     std::map<Id, ConstantValue> constants;
-    std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp, and composites of those
-    std::vector<shader::Instruction> variables;           // outside of functions
+    std::vector<module::Instruction> computed_constants;  // OpSpecConstantOp, and composites of those
+    std::vector<module::Instruction> variables;           // outside of functions
     std::map<Id, Id> undefined;                           // OpUndef outside of functions: its type
 
   private:
-    void read_declaration(const shader::Instruction& instruction);
-    [[nodiscard]] std::uint32_t length_of(const shader::spirv::Type& type) const;
-    void read_constant(const shader::Instruction& instruction);
-    void read_function(const shader::Instruction& instruction);
+    void read_declaration(const module::Instruction& instruction);
+    [[nodiscard]] std::uint32_t length_of(const module::spirv::Type& type) const;
+    void read_constant(const module::Instruction& instruction);
+    void read_function(const module::Instruction& instruction);
 
     std::map<std::uint32_t, std::uint32_t> specialized_;
     std::map<Id, std::string> strings_;
@@ -101,7 +101,7 @@ class Module {
     std::map<Id, Function> functions_;
     Function* open_ = nullptr;
     bool meets_ = false;
-    std::optional<shader::Instruction> line_;  // the last line instruction outside of functions
+    std::optional<module::Instruction> line_;  // the last line instruction outside of functions
 };
 
 }  // namespace gloam::interpreter::internal

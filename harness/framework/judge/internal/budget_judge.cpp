@@ -8,10 +8,12 @@
 #include "numeric/interval.hpp"
 #include "numeric/numbers.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::judge::internal {
 
+using namespace subject;
+
+using module::Scalar;
 using numeric::infinity;
-using shader::Scalar;
 
 namespace {
 
@@ -26,20 +28,20 @@ InputClass class_of(double value, const numeric::FloatFormat& format) {
 InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& scalars, bool branch) {
     auto worst = branch ? InputClass::branch : InputClass::ordinary;
     for (std::size_t i = 0; i < inputs.size(); ++i)
-        if (shader::is_float(scalars[i]))
+        if (module::is_float(scalars[i]))
             worst = std::max(worst, class_of(from_word<double>(inputs[i]), format_of(scalars[i])));
     return worst;
 }
 
 void set_positive_zeros(std::span<Word> words, const std::vector<Scalar>& scalars) {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (shader::is_float(scalars[i % scalars.size()]) && from_word<float>(words[i]) == 0.0F) words[i] = 0;
+        if (module::is_float(scalars[i % scalars.size()]) && from_word<float>(words[i]) == 0.0F) words[i] = 0;
     }
 }
 
 bool holds_special(const Sample& sample, const std::vector<Scalar>& scalars) {
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
-        if (!shader::is_float(scalars[i])) continue;
+        if (!module::is_float(scalars[i])) continue;
         const double value = from_word<double>(sample.inputs[i]);
         if (!std::isfinite(value) || (value == 0.0 && std::signbit(value))) return true;
     }
@@ -58,7 +60,7 @@ double fraction_of(double error, double allowed) {
 std::vector<Word> flushed(const std::vector<Scalar>& scalars, std::span<const Word> inputs) {
     std::vector<Word> moved(inputs.begin(), inputs.end());
     for (std::size_t i = 0; i < moved.size(); ++i) {
-        if (!shader::is_float(scalars[i])) continue;
+        if (!module::is_float(scalars[i])) continue;
         const auto value = from_word<double>(moved[i]);
         if (numeric::classify(value, format_of(scalars[i])) == numeric::FloatClass::subnormal)
             moved[i] = to_word(std::copysign(0.0, value));
@@ -79,7 +81,7 @@ bool visit_moved(const std::vector<Scalar>& scalars, std::span<const Word> input
                  const InputVisitor& visit) {
     std::vector<std::size_t> floats;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (shader::is_float(scalars[i]) && !is_meant_exactly(from_word<double>(inputs[i])))
+        if (module::is_float(scalars[i]) && !is_meant_exactly(from_word<double>(inputs[i])))
             floats.push_back(i);
     }
     const auto move = [&](std::vector<Word>& words, std::size_t i, bool up) {
@@ -116,7 +118,7 @@ std::vector<numeric::Bounds> allowed_around(const Question& question, const std:
         for (std::size_t i = first; i < first + words; ++i) {
             const double unit = format_of(scalars[i]).ulp(budget.of_largest_component ? largest : want[i]);
             const double reach = std::max(budget.absolute, budget.ulp * unit);
-            const bool near = shader::is_float(scalars[i]) && std::isfinite(want[i]);
+            const bool near = module::is_float(scalars[i]) && std::isfinite(want[i]);
             bounds.push_back(std::isnan(want[i]) ? Bounds::only_nan()
                              : near              ? Bounds{want[i] - reach, want[i] + reach, false}
                                                  : Bounds::point(want[i]));
@@ -169,7 +171,7 @@ void BudgetJudge::add_value(ErrorSize& error, std::span<const Word> got, std::sp
     const numeric::FloatFormat& format = format_of(scalars.front());
     const double unit = unit_of(want, format);
     for (std::size_t i = 0; i < got.size(); ++i) {
-        if (shader::is_float(scalars[i])) {
+        if (module::is_float(scalars[i])) {
             ErrorSize here = float_error(number_at(scalars[i], got[i]), want[i], unit, format);
             if (!(here.absolute > question_.budget.absolute)) here.ulp = 0.0;
             error.raise(here);
@@ -242,7 +244,7 @@ bool same_value(std::span<const Word> got, std::span<const double> want, std::sp
     const double allowed = std::max({tolerance * largest, budget.absolute, 0x1p-126});
     for (std::size_t i = 0; i < got.size(); ++i) {
         const double number = number_at(scalars[i], got[i]);
-        if (!same_number(number, want[i], shader::is_float(scalars[i]) ? allowed : 0.0)) return false;
+        if (!same_number(number, want[i], module::is_float(scalars[i]) ? allowed : 0.0)) return false;
     }
     return true;
 }
@@ -265,7 +267,7 @@ bool visit_edge_inputs(const Budget& budget, const Scalars& scalars, std::span<c
                        const InputVisitor& visit) {
     const int most = std::max(most_steps, budget.backward_ulp);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (!shader::is_float(scalars.inputs[i])) continue;
+        if (!module::is_float(scalars.inputs[i])) continue;
         if (!is_usual(std::abs(from_word<double>(inputs[i])))) continue;
         for (int steps = -most; steps <= most; ++steps) {
             std::vector<Word> moved(inputs.begin(), inputs.end());
@@ -283,7 +285,7 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
                          sample.input_class == InputClass::infinite || sample.input_class == InputClass::nan;
     if (!special) return false;
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
-        if (!shader::is_float(scalars.inputs[i])) continue;
+        if (!module::is_float(scalars.inputs[i])) continue;
         const double value = std::abs(from_word<double>(sample.inputs[i]));
         if (std::isfinite(value) && value != 0.0 && !is_usual(value)) return false;
     }
@@ -300,4 +302,4 @@ bool holds_at_edge(const Question& question, const ImageSet& images, const Scala
     });
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::judge::internal

@@ -7,29 +7,29 @@
 
 #include "judge/question.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::judge::internal {
 
 // The class of an input. `branch`: it was placed at a branch point.
-[[nodiscard]] InputClass class_of(std::span<const Word> inputs, const std::vector<shader::Scalar>& scalars,
+[[nodiscard]] InputClass class_of(std::span<const Word> inputs, const std::vector<module::Scalar>& scalars,
                                   bool branch);
 
 // Whether an input or its exact result contains NaN, infinity or -0, which some devices do not preserve.
-[[nodiscard]] bool holds_special(const Sample& sample, const std::vector<shader::Scalar>& scalars);
+[[nodiscard]] bool holds_special(const Sample& sample, const std::vector<module::Scalar>& scalars);
 
 // Makes +0 of every -0, for a device that need not keep its sign: so the kernel and the reference get the
 // same input, and it can be judged. `words`: one input after another.
-void set_positive_zeros(std::span<Word> words, const std::vector<shader::Scalar>& scalars);
+void set_positive_zeros(std::span<Word> words, const std::vector<module::Scalar>& scalars);
 
 // The scalar types of a signature's inputs and outputs, which every judge needs.
 struct Scalars {
-    explicit Scalars(const Signature& signature)
+    explicit Scalars(const subject::Signature& signature)
         : inputs(signature.input_scalars()),
           outputs(signature.output_scalars()),
           output_values(signature.output_values()),
-          result_words(shader::scalar_count(signature.result)) {}
+          result_words(module::scalar_count(signature.result)) {}
 
-    std::vector<shader::Scalar> inputs;
-    std::vector<shader::Scalar> outputs;
+    std::vector<module::Scalar> inputs;
+    std::vector<module::Scalar> outputs;
     std::vector<std::size_t> output_values;
     std::size_t result_words;  // of the outputs; those of out parameters follow
 };
@@ -43,13 +43,13 @@ using InputVisitor = std::function<bool(const std::vector<Word>& inputs)>;
 
 // Visits the further inputs whose exact results the budget of an input also allows: the input with subnormals
 // flushed to zero, then those within the backward budget. Returns whether a visit ended it.
-bool visit_covered_inputs(const Budget& budget, const std::vector<shader::Scalar>& scalars,
+bool visit_covered_inputs(const Budget& budget, const std::vector<module::Scalar>& scalars,
                           std::span<const Word> inputs, const InputVisitor& visit);
 
 // Measures outputs against the documented budget.
 class BudgetJudge {
   public:
-    BudgetJudge(const Question& question, const ImageSet& images, const Scalars& scalars)
+    BudgetJudge(const Question& question, const subject::ImageSet& images, const Scalars& scalars)
         : question_(question), images_(images), scalars_(scalars) {}
 
     // The error of the outputs of an input; infinite if one is outside the codomain, and otherwise 0 if the
@@ -71,11 +71,11 @@ class BudgetJudge {
     // Against one candidate for the exact result.
     [[nodiscard]] ErrorSize error_against(std::span<const Word> got, const std::vector<double>& want) const;
     void add_value(ErrorSize& error, std::span<const Word> got, std::span<const double> want,
-                   std::span<const shader::Scalar> scalars) const;
+                   std::span<const module::Scalar> scalars) const;
     [[nodiscard]] ErrorSize best_error(const Sample& sample);
 
     const Question& question_;
-    const ImageSet& images_;
+    const subject::ImageSet& images_;
     const Scalars& scalars_;
     std::vector<double> candidate_;
 };
@@ -88,7 +88,7 @@ class BudgetJudge {
 // float must be within 1/256 of the largest component of its value (0.01 at least), or within the budget. An
 // infinity, a NaN, an integer and a bool must be exact. A branch that rounding decides may go either way, so
 // the reference is also evaluated at inputs a few ULP away.
-[[nodiscard]] bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
-                                 const Sample& sample);
+[[nodiscard]] bool holds_at_edge(const Question& question, const subject::ImageSet& images,
+                                 const Scalars& scalars, const Sample& sample);
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::judge::internal

@@ -10,7 +10,7 @@
 
 #include "module/include.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::module::internal {
 namespace {
 
 // Stands for a line of code while the compiler's preprocessor runs: gloam_active_text_at_FILE_LINE_. Its
@@ -30,14 +30,15 @@ bool is_version(std::string_view text) {
     return digits == 3 && (text.empty() || text == "core" || text == "compatibility" || text == "es");
 }
 
-void require_version(const TextFile& file, const Line& line, const Directive& directive) {
+void require_version(const source::internal::TextFile& file, const source::internal::Line& line,
+                     const source::internal::Directive& directive) {
     if (is_version(directive.argument)) return;
-    throw CompileError(file.name + ":" + std::to_string(line.number) + ": #version " + directive.argument +
-                       ": expected a version of GLSL, such as 450 or 300 es");
+    throw source::CompileError(file.name + ":" + std::to_string(line.number) + ": #version " +
+                               directive.argument + ": expected a version of GLSL, such as 450 or 300 es");
 }
 
 // The code of a directive, in one line.
-std::string joined(const Line& line) {
+std::string joined(const source::internal::Line& line) {
     std::string code = line.code;
     std::erase(code, '\0');
     std::replace(code.begin(), code.end(), '\n', ' ');
@@ -45,7 +46,8 @@ std::string joined(const Line& line) {
 }
 
 // The compiler looks beside the first of several texts only.
-std::string include_line(const TextFile& file, const Line& line, const IncludeFolders& folders) {
+std::string include_line(const source::internal::TextFile& file, const source::internal::Line& line,
+                         const IncludeFolders& folders) {
     const auto include = include_of(line);
     if (!include || include->system) return joined(line);
     try {
@@ -59,9 +61,9 @@ std::string include_line(const TextFile& file, const Line& line, const IncludeFo
 }
 
 // What the preprocessor is given of a line.
-std::string marked_line(const TextFile& file, std::size_t number, std::size_t index,
+std::string marked_line(const source::internal::TextFile& file, std::size_t number, std::size_t index,
                         const IncludeFolders& folders) {
-    const Line& line = file.lines[index];
+    const source::internal::Line& line = file.lines[index];
     const auto directive = directive_of(line);
     if (!directive) return mark_of(number, index);
     if (directive->keyword == "version") {
@@ -78,7 +80,8 @@ std::string marked_line(const TextFile& file, std::size_t number, std::size_t in
 }
 
 // The file with marks for its code. Lines keep their numbers, for messages.
-std::string marked(const TextFile& file, std::size_t number, const IncludeFolders& folders) {
+std::string marked(const source::internal::TextFile& file, std::size_t number,
+                   const IncludeFolders& folders) {
     std::string text;
     int next = 1;  // number that the compiler gives the next line
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
@@ -92,9 +95,9 @@ std::string marked(const TextFile& file, std::size_t number, const IncludeFolder
 
 // Lines in which a directive shares its line with a comment of several lines become two or three: the
 // directive by itself.
-std::vector<Line> with_directives_apart(const std::vector<Line>& lines) {
-    std::vector<Line> apart;
-    for (const Line& line : lines) {
+std::vector<source::internal::Line> with_directives_apart(const std::vector<source::internal::Line>& lines) {
+    std::vector<source::internal::Line> apart;
+    for (const source::internal::Line& line : lines) {
         const std::size_t begin = line.code.find('#');
         if (!line.crosses || !directive_of(line) || begin == std::string::npos) {
             apart.push_back(line);
@@ -115,14 +118,15 @@ std::vector<Line> with_directives_apart(const std::vector<Line>& lines) {
 }
 
 // Adds a file; returns what the preprocessor is to read instead of it.
-std::string added(ActiveText& all, Source source, const IncludeFolders& folders) {
-    TextFile& file = all.files.emplace_back(TextFile{std::move(source.name), std::move(source.text), {}});
-    file.lines = with_directives_apart(split_lines(file.text));
+std::string added(source::internal::ActiveText& all, source::Source source, const IncludeFolders& folders) {
+    source::internal::TextFile& file = all.files.emplace_back(
+        source::internal::TextFile{std::move(source.name), std::move(source.text), {}});
+    file.lines = with_directives_apart(source::internal::split_lines(file.text));
     return marked(file, all.files.size() - 1, folders);
 }
 
 // The number of this file among those given; all.given: it is none of them.
-std::size_t given_as(const ActiveText& all, const std::filesystem::path& path) {
+std::size_t given_as(const source::internal::ActiveText& all, const std::filesystem::path& path) {
     const std::string name = std::filesystem::absolute(path).lexically_normal().string();
     std::size_t file = 0;
     while (file < all.given && all.files[file].name != name) ++file;
@@ -137,8 +141,9 @@ std::size_t take_number(std::string_view& text) {
     return number;
 }
 
-std::vector<ActiveText::Location> places_in(std::string_view preprocessed, const ActiveText& all) {
-    std::vector<ActiveText::Location> places;
+std::vector<source::internal::ActiveText::Location> places_in(std::string_view preprocessed,
+                                                              const source::internal::ActiveText& all) {
+    std::vector<source::internal::ActiveText::Location> places;
     for (std::size_t at = preprocessed.find(mark); at != std::string_view::npos;
          at = preprocessed.find(mark)) {
         preprocessed.remove_prefix(at + mark.size());
@@ -151,14 +156,15 @@ std::vector<ActiveText::Location> places_in(std::string_view preprocessed, const
 
 }  // namespace
 
-ActiveText active_text(std::vector<Source> given, Language language, Stage stage,
-                       const std::vector<std::filesystem::path>& roots) {
+source::internal::ActiveText active_text(std::vector<source::Source> given, source::Language language,
+                                         source::Stage stage,
+                                         const std::vector<std::filesystem::path>& roots) {
     const IncludeFolders folders = include_folders(roots, given);
-    ActiveText all;
+    source::internal::ActiveText all;
     all.given = given.size();
     // Errors of the version itself are the first text's.
-    std::vector<Source> pieces{{given.empty() ? "nothing" : given.back().name, preamble(language)}};
-    for (Source& source : given) {
+    std::vector<source::Source> pieces{{given.empty() ? "nothing" : given.back().name, preamble(language)}};
+    for (source::Source& source : given) {
         const std::string name = source.name;
         pieces.push_back({name, added(all, std::move(source), folders)});
     }
@@ -240,4 +246,4 @@ std::string Includer::chain_to(const Path& path) const {
     return chain + path.string();
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::module::internal

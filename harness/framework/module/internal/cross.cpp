@@ -10,7 +10,7 @@
 
 #include "module/spirv.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::module::internal {
 
 Cross::Cross(const Spirv& module, spvc_backend backend, std::string purpose) : purpose_(std::move(purpose)) {
     spvc_context context = nullptr;
@@ -132,9 +132,9 @@ std::string cross_version() {
            std::to_string(patch) + (commit != nullptr && *commit != '\0' ? std::string(" ") + commit : "");
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::module::internal
 
-namespace gloam::shader {
+namespace gloam::module {
 
 std::vector<Resource> used_resources(const Spirv& module) {
     const internal::Cross cross(module, SPVC_BACKEND_NONE, "read the module");
@@ -156,7 +156,7 @@ std::vector<Resource> used_resources(const Spirv& module) {
     return resources;
 }
 
-std::string opengl_text(const Spirv& module, Language language, unsigned push_constant_binding) {
+std::string opengl_text(const Spirv& module, source::Language language, unsigned push_constant_binding) {
     const internal::Cross cross(module, SPVC_BACKEND_GLSL, "write the module as GLSL for OpenGL");
     const spvc_compiler_options options = internal::options_of(cross);
     const std::string version = to_string(language);  // "310es"
@@ -170,4 +170,4 @@ std::string opengl_text(const Spirv& module, Language language, unsigned push_co
     return internal::text_of(cross, options);
 }
 
-}  // namespace gloam::shader
+}  // namespace gloam::module

@@ -8,7 +8,7 @@
 
 #include "module/compile.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::module::internal {
 
 // SPIRV-Cross on one module. Pointers from it are valid as long as this object.
 class Cross {
@@ -48,4 +48,4 @@ class Cross {
 // Name and version of SPIRV-Cross.
 [[nodiscard]] std::string cross_version();
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::module::internal

@@ -9,7 +9,7 @@
 
 #include "base/text.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::module::internal {
 namespace {
 
 // The text behind the mark of an error; nullopt for another line.
@@ -78,10 +78,10 @@ class Process {
 };
 
 // Called before a shader is constructed, so that Process exists before any shader.
-EShLanguage language_of(Stage stage) {
+EShLanguage language_of(source::Stage stage) {
     static const Process process;
-    if (stage == Stage::vertex) return EShLangVertex;
-    return stage == Stage::fragment ? EShLangFragment : EShLangCompute;
+    if (stage == source::Stage::vertex) return EShLangVertex;
+    return stage == source::Stage::fragment ? EShLangFragment : EShLangCompute;
 }
 
 // With this flag glslang does not add a spurious syntax error after the first real one.
@@ -124,8 +124,8 @@ std::string error_lines(const std::string& log, const std::string& file) {
 
 }  // namespace
 
-Strings::Strings(const std::vector<Source>& pieces) {
-    for (const Source& piece : pieces) {
+Strings::Strings(const std::vector<source::Source>& pieces) {
+    for (const source::Source& piece : pieces) {
         texts_.push_back(piece.text.c_str());
         lengths_.push_back(static_cast<int>(piece.text.size()));
         shown_.push_back(base::one_line(piece.name));  // a message ends with its line
@@ -138,7 +138,7 @@ void Strings::give_to(glslang::TShader& shader) const {
                                          static_cast<int>(texts_.size()));
 }
 
-Parse::Parse(Stage stage, Client client, std::string name, std::vector<Source> pieces,
+Parse::Parse(source::Stage stage, Client client, std::string name, std::vector<source::Source> pieces,
              const std::vector<std::filesystem::path>& roots)
     : language_(language_of(stage)),
       messages_(messages_of(client)),
@@ -152,23 +152,24 @@ Parse::Parse(Stage stage, Client client, std::string name, std::vector<Source> p
     Includer includer(include_folders(roots, pieces_));
     const bool accepted =
         shader_.parse(GetDefaultResources(), version_when_missing, false, messages_, includer);
-    if (!accepted) throw CompileError(error_lines(shader_.getInfoLog(), name_));
+    if (!accepted) throw source::CompileError(error_lines(shader_.getInfoLog(), name_));
 }
 
 const glslang::TIntermediate& Parse::link(Unreached unreached) {
     program_.addShader(&shader_);
     const EShMessages more = unreached == Unreached::kept ? EShMsgKeepUncalled : EShMsgDefault;
     if (!program_.link(static_cast<EShMessages>(messages_ | more)))
-        throw CompileError(error_lines(program_.getInfoLog(), name_));
+        throw source::CompileError(error_lines(program_.getInfoLog(), name_));
     return *program_.getIntermediate(language_);
 }
 
-std::string preprocessed(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots) {
+std::string preprocessed(const source::Source& source, source::Stage stage,
+                         const std::vector<std::filesystem::path>& roots) {
     Includer includer(include_folders(roots, {source}));
-    return preprocessed(std::vector<Source>{source}, stage, Client::vulkan, includer);
+    return preprocessed(std::vector<source::Source>{source}, stage, Client::vulkan, includer);
 }
 
-std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client client,
+std::string preprocessed(const std::vector<source::Source>& pieces, source::Stage stage, Client client,
                          glslang::TShader::Includer& includer) {
     const EShLanguage language = language_of(stage);
     glslang::TShader shader(language);
@@ -179,13 +180,13 @@ std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client 
     std::string result;
     if (!shader.preprocess(GetDefaultResources(), version_when_missing, ENoProfile, false, false,
                            messages_of(client), &result, includer))
-        throw CompileError(error_lines(shader.getInfoLog(), pieces.front().name));
+        throw source::CompileError(error_lines(shader.getInfoLog(), pieces.front().name));
     // The preprocessor also prints the preamble, before the line that must be the first.
     return result.substr(std::min(result.find("#version"), result.size()));
 }
 
-Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots,
-               Unreached unreached, bool lines) {
+Spirv to_spirv(const source::Source& source, source::Stage stage,
+               const std::vector<std::filesystem::path>& roots, Unreached unreached, bool lines) {
     Parse parse(stage, Client::vulkan, source.name, {source}, roots);
     Spirv module;
     spv::SpvBuildLogger logger;
@@ -195,8 +196,9 @@ Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesys
     glslang::GlslangToSpv(parse.link(unreached), module, &logger, &options);
     const std::string messages = logger.getAllMessages();
     for (const char* failure : {"error: ", "Missing functionality: "})
-        if (messages.find(failure) != std::string::npos) throw CompileError(source.name + ": " + messages);
+        if (messages.find(failure) != std::string::npos)
+            throw source::CompileError(source.name + ": " + messages);
     return module;
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::module::internal

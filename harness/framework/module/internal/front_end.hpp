@@ -13,7 +13,7 @@
 #include "module/internal/include_folders.hpp"
 #include "source/lines.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::module::internal {
 
 // Serves #include from files. An include's name is its path, which error messages then contain. The text
 // passed to the compiler can differ from the file's.
@@ -49,7 +49,7 @@ class Includer final : public glslang::TShader::Includer {
 
 // The rules that apply to the text: those of SPIR-V for Vulkan 1.2, or those of GLSL alone.
 enum class Client { vulkan, none };
-[[nodiscard]] Client client_of(Language language);
+[[nodiscard]] Client client_of(source::Language language);
 
 // What happens to functions that main does not call.
 enum class Unreached { dropped, kept };
@@ -57,7 +57,7 @@ enum class Unreached { dropped, kept };
 // Texts in glslang's form. The texts must outlive it.
 class Strings {
   public:
-    explicit Strings(const std::vector<Source>& pieces);
+    explicit Strings(const std::vector<source::Source>& pieces);
     void give_to(glslang::TShader& shader) const;
 
   private:
@@ -72,7 +72,7 @@ class Strings {
 class Parse {
   public:
     // `name`: for messages without a place. Throws CompileError.
-    Parse(Stage stage, Client client, std::string name, std::vector<Source> pieces,
+    Parse(source::Stage stage, Client client, std::string name, std::vector<source::Source> pieces,
           const std::vector<std::filesystem::path>& roots);
     Parse(const Parse&) = delete;
     Parse& operator=(const Parse&) = delete;
@@ -85,30 +85,31 @@ class Parse {
     EShLanguage language_;
     EShMessages messages_;
     std::string name_;
-    std::vector<Source> pieces_;
+    std::vector<source::Source> pieces_;
     Strings strings_;
     glslang::TShader shader_;
     glslang::TProgram program_;  // after the shader: must be destroyed first
 };
 
 // The preprocessed text: includes and macros replaced, comments removed. Throws CompileError.
-[[nodiscard]] std::string preprocessed(const Source& source, Stage stage,
+[[nodiscard]] std::string preprocessed(const source::Source& source, source::Stage stage,
                                        const std::vector<std::filesystem::path>& roots);
 
 // The same for several texts that are read as one, by the rules of the client.
-[[nodiscard]] std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client client,
-                                       glslang::TShader::Includer& includer);
+[[nodiscard]] std::string preprocessed(const std::vector<source::Source>& pieces, source::Stage stage,
+                                       Client client, glslang::TShader::Includer& includer);
 
 // Reads the texts in order, as the compiler for this language and stage does: its own preprocessor determines
 // the active lines. Throws CompileError, for example for an include that is missing or includes itself, for
 // #error, and for an invalid #version.
-[[nodiscard]] ActiveText active_text(std::vector<Source> given, Language language, Stage stage,
-                                     const std::vector<std::filesystem::path>& roots);
+[[nodiscard]] source::internal::ActiveText active_text(std::vector<source::Source> given,
+                                                       source::Language language, source::Stage stage,
+                                                       const std::vector<std::filesystem::path>& roots);
 
 // The text translated to SPIR-V by glslang, neither optimised nor validated. `lines`: as in CompileOptions.
 // Throws CompileError.
-[[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
+[[nodiscard]] Spirv to_spirv(const source::Source& source, source::Stage stage,
                              const std::vector<std::filesystem::path>& roots,
                              Unreached unreached = Unreached::dropped, bool lines = false);
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::module::internal

@@ -10,10 +10,12 @@
 #include "pass/internal/work.hpp"
 #include "subject/interpreted_kernel.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::pass::internal {
 namespace {
 
-using shader::BindingType;
+using namespace subject;
+
+using module::BindingType;
 using Kind = PassSlot::Kind;
 
 std::string size_text(glm::ivec2 size) {
@@ -21,9 +23,9 @@ std::string size_text(glm::ivec2 size) {
 }
 
 // bool is uint in memory.
-shader::Type in_memory(shader::Type type) {
-    if (type.scalar == shader::Scalar::bool_) type.scalar = shader::Scalar::uint_;
-    for (shader::Member& member : type.members) member.type = in_memory(member.type);
+module::Type in_memory(module::Type type) {
+    if (type.scalar == module::Scalar::bool_) type.scalar = module::Scalar::uint_;
+    for (module::Member& member : type.members) member.type = in_memory(member.type);
     return type;
 }
 
@@ -106,33 +108,33 @@ class Binder {
 
     void require_image(const PassSlot& slot, const PassValue& value) const {
         if (!value.image())
-            refuse(slot.name, fmt::format("is {}, expected {}", shader::name_of(value.type()), slot.says));
+            refuse(slot.name, fmt::format("is {}, expected {}", module::name_of(value.type()), slot.says));
         const Image& image = *value.image();
-        const shader::Type& found = image.element;
+        const module::Type& found = image.element;
         if (image.size.x < 1 || image.size.y < 1) refuse(slot.name, "has no pixels, expected 1 x 1 at least");
         const std::size_t words = static_cast<std::size_t>(image.size.x) *
                                   static_cast<std::size_t>(image.size.y) * scalars_of(found).size();
         if (!image.sampling && image.words.size() != words)
             refuse(slot.name, fmt::format("is {} with {} words, expected {}", size_text(image.size),
                                           image.words.size(), words));
-        const shader::Binding& binding = pass_.declared.bindings[slot.index];
+        const module::Binding& binding = pass_.declared.bindings[slot.index];
         if (binding.type != BindingType::sampled_image) {
             if (!(found == slot.type))
-                refuse(slot.name, fmt::format("is an image of {}, expected {} ({})", shader::name_of(found),
+                refuse(slot.name, fmt::format("is an image of {}, expected {} ({})", module::name_of(found),
                                               slot.says, binding.format));
         } else if (found.scalar != slot.type.scalar || found.columns != 1 || !found.sizes.empty()) {
             refuse(slot.name, fmt::format("is an image of {}, expected one of {} for {}",
-                                          shader::name_of(found), shader::name_of(slot.type), slot.says));
+                                          module::name_of(found), module::name_of(slot.type), slot.says));
         }
     }
 
     void require_type(const PassSlot& slot, const PassValue& value) const {
         if (value.image()) refuse(slot.name, fmt::format("is an image, expected {}", slot.says));
-        shader::Type expected = slot.type;
+        module::Type expected = slot.type;
         if (slot.is_unbounded() && !value.type().sizes.empty())
             expected.sizes.front() = value.type().sizes.front();
         if (in_memory(value.type()) != in_memory(expected))
-            refuse(slot.name, fmt::format("is {}, expected {}", shader::name_of(value.type()), slot.says));
+            refuse(slot.name, fmt::format("is {}, expected {}", module::name_of(value.type()), slot.says));
     }
 
     // The size of what is not given: as asked, or that of the images that are given.
@@ -154,7 +156,7 @@ class Binder {
     }
 
     void make_bindings() {
-        for (const shader::Binding& binding : pass_.declared.bindings) {
+        for (const module::Binding& binding : pass_.declared.bindings) {
             if (work_.bindings.size() <= binding.number) work_.bindings.resize(binding.number + 1);
             if (!binding.block) continue;
             std::size_t bytes = binding.block->size;
@@ -197,7 +199,7 @@ class Binder {
     }
 
     void bind_member(const PassSlot& slot, const PassValue* value) {
-        const shader::Binding& binding = pass_.declared.bindings[slot.index];
+        const module::Binding& binding = pass_.declared.bindings[slot.index];
         Bound& buffer = work_.bindings[binding.number];
         if (value != nullptr) return store(slot, *value, std::as_writable_bytes(std::span(buffer.words)));
         if (slot.is_unbounded()) refuse_missing(slot, ", and nothing else says how many elements it has");
@@ -218,7 +220,7 @@ class Binder {
     }
 
     void bind_image(const PassSlot& slot, const PassValue* value) {
-        const shader::Binding& binding = pass_.declared.bindings[slot.index];
+        const module::Binding& binding = pass_.declared.bindings[slot.index];
         Bound& bound = work_.bindings[binding.number];
         const bool sampled = binding.type == BindingType::sampled_image;
         if (value == nullptr && (sampled || binding.reads))
@@ -267,7 +269,7 @@ class Binder {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (!pass_.declared.local_size_ids.at(axis)) continue;
             const std::uint32_t id = *pass_.declared.local_size_ids.at(axis);
-            for (const shader::SpecializationConstant& constant : pass_.declared.constants)
+            for (const module::SpecializationConstant& constant : pass_.declared.constants)
                 if (constant.id == id) work_.group_size.at(axis) = constant.bits;
             for (const backend::Constant& constant : work_.constants)
                 if (constant.id == id) work_.group_size.at(axis) = constant.bits;
@@ -306,4 +308,4 @@ PassWork bound(const PassInterface& pass, const PassBindings& bindings) {
     return Binder(pass, {}, {.groups = bindings.groups}).run(bindings);
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::pass::internal

@@ -5,12 +5,12 @@
 
 #include "pass/internal/work.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::pass::internal {
 namespace {
 
-using shader::Binding;
-using shader::BindingType;
-using shader::LaidOut;
+using module::Binding;
+using module::BindingType;
+using module::LaidOut;
 
 constexpr std::uint32_t most_bindings = 64;
 
@@ -18,13 +18,13 @@ constexpr std::uint32_t most_bindings = 64;
     throw std::invalid_argument(fmt::format("{}: \"{}\" {}", pass, name, why));
 }
 
-shader::Scalar scalar_of(const std::string& type) {
-    if (type == "float") return shader::Scalar::float_;
-    if (type == "bool") return shader::Scalar::bool_;
-    return type == "int" ? shader::Scalar::int_ : shader::Scalar::uint_;
+module::Scalar scalar_of(const std::string& type) {
+    if (type == "float") return module::Scalar::float_;
+    if (type == "bool") return module::Scalar::bool_;
+    return type == "int" ? module::Scalar::int_ : module::Scalar::uint_;
 }
 
-shader::Type vector_type(const std::string& scalar, unsigned rows) {
+module::Type vector_type(const std::string& scalar, unsigned rows) {
     return {.scalar = scalar_of(scalar), .rows = static_cast<int>(rows)};
 }
 
@@ -50,7 +50,7 @@ void require_supported(const PassInterface& all, std::size_t index) {
                                 binding.shape, binding.format));
             break;
         case BindingType::sampled_image:
-            if (!shader::is_sampler_type(sampler_name(binding)))
+            if (!source::is_sampler_type(sampler_name(binding)))
                 refuse(pass, binding.name,
                        fmt::format("is a {}, expected a sampler like sampler2D, sampler2DArray, sampler3D, "
                                    "samplerCube or sampler2DShadow, not an array",
@@ -71,39 +71,39 @@ void require_supported(const PassInterface& all, std::size_t index) {
 }
 
 // The type of a member of a block. bool is uint there.
-shader::Type type_of_member(const LaidOut& member) {
-    shader::Type type;
+module::Type type_of_member(const LaidOut& member) {
+    module::Type type;
     if (member.members.empty()) {
         type = vector_type(member.type, member.rows);
         type.columns = static_cast<int>(member.columns);
     } else {
-        type = {.scalar = shader::Scalar::structure, .name = member.type};
+        type = {.scalar = module::Scalar::structure, .name = member.type};
         for (const LaidOut& part : member.members) type.members.push_back({part.name, type_of_member(part)});
     }
     type.sizes.assign(member.sizes.begin(), member.sizes.end());
     return type;
 }
 
-void add_members(const shader::BlockLayout& block, PassSlot::Kind kind, std::size_t index,
+void add_members(const module::BlockLayout& block, PassSlot::Kind kind, std::size_t index,
                  std::vector<PassSlot>& slots) {
     for (const LaidOut& member : block.members) {
-        const shader::Type type = type_of_member(member);
+        const module::Type type = type_of_member(member);
         slots.push_back(
-            {kind, member.name, block.name + "." + member.name, shader::name_of(type), type, index, member});
+            {kind, member.name, block.name + "." + member.name, module::name_of(type), type, index, member});
     }
 }
 
 PassSlot image_slot(const Binding& binding, std::size_t index) {
     const bool sampled = binding.type == BindingType::sampled_image;
-    const shader::Type pixel = vector_type(
+    const module::Type pixel = vector_type(
         binding.texel, sampled ? 4U : static_cast<unsigned>(channels_of(*format_named(binding.format))));
     return {.name = binding.name,
-            .says = sampled ? sampler_name(binding) : "image of " + shader::name_of(pixel),
+            .says = sampled ? sampler_name(binding) : "image of " + module::name_of(pixel),
             .type = pixel,
             .index = index};
 }
 
-PassSlot constant_slot(const shader::SpecializationConstant& constant, std::size_t index) {
+PassSlot constant_slot(const module::SpecializationConstant& constant, std::size_t index) {
     const std::string number = std::to_string(constant.id);
     return {.kind = PassSlot::Kind::constant,
             .name = constant.name.empty() ? number : constant.name,
@@ -145,12 +145,15 @@ void append_places(const LaidOut& member, std::size_t at, std::size_t depth, std
 
 }  // namespace
 
-std::optional<gpu::Format> format_named(const std::string& name) {
-    return name.ends_with("32i") ? std::nullopt : gpu::format_from(name);  // signed ones: of functions alone
+std::optional<backend::vulkan::Format> format_named(const std::string& name) {
+    return name.ends_with("32i") ? std::nullopt
+                                 : backend::vulkan::format_from(name);  // signed ones: of functions alone
 }
 
-std::size_t channels_of(gpu::Format format) {
-    return format == gpu::Format::rgb10_a2 ? 4 : static_cast<std::size_t>(gpu::channels(format));
+std::size_t channels_of(backend::vulkan::Format format) {
+    return format == backend::vulkan::Format::rgb10_a2
+               ? 4
+               : static_cast<std::size_t>(backend::vulkan::channels(format));
 }
 
 std::vector<std::size_t> places_of(const LaidOut& member, std::size_t elements) {
@@ -159,14 +162,14 @@ std::vector<std::size_t> places_of(const LaidOut& member, std::size_t elements) 
     return places;
 }
 
-PassInterface interface_of(std::string name, shader::Spirv module, std::string text) {
+PassInterface interface_of(std::string name, module::Spirv module, std::string text) {
     PassInterface all{.name = std::move(name),
                       .module = std::move(module),
                       .declared = {},
                       .slots = {},
                       .text = std::move(text)};
     try {
-        all.declared = shader::reflect(all.module);
+        all.declared = module::reflect(all.module);
     } catch (const std::runtime_error& error) {
         throw std::invalid_argument(all.name + ": " + error.what());
     }
@@ -186,4 +189,4 @@ PassInterface interface_of(std::string name, shader::Spirv module, std::string t
     return all;
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::pass::internal

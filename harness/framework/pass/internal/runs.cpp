@@ -12,13 +12,14 @@
 #include "interpreter/machine.hpp"
 #include "pass/internal/work.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::pass::internal {
 namespace {
 
 using At = Bound::Kind;
 
-bool has_short_integers(gpu::Format format) {
-    return format == gpu::Format::r16ui || format == gpu::Format::rg16ui || format == gpu::Format::rgba16ui;
+bool has_short_integers(backend::vulkan::Format format) {
+    return format == backend::vulkan::Format::r16ui || format == backend::vulkan::Format::rg16ui ||
+           format == backend::vulkan::Format::rgba16ui;
 }
 
 std::vector<Word> push_words(const PassWork& work) {
@@ -37,7 +38,7 @@ Word packed(std::span<const Word> texel) {
 // value, those of 32 by their bits.
 class DeviceMemory {
   public:
-    DeviceMemory(const gpu::Device& device, const PassWork& work) : device_(device) {
+    DeviceMemory(const backend::vulkan::Device& device, const PassWork& work) : device_(device) {
         for (const Bound& bound : work.bindings) add(bound);
     }
 
@@ -45,55 +46,56 @@ class DeviceMemory {
         for (std::size_t i = 0; i < work.bindings.size(); ++i) {
             Bound& bound = work.bindings[i];
             if (bound.kind == At::image && bound.written)
-                read(std::get<std::reference_wrapper<const gpu::Image>>(resources[i]), bound);
-            if (const auto* buffer = std::get_if<std::reference_wrapper<const gpu::Buffer>>(&resources[i]);
+                read(std::get<std::reference_wrapper<const backend::vulkan::Image>>(resources[i]), bound);
+            if (const auto* buffer =
+                    std::get_if<std::reference_wrapper<const backend::vulkan::Buffer>>(&resources[i]);
                 buffer != nullptr && bound.kind != At::nothing)
                 std::ranges::copy(buffer->get().as<Word>(), bound.words.begin());
         }
     }
 
-    std::vector<gpu::Resource> resources;
-    std::vector<gpu::BindingKind> kinds;
+    std::vector<backend::vulkan::Resource> resources;
+    std::vector<backend::vulkan::BindingKind> kinds;
 
   private:
     void add(const Bound& bound) {
-        using enum gpu::BindingKind;
+        using enum backend::vulkan::BindingKind;
         if (bound.kind == At::image) return add(storage_image, make_image(bound));
         if (bound.kind == At::sampler && bound.stateless) return add(sampled_image, make_image(bound));
         if (bound.kind == At::sampler)
             return add(sampled_image, samplers_.emplace_back(device_, bound.words));
         const std::vector<Word> contents = bound.kind == At::nothing ? std::vector<Word>{0} : bound.words;
-        gpu::Buffer& buffer = buffers_.emplace_back(device_, contents.size() * sizeof(Word));
+        backend::vulkan::Buffer& buffer = buffers_.emplace_back(device_, contents.size() * sizeof(Word));
         std::ranges::copy(contents, buffer.as<Word>().begin());
         add(bound.kind == At::uniform ? uniform_buffer : storage_buffer, buffer);
     }
     template <class Made>
-    void add(gpu::BindingKind kind, const Made& made) {
+    void add(backend::vulkan::BindingKind kind, const Made& made) {
         kinds.push_back(kind);
         resources.emplace_back(std::cref(made));
     }
 
-    gpu::Image& make_image(const Bound& bound) {
+    backend::vulkan::Image& make_image(const Bound& bound) {
         std::vector<float> texels;
         const std::span<const Word> words = bound.texels();
         for (std::size_t w = 0; w < words.size(); ++w)
-            if (bound.format == gpu::Format::rgb10_a2) {
+            if (bound.format == backend::vulkan::Format::rgb10_a2) {
                 if (w % texel_words == 0) texels.push_back(std::bit_cast<float>(packed(words.subspan(w, 4))));
             } else if (w % texel_words < bound.channels()) {
                 texels.push_back(has_short_integers(bound.format) ? static_cast<float>(words[w])
                                                                   : std::bit_cast<float>(words[w]));
             }
-        const gpu::Extent extent{static_cast<std::uint32_t>(bound.size.x),
-                                 static_cast<std::uint32_t>(bound.size.y)};
-        gpu::Image& made = images_.emplace_back(device_, extent, bound.format);
+        const backend::Extent extent{static_cast<std::uint32_t>(bound.size.x),
+                                     static_cast<std::uint32_t>(bound.size.y)};
+        backend::vulkan::Image& made = images_.emplace_back(device_, extent, bound.format);
         made.upload(texels);
         return made;
     }
 
-    static void read(const gpu::Image& from, Bound& bound) {
+    static void read(const backend::vulkan::Image& from, Bound& bound) {
         const std::vector<float> texels = from.download();
         for (std::size_t i = 0; i < texels.size(); ++i)
-            if (bound.format == gpu::Format::rgb10_a2) {
+            if (bound.format == backend::vulkan::Format::rgb10_a2) {
                 const glm::vec4 texel = glm::unpackUnorm3x10_1x2(std::bit_cast<Word>(texels[i]));
                 for (std::size_t c = 0; c < texel_words; ++c)
                     bound.words[i * texel_words + c] = std::bit_cast<Word>(texel[static_cast<int>(c)]);
@@ -103,25 +105,27 @@ class DeviceMemory {
                                                      : std::bit_cast<Word>(texels[i]);
     }
 
-    const gpu::Device& device_;
-    std::deque<gpu::Image> images_;
-    std::deque<gpu::Buffer> buffers_;
-    std::deque<gpu::SampledImage> samplers_;
+    const backend::vulkan::Device& device_;
+    std::deque<backend::vulkan::Image> images_;
+    std::deque<backend::vulkan::Buffer> buffers_;
+    std::deque<backend::vulkan::SampledImage> samplers_;
 };
 
 }  // namespace
 
-void run_on_device(const gpu::Device& device, const PassInterface& pass, std::span<PassWork> works) {
-    std::optional<gpu::ComputePipeline> pipeline;
+void run_on_device(const backend::vulkan::Device& device, const PassInterface& pass,
+                   std::span<PassWork> works) {
+    std::optional<backend::vulkan::ComputePipeline> pipeline;
     for (PassWork& work : works) {
         DeviceMemory memory(device, work);
         if (!pipeline)
-            pipeline.emplace(device, gpu::ComputeProgram{.spirv = pass.module,
-                                                         .bindings = memory.kinds,
-                                                         .push_constant_bytes = static_cast<std::uint32_t>(
-                                                             work.push_constants.size()),
-                                                         .constants = work.constants});
-        gpu::Commands commands(device);
+            pipeline.emplace(
+                device, backend::vulkan::ComputeProgram{
+                            .spirv = pass.module,
+                            .bindings = memory.kinds,
+                            .push_constant_bytes = static_cast<std::uint32_t>(work.push_constants.size()),
+                            .constants = work.constants});
+        backend::vulkan::Commands commands(device);
         commands.dispatch(*pipeline, memory.resources, work.groups, work.push_constants);
         commands.submit();
         memory.read_back(work);
@@ -144,10 +148,10 @@ std::uint32_t free_block(const PassWork& work) {
     return static_cast<std::uint32_t>(std::ranges::find_if_not(work.bindings, taken) - work.bindings.begin());
 }
 
-std::string translated(const gl::Device& device, const PassInterface& pass, const PassWork& work) {
+std::string translated(const backend::gl::Device& device, const PassInterface& pass, const PassWork& work) {
     std::string text;
     try {
-        text = shader::opengl_text(pass.module, *shader::language_from(device.info().glsl), free_block(work));
+        text = module::opengl_text(pass.module, *source::language_from(device.info().glsl), free_block(work));
     } catch (const std::runtime_error& error) {
         throw backend::Unsupported(pass.name + ": " + error.what());
     }
@@ -155,18 +159,18 @@ std::string translated(const gl::Device& device, const PassInterface& pass, cons
         text.insert(text.find('\n') + 1,
                     fmt::format("#define SPIRV_CROSS_CONSTANT_ID_{} {}\n", constant.id,
                                 literal(std::ranges::find(pass.declared.constants, constant.id,
-                                                          &shader::SpecializationConstant::id)
+                                                          &module::SpecializationConstant::id)
                                             ->type,
                                         constant.bits)));
     return text;
 }
 
-void run_once(const gl::Device& device, const gl::Program& program, const PassInterface& pass,
-              PassWork& work) {
-    gl::Dispatch dispatch{.program = program, .storage = {}, .uniforms = {}, .groups = work.groups};
-    std::deque<gl::Image> images;
-    std::deque<gl::Buffer> buffers;
-    std::map<std::uint32_t, gl::SampledTexture> textures;
+void run_once(const backend::gl::Device& device, const backend::gl::Program& program,
+              const PassInterface& pass, PassWork& work) {
+    backend::gl::Dispatch dispatch{.program = program, .storage = {}, .uniforms = {}, .groups = work.groups};
+    std::deque<backend::gl::Image> images;
+    std::deque<backend::gl::Buffer> buffers;
+    std::map<std::uint32_t, backend::gl::SampledTexture> textures;
     const auto buffer = [&](std::span<const Word> words, std::size_t size) {
         buffers.emplace_back(device, size).write(0, words);
         return std::cref(buffers.back());
@@ -174,7 +178,7 @@ void run_once(const gl::Device& device, const gl::Program& program, const PassIn
     const auto uniforms = [&](std::span<const Word> words) {
         return buffer(words, (words.size() + 3) / 4 * 4);  // a uniform block ends with a vec4
     };
-    for (const shader::Binding& binding : pass.declared.bindings) {
+    for (const module::Binding& binding : pass.declared.bindings) {
         const Bound& bound = work.bindings[binding.number];
         if (bound.kind == At::image || bound.stateless)
             dispatch.images.emplace(
@@ -191,7 +195,7 @@ void run_once(const gl::Device& device, const gl::Program& program, const PassIn
     const std::vector<Word> parameters = push_words(work);
     if (!parameters.empty()) dispatch.uniforms.emplace(free_block(work), uniforms(parameters));
     for (const auto& [unit, texture] : textures) texture.bind(unit);
-    gl::dispatch(device, dispatch);
+    backend::gl::dispatch(device, dispatch);
     for (const auto& [number, image] : dispatch.images)
         if (work.bindings[number].written) work.bindings[number].words = image.get().read();
     for (const auto& [number, storage] : dispatch.storage) work.bindings[number].words = storage.get().read();
@@ -199,11 +203,11 @@ void run_once(const gl::Device& device, const gl::Program& program, const PassIn
 
 }  // namespace
 
-void run_on_opengl(const gl::Device& device, const PassInterface& pass, std::span<PassWork> works) {
-    if (!gl::has_compute(device.info().id.version))
+void run_on_opengl(const backend::gl::Device& device, const PassInterface& pass, std::span<PassWork> works) {
+    if (!backend::gl::has_compute(device.info().id.version))
         throw backend::Unsupported(to_string(device.info().id.version) + " has no compute shaders");
-    const gl::Program program(
-        device, gl::Program::Stage::compute,
+    const backend::gl::Program program(
+        device, backend::gl::Program::Stage::compute,
         {.name = pass.name, .text = pass.text.empty() ? translated(device, pass, works.front()) : pass.text});
     for (PassWork& work : works) run_once(device, program, pass, work);
 }
@@ -211,27 +215,27 @@ void run_on_opengl(const gl::Device& device, const PassInterface& pass, std::spa
 namespace {
 
 // What an image of this format keeps of a word that a shader writes as that component.
-Word stored(gpu::Format format, std::size_t component, Word word) {
+Word stored(backend::vulkan::Format format, std::size_t component, Word word) {
     const auto value = std::bit_cast<float>(word);
     const auto rounded = [value](float most) {
         return std::bit_cast<Word>(value > 0.0F ? std::round(std::min(value, 1.0F) * most) / most : 0.0F);
     };
     switch (format) {
-        case gpu::Format::r16f:
-        case gpu::Format::rg16f:
-        case gpu::Format::rgba16f:
+        case backend::vulkan::Format::r16f:
+        case backend::vulkan::Format::rg16f:
+        case backend::vulkan::Format::rgba16f:
             return std::bit_cast<Word>(glm::unpackHalf1x16(glm::packHalf1x16(value)));
-        case gpu::Format::r8:
-        case gpu::Format::rgba8:
+        case backend::vulkan::Format::r8:
+        case backend::vulkan::Format::rgba8:
             return rounded(255.0F);
-        case gpu::Format::rgb10_a2:
+        case backend::vulkan::Format::rgb10_a2:
             return rounded(component < 3 ? 1023.0F : 3.0F);
         default:
             return has_short_integers(format) ? std::min(word, 0xFFFFU) : word;
     }
 }
 
-void interpret(const shader::Spirv& module, PassWork& work) {
+void interpret(const module::Spirv& module, PassWork& work) {
     interpreter::Machine<float> machine(interpreter::Program(module, work.constants));
     const std::vector<Word> parameters = push_words(work);
     machine.bind_push_constants(parameters);
@@ -274,4 +278,4 @@ void run_interpreted(const PassInterface& pass, std::span<PassWork> works) {
     }
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::pass::internal

@@ -15,7 +15,7 @@
 #include "module/reflection.hpp"
 #include "pass/pass.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::pass::internal {
 
 // A name of a pass, and what stands behind it.
 struct PassSlot {
@@ -25,9 +25,9 @@ struct PassSlot {
     std::string name;        // as users give it
     std::string other_name;  // a second one: "Block.member", the number of a constant
     std::string says;        // what is expected: "int", "image of vec4", "sampler2D"
-    shader::Type type;       // of a value, or of a pixel
+    module::Type type;       // of a value, or of a pixel
     std::size_t index = 0;   // of the binding or constant in its list
-    shader::LaidOut member;  // of a block
+    module::LaidOut member;  // of a block
 
     // Of an array of which the buffer holds as many elements as are given.
     [[nodiscard]] bool is_unbounded() const { return !type.sizes.empty() && type.sizes.front() == 0; }
@@ -35,22 +35,22 @@ struct PassSlot {
 
 struct PassInterface {
     std::string name;  // for messages: "blur.comp"
-    shader::Spirv module;
-    shader::ModuleInterface declared;
+    module::Spirv module;
+    module::ModuleInterface declared;
     std::vector<PassSlot> slots;
     std::string text = {};  // the same shader for OpenGL; empty: what SPIRV-Cross makes of the module
 };
 
 // Throws std::invalid_argument, with the pass and the name, for what a pass cannot have.
-[[nodiscard]] PassInterface interface_of(std::string name, shader::Spirv module, std::string text);
+[[nodiscard]] PassInterface interface_of(std::string name, module::Spirv module, std::string text);
 
 // The place in bytes of each scalar of a member, in the order of a C++ value's words. `elements`: of an
 // unbounded array.
-[[nodiscard]] std::vector<std::size_t> places_of(const shader::LaidOut& member, std::size_t elements);
+[[nodiscard]] std::vector<std::size_t> places_of(const module::LaidOut& member, std::size_t elements);
 
 // The format that GLSL calls so, and the components that a shader sees of it.
-[[nodiscard]] std::optional<gpu::Format> format_named(const std::string& name);
-[[nodiscard]] std::size_t channels_of(gpu::Format format);
+[[nodiscard]] std::optional<backend::vulkan::Format> format_named(const std::string& name);
+[[nodiscard]] std::size_t channels_of(backend::vulkan::Format format);
 
 // What stands at a binding during a run, in the host's memory. A run changes it as the pass does.
 struct Bound {
@@ -62,7 +62,7 @@ struct Bound {
     std::vector<Word> words;
     std::vector<bool> fresh;  // by word: not given
     // Of an image; of a sampler without a state, which reads the nearest texel, of 32 bits.
-    gpu::Format format = gpu::Format::rgba32f;
+    backend::vulkan::Format format = backend::vulkan::Format::rgba32f;
     glm::ivec2 size{1};
     bool integers = false;
     bool written = false;    // the shader may write to it
@@ -89,14 +89,15 @@ struct PassWork {
 [[nodiscard]] PassWork bound(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options);
 [[nodiscard]] PassWork bound(const PassInterface& pass, const PassBindings& bindings);
 
-// Run a pass on a Vulkan device, once for each work. Throws like gpu::Commands and the pipelines.
-void run_on_device(const gpu::Device& device, const PassInterface& pass, std::span<PassWork> works);
+// Run a pass on a Vulkan device, once for each work. Throws like backend::vulkan::Commands and the pipelines.
+void run_on_device(const backend::vulkan::Device& device, const PassInterface& pass,
+                   std::span<PassWork> works);
 
 // The same on OpenGL. Throws backend::Unsupported for what the version lacks.
-void run_on_opengl(const gl::Device& device, const PassInterface& pass, std::span<PassWork> works);
+void run_on_opengl(const backend::gl::Device& device, const PassInterface& pass, std::span<PassWork> works);
 
 // The same on the interpreter, one invocation after another. Throws backend::Unsupported for instructions
 // that it does not know; backend::Fault, with the place, for an access outside an image or array.
 void run_interpreted(const PassInterface& pass, std::span<PassWork> works);
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::pass::internal

@@ -14,7 +14,7 @@
 
 #include "source/lines.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::source::internal {
 namespace {
 
 using Kind = Declaration::Kind;
@@ -259,4 +259,4 @@ std::string calling_comment(const Kept& kept) {
     return text;
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::source::internal

@@ -11,10 +11,10 @@
 #include "module/spirv.hpp"
 #include "module/texts.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::subject::internal {
 namespace {
 
-using shader::Scalar;
+using module::Scalar;
 
 std::string fragment_interface(const KernelSource& source, std::size_t row, std::size_t targets) {
     std::string code =
@@ -25,11 +25,11 @@ std::string fragment_interface(const KernelSource& source, std::size_t row, std:
     for (std::size_t i = 0; i < targets; ++i)
         code += fmt::format("layout(location = {}) out highp uvec4 gloam_kernel_target{};\n", i, i);
     code += fmt::format("uint gloam_kernel_outputs[{}];\nuint gloam_kernel_faults[{}];\n", row,
-                        gl::kernel_fault_words);
+                        backend::gl::kernel_fault_words);
     code += fmt::format(
         "uint gloam_kernel_word(highp usampler2D words, uint at) {{\n"
         "    return texelFetch(words, ivec2(int(at % {0}u), int(at / {0}u)), 0).x;\n}}\n",
-        gl::WordTexture::row);
+        backend::gl::WordTexture::row);
     return code + R"(void gloam_kernel_fault(uint image, ivec2 pixel) {
     if (gloam_kernel_faults[0] == 0u) {
         gloam_kernel_faults[1] = image;
@@ -46,8 +46,8 @@ std::string write_pass(std::size_t first, std::size_t row, std::size_t targets) 
     std::string code;
     for (std::size_t target = 0; target < targets; ++target) {
         std::string words;
-        for (std::size_t k = 0; k < gl::kernel_target_words; ++k) {
-            const std::size_t at = first + target * gl::kernel_target_words + k;
+        for (std::size_t k = 0; k < backend::gl::kernel_target_words; ++k) {
+            const std::size_t at = first + target * backend::gl::kernel_target_words + k;
             words += (k > 0 ? ", " : "") + (at < row ? fmt::format("gloam_kernel_outputs[{}]", at) : "0u");
         }
         code += fmt::format("        gloam_kernel_target{} = uvec4({});\n", target, words);
@@ -58,11 +58,11 @@ std::string write_pass(std::size_t first, std::size_t row, std::size_t targets) 
 std::string fragment_end(std::size_t output_words, std::size_t images, std::size_t targets) {
     std::string code = fmt::format(
         "    gloam_kernel_outputs[{}] = gloam_kernel_canary ^ gloam_kernel_index;\n", output_words);
-    for (std::size_t k = 0; images > 0 && k < gl::kernel_fault_words; ++k)
+    for (std::size_t k = 0; images > 0 && k < backend::gl::kernel_fault_words; ++k)
         code +=
             fmt::format("    gloam_kernel_outputs[{}] = gloam_kernel_faults[{}];\n", output_words + 1 + k, k);
-    const std::size_t row = gl::kernel_row(output_words, images);
-    const std::size_t words = targets * gl::kernel_target_words;
+    const std::size_t row = backend::gl::kernel_row(output_words, images);
+    const std::size_t words = targets * backend::gl::kernel_target_words;
     for (std::size_t pass = 0; pass * words < row; ++pass) {
         code += fmt::format("    if (gloam_kernel_pass == {}u) {{\n{}    }}\n", pass,
                             write_pass(pass * words, row, targets));
@@ -70,12 +70,12 @@ std::string fragment_end(std::size_t output_words, std::size_t images, std::size
     return code + "}\n";
 }
 
-void require_bindable(shader::Language language, const KernelSource& source) {
+void require_bindable(source::Language language, const KernelSource& source) {
     for (const ImagePrototype& image : source.images) {
         if (!image.layered.empty())
             throw backend::Unsupported(fmt::format("{}: uses the image {}, which needs a Vulkan device",
                                                    source.function.name, image.name));
-        if (image.sampled && shader::usual_stage(language) != shader::Stage::compute)
+        if (image.sampled && source::usual_stage(language) != source::Stage::compute)
             throw backend::Unsupported(fmt::format(
                 "{}: reads the sampler {}, which needs a Vulkan device, OpenGL 4.3 or OpenGL ES 3.1",
                 source.function.name, image.name));
@@ -83,7 +83,8 @@ void require_bindable(shader::Language language, const KernelSource& source) {
 }
 
 std::string gl_compute_text(const KernelSource& source) {
-    return storage_interface(source, fmt::format("layout(std140, binding = {})", gl::kernel_run_binding)) +
+    return storage_interface(source,
+                             fmt::format("layout(std140, binding = {})", backend::gl::kernel_run_binding)) +
            file_and_rest(source, word_of_buffer, main_of(source));
 }
 
@@ -94,8 +95,8 @@ std::string gl_fragment_text(const KernelSource& source) {
             fmt::format("gloam_kernel_word(gloam_kernel_inputs, uint(gloam_kernel_input_at + {}u))", word));
     };
     const Evaluation calls = evaluation(source, input);
-    const std::size_t row = gl::kernel_row(calls.output_words, source.images.size());
-    const std::size_t targets = gl::kernel_targets(row);
+    const std::size_t row = backend::gl::kernel_row(calls.output_words, source.images.size());
+    const std::size_t targets = backend::gl::kernel_targets(row);
     const std::string begin = fmt::format(
         "void main() {{\n"
         "    uint gloam_kernel_index =\n"
@@ -103,7 +104,7 @@ std::string gl_fragment_text(const KernelSource& source) {
         "    uint gloam_kernel_output_at = 0u;\n"
         "    gloam_kernel_faults[0] = 0u;\n"
         "    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n",
-        gl::kernel_target_width, calls.input_words);
+        backend::gl::kernel_target_width, calls.input_words);
     return fragment_interface(source, row, targets) +
            file_and_rest(
                source, "gloam_kernel_word(gloam_kernel_image{}, uint({}))",
@@ -119,9 +120,9 @@ constexpr std::uint32_t inverse = 34;
 
 }  // namespace
 
-bool has_precision_rules(shader::Language language, const shader::Spirv& module) {
-    if (language != shader::Language::vulkan450 && language != shader::Language::es320) return false;
-    return std::ranges::none_of(shader::instructions(module), [](const shader::Instruction& instruction) {
+bool has_precision_rules(source::Language language, const module::Spirv& module) {
+    if (language != source::Language::vulkan450 && language != source::Language::es320) return false;
+    return std::ranges::none_of(module::instructions(module), [](const module::Instruction& instruction) {
         if (instruction.opcode != extended) return false;
         const std::uint32_t function = instruction.word(4);
         return (function >= sine && function <= arc_tangent_of_two) || function == determinant ||
@@ -129,24 +130,24 @@ bool has_precision_rules(shader::Language language, const shader::Spirv& module)
     });
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::subject::internal
 
-namespace gloam::check {
+namespace gloam::subject {
 
-std::string gl_kernel_code(shader::Language language, const KernelSource& source,
+std::string gl_kernel_code(source::Language language, const KernelSource& source,
                            const std::vector<std::filesystem::path>& include_roots) {
     internal::require_alone(source, "OpenGL");
     internal::require_bindable(language, source);
-    const bool compute = shader::usual_stage(language) == shader::Stage::compute;
-    const shader::Source text{
+    const bool compute = source::usual_stage(language) == source::Stage::compute;
+    const source::Source text{
         .name = "kernel of " + source.function.name,
         .text = compute ? internal::gl_compute_text(source) : internal::gl_fragment_text(source)};
     try {
-        return shader::pack({text}, {.language = language}, include_roots);
-    } catch (const shader::CompileError& error) {  // it has been compiled as GLSL 450
+        return module::pack({text}, {.language = language}, include_roots);
+    } catch (const source::CompileError& error) {  // it has been compiled as GLSL 450
         throw backend::Unsupported(fmt::format("{} is no GLSL {}: {}", source.function.name,
                                                to_string(language), base::one_line(error.what())));
     }
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

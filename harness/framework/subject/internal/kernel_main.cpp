@@ -9,11 +9,11 @@
 
 #include "subject/internal/kernel_text.hpp"
 
-namespace gloam::check::internal {
+namespace gloam::subject::internal {
 
-using shader::Direction;
-using shader::Scalar;
-using shader::Type;
+using module::Scalar;
+using module::Type;
+using source::Direction;
 
 namespace {
 
@@ -27,9 +27,9 @@ ScalarPaths scalar_paths(const Type& type, const std::string& variable) {
     };
     if (!type.sizes.empty()) {
         for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
-            add(shader::element_of(type), fmt::format("{}[{}]", variable, i));
+            add(module::element_of(type), fmt::format("{}[{}]", variable, i));
     } else if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members) add(member.type, variable + "." + member.name);
+        for (const module::Member& member : type.members) add(member.type, variable + "." + member.name);
     } else if (type.scalar != Scalar::void_) {
         for (int column = 0; column < type.columns; ++column) {
             const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
@@ -94,9 +94,9 @@ std::string write_canary(const backend::Team& team, std::size_t output_words) {
         output_words, canary, team.count() - 1);
 }
 
-bool may_discard(const shader::Function& function) {
+bool may_discard(const module::Function& function) {
     return std::ranges::any_of(function.parameters,
-                               [](const shader::Parameter& p) { return p.name == shader::discarded; });
+                               [](const module::Parameter& p) { return p.name == source::discarded; });
 }
 
 // Nothing can be written behind a discard: until the function returns, the invocation counts as discarded.
@@ -113,23 +113,23 @@ template <class Visit>
 void for_each_pixel(const std::string& argument, Visit visit) {
     for (std::uint32_t y = 0; y < image_sides[1]; ++y)
         for (std::uint32_t x = 0; x < image_sides[0]; ++x)
-            visit(fmt::format("ivec3({}, {}, {})", x, y, shader::image_layer),
+            visit(fmt::format("ivec3({}, {}, {})", x, y, source::image_layer),
                   fmt::format("{}[{}][{}]", argument, y, x));
 }
 
 // Statements that fill the input's layer of an image, and that read it.
-std::string write_image(const shader::Parameter& image, const std::string& argument) {
+std::string write_image(const module::Parameter& image, const std::string& argument) {
     Type texel = element_of(element_of(image.type));
     const char* rest = texel.rows == 4 ? "" : texel.rows == 2 ? ", 0, 1" : ", 0, 0, 1";
     texel.rows = 4;
-    std::string code = fmt::format("    {} = int(gloam_kernel_index);\n", shader::image_layer);
+    std::string code = fmt::format("    {} = int(gloam_kernel_index);\n", source::image_layer);
     for_each_pixel(argument, [&](const std::string& at, const std::string& value) {
         code +=
             fmt::format("    imageStore({}, {}, {}({}{}));\n", image.name, at, name_of(texel), value, rest);
     });
     return code;
 }
-std::string read_image(const shader::Parameter& image, const std::string& argument) {
+std::string read_image(const module::Parameter& image, const std::string& argument) {
     const int rows = element_of(element_of(image.type)).rows;
     const char* channels = rows == 4 ? "" : rows == 2 ? ".xy" : ".x";
     std::string code;
@@ -149,7 +149,7 @@ class Evaluator {
         for (std::size_t i = 0; i < function_.parameters.size(); ++i) read(i);
         call();
         for (std::size_t i = 0; i < function_.parameters.size(); ++i) {
-            const shader::Parameter& p = function_.parameters[i];
+            const module::Parameter& p = function_.parameters[i];
             if (p.direction == Direction::in) continue;
             if (!p.image.empty()) result_.code += read_image(p, variable_of(i));
             write(p.type, variable_of(i));
@@ -160,7 +160,7 @@ class Evaluator {
   private:
     // Of what a team takes and returns, each invocation has an element.
     [[nodiscard]] Type own_type(const Type& type, bool of_all) const {
-        return is_alone() || of_all || type.scalar == Scalar::void_ ? type : shader::element_of(type);
+        return is_alone() || of_all || type.scalar == Scalar::void_ ? type : module::element_of(type);
     }
 
     [[nodiscard]] bool is_alone() const { return source_.team.kind == backend::Team::Kind::alone; }
@@ -175,12 +175,12 @@ class Evaluator {
     }
 
     [[nodiscard]] std::string variable_of(std::size_t i) const {
-        const shader::Parameter& p = function_.parameters[i];
+        const module::Parameter& p = function_.parameters[i];
         return p.global && p.image.empty() ? p.name : argument_name(i);
     }
 
     void read(std::size_t i) {
-        const shader::Parameter& p = function_.parameters[i];
+        const module::Parameter& p = function_.parameters[i];
         const std::string variable = variable_of(i);
         if (!p.global) arguments_ += (i > 0 ? ", " : "") + variable;
         if (p.type.scalar == Scalar::sampler) return;
@@ -214,11 +214,11 @@ class Evaluator {
             result_.code += fmt::format("    {} gloam_kernel_result = {}", type, text);
             write(function_.result, "gloam_kernel_result");
         }
-        if (discards) result_.code += fmt::format("    {} = false;\n", shader::discarded);
+        if (discards) result_.code += fmt::format("    {} = false;\n", source::discarded);
     }
 
     const KernelSource& source_;
-    const shader::Function& function_;
+    const module::Function& function_;
     const InputText& input_;
     Evaluation result_;
     std::string arguments_;
@@ -270,12 +270,12 @@ void require_alone(const KernelSource& source, const char* what) {
             "{}: runs in several invocations together, and {} runs each alone", source.function.name, what));
 }
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::subject::internal
 
-namespace gloam::check {
+namespace gloam::subject {
 
-using shader::Scalar;
-using Constants = shader::Variant::Constants;
+using module::Scalar;
+using Constants = module::Variant::Constants;
 
 namespace {
 
@@ -283,7 +283,7 @@ namespace {
 // their bits.
 std::string literal(Scalar scalar, Word word) {
     if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
-    if (!shader::is_float(scalar) || !std::isfinite(number_at(scalar, word)))
+    if (!module::is_float(scalar) || !std::isfinite(number_at(scalar, word)))
         return internal::scalar_of_word(scalar, fmt::format("0x{:08x}u", word));
     std::string text = fmt::format("{:.17g}", number_at(scalar, word));  // 17 digits identify a double
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
@@ -314,4 +314,4 @@ std::string constant_kernel_code(const KernelSource& source, Constants constants
                                              internal::write_canary({}, output_words) + "}\n");
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::subject

@@ -9,10 +9,10 @@
 #include "subject/kernel_code.hpp"
 
 // The parts of generated compute shaders.
-namespace gloam::check::internal {
+namespace gloam::subject::internal {
 
 // GLSL expression of a scalar, from the uint expression of its word.
-[[nodiscard]] std::string scalar_of_word(shader::Scalar scalar, const std::string& word);
+[[nodiscard]] std::string scalar_of_word(module::Scalar scalar, const std::string& word);
 
 // The whole shader: the interface, the function's file, the definitions of its prototypes, then `rest`, which
 // has main(). Every name that is not from the file begins with gloam_kernel_ or GloamGenerated. Macros of the
@@ -38,10 +38,10 @@ inline constexpr std::string_view word_of_buffer = "gloam_kernel_image{}[{}]";
                                         const std::string& rest);
 
 // The GLSL expression of an input scalar, given its position among the words of one input.
-using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
+using InputText = std::function<std::string(module::Scalar scalar, std::size_t word)>;
 
 // Appends statements that set a variable from the input words from `offset` on.
-void append_read(std::string& code, const shader::Type& type, const std::string& variable,
+void append_read(std::string& code, const module::Type& type, const std::string& variable,
                  const InputText& input, std::size_t offset);
 
 // The variable of a kernel for a parameter of the function.
@@ -66,6 +66,6 @@ void require_alone(const KernelSource& source, const char* what);
 // (docs/verdicts.md): in GLSL 4.50 and GLSL ES 3.20, whose section 4.7.1 has the same table, and which know
 // `precise`; but for built-ins whose precision that section leaves undefined: trigonometric and hyperbolic
 // functions, determinant, inverse.
-[[nodiscard]] bool has_precision_rules(shader::Language language, const shader::Spirv& module);
+[[nodiscard]] bool has_precision_rules(source::Language language, const module::Spirv& module);
 
-}  // namespace gloam::check::internal
+}  // namespace gloam::subject::internal

@@ -24,7 +24,7 @@ namespace gloam::effect {
 class Resources {
   public:
     // The device must outlive this object.
-    explicit Resources(const gpu::Device& device);
+    explicit Resources(const backend::vulkan::Device& device);
 
     // Makes the images and buffers of a plan that are missing or have another size or format, and writes the
     // contents of its buffers.
@@ -37,30 +37,30 @@ class Resources {
     void exchange(std::span<const std::array<std::string, 2>> pairs);
 
     // Make an image or a buffer, or make it anew if its size or format is another.
-    gpu::Image& image(const std::string& name, gpu::Extent extent, gpu::Format format,
-                      std::uint32_t levels = 1);
-    gpu::Buffer& buffer(const std::string& name, std::size_t bytes);
+    backend::vulkan::Image& image(const std::string& name, backend::Extent extent,
+                                  backend::vulkan::Format format, std::uint32_t levels = 1);
+    backend::vulkan::Buffer& buffer(const std::string& name, std::size_t bytes);
 
     // Each throws std::logic_error if there is none of this name.
-    [[nodiscard]] gpu::Image& image(const std::string& name);
-    [[nodiscard]] const gpu::Image& image(const std::string& name) const;
-    [[nodiscard]] gpu::Buffer& buffer(const std::string& name);
-    [[nodiscard]] const gpu::Buffer& buffer(const std::string& name) const;
+    [[nodiscard]] backend::vulkan::Image& image(const std::string& name);
+    [[nodiscard]] const backend::vulkan::Image& image(const std::string& name) const;
+    [[nodiscard]] backend::vulkan::Buffer& buffer(const std::string& name);
+    [[nodiscard]] const backend::vulkan::Buffer& buffer(const std::string& name) const;
     [[nodiscard]] bool has_buffer(const std::string& name) const { return buffers_.contains(name); }
 
     // What a pass binds for a name, or for IMAGE/LEVEL: nothing_image is an image of one texel in the format
     // that the pass declares. Throws std::logic_error for a name that there is not.
-    [[nodiscard]] gpu::Resource at(const std::string& name, const std::string& format) const;
+    [[nodiscard]] backend::vulkan::Resource at(const std::string& name, const std::string& format) const;
 
   private:
-    const gpu::Device* device_;
-    std::map<std::string, gpu::Image> images_;
-    std::map<std::string, gpu::Buffer> buffers_;
-    std::map<std::string, gpu::Image> nothing_;  // by format
+    const backend::vulkan::Device* device_;
+    std::map<std::string, backend::vulkan::Image> images_;
+    std::map<std::string, backend::vulkan::Buffer> buffers_;
+    std::map<std::string, backend::vulkan::Image> nothing_;  // by format
 };
 
 // The interface of the module of a source.
-using InterfaceOf = std::function<shader::ModuleInterface(const PassSource&)>;
+using InterfaceOf = std::function<module::ModuleInterface(const PassSource&)>;
 
 // A pass whose constants, of both kinds, have the values of their names.
 [[nodiscard]] PlannedPass planned_pass(std::string name, PassSource source,
@@ -83,34 +83,34 @@ template <class Parameters>
 class Executor {
   public:
     // The device must outlive this object.
-    Executor(const gpu::Device& device, scene::PassLibrary library);
+    Executor(const backend::vulkan::Device& device, scene::PassLibrary library);
 
     // The passes, ready to run. They are valid until the resources change, as long as `passes` and this
     // object live. Throws std::runtime_error when a shader does not compile.
     [[nodiscard]] std::vector<Step> steps(std::span<const PlannedPass> passes, const Resources& resources);
 
     // Of the module of a source, which is compiled once.
-    [[nodiscard]] const shader::ModuleInterface& interface_of(const PassSource& source);
+    [[nodiscard]] const module::ModuleInterface& interface_of(const PassSource& source);
 
-    // Runs a pass once. Throws like steps() and gpu::Commands::submit().
+    // Runs a pass once. Throws like steps() and backend::vulkan::Commands::submit().
     void run(const PlannedPass& pass, const Resources& resources);
     void run(std::string name, PassSource source, std::vector<std::string> bound, const Values& values,
              std::array<std::uint32_t, 3> groups, const Resources& resources);
 
   private:
     struct Module {
-        shader::Spirv spirv;
-        shader::ModuleInterface interface;
+        module::Spirv spirv;
+        module::ModuleInterface interface;
     };
     [[nodiscard]] const Module& module(const PassSource& source);
 
     struct Compiled {
-        gpu::ComputePipeline pipeline;
+        backend::vulkan::ComputePipeline pipeline;
         std::vector<std::string> formats;  // of the image of each binding
     };
     [[nodiscard]] const Compiled& compiled(const PlannedPass& pass, const Resources& resources);
 
-    const gpu::Device* device_;
+    const backend::vulkan::Device* device_;
     scene::PassLibrary library_;
     std::map<std::string, Module> modules_;     // by all that the source says but constants
     std::map<std::string, Compiled> compiled_;  // by all that it says
@@ -129,7 +129,7 @@ void require_layers(const scene::GBuffer& view, const Settings& settings);
 void require_centred(const scene::GBuffer& view);
 
 // Images of this size: depth and its layers, normals, positions in the previous frame.
-void require_sizes(const scene::GBuffer& view, gpu::Extent extent);
+void require_sizes(const scene::GBuffer& view, backend::Extent extent);
 
 // Uploads a view to the images depth, normal, previous_position and layers, those that it has. Missing images
 // are made. stores: depth and normals as the engine stores them, if it does; otherwise linear depth and

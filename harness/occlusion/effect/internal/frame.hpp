@@ -25,9 +25,10 @@ class FramePasses {
 
 // The device must outlive the passes. Study: TSSAO as printed, for images of that size at first. Frame: the
 // three short passes for engines.
-[[nodiscard]] std::unique_ptr<FramePasses> study_passes(const gpu::Device& device,
-                                                        const scene::PassLibrary& passes, gpu::Extent extent);
-[[nodiscard]] std::unique_ptr<FramePasses> frame_passes(const gpu::Device& device,
+[[nodiscard]] std::unique_ptr<FramePasses> study_passes(const backend::vulkan::Device& device,
+                                                        const scene::PassLibrary& passes,
+                                                        backend::Extent extent);
+[[nodiscard]] std::unique_ptr<FramePasses> frame_passes(const backend::vulkan::Device& device,
                                                         const scene::PassLibrary& passes);
 
 // The plan of a frame of those three, for a radius of 1.

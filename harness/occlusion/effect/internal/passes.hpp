@@ -18,7 +18,7 @@
 namespace gloam::effect {
 
 // A size and a choice as shaders take them.
-[[nodiscard]] inline glm::ivec2 vector_of_size(gpu::Extent extent) {
+[[nodiscard]] inline glm::ivec2 vector_of_size(backend::Extent extent) {
     return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
 }
 [[nodiscard]] inline std::uint32_t flag(bool value) {
@@ -28,7 +28,7 @@ namespace gloam::effect {
 // The part of a view that is the same in all of its frames.
 struct View {
     scene::CameraFrame camera;
-    gpu::Extent extent;  // with the border
+    backend::Extent extent;  // with the border
     scene::Border border;
 };
 
@@ -65,10 +65,10 @@ struct Moment {
 [[nodiscard]] PassSource preparation_source(const Moment& moment, const std::string& file);
 
 // The format of the image that the last pass writes, and the macro for another than r32f.
-[[nodiscard]] gpu::Format format_of(OutputFormat output);
+[[nodiscard]] backend::vulkan::Format format_of(OutputFormat output);
 void define_output(OutputFormat output, std::vector<std::string>& defines);
 
 // Groups of 8 x 8 invocations that cover an image.
-[[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);
+[[nodiscard]] std::array<std::uint32_t, 3> groups_for(backend::Extent extent);
 
 }  // namespace gloam::effect

@@ -18,19 +18,19 @@ namespace gloam::effect {
 // Compiles a pass to a pipeline with the bindings and the push constants of its module. Images that it only
 // reads are sampled or storage images, as the library says. kinds: of bindings that its shader declares and
 // does not use, by number; empty where it uses all.
-[[nodiscard]] gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
-                                               const PassSource& source,
-                                               std::vector<gpu::BindingKind> kinds = {});
+[[nodiscard]] backend::vulkan::ComputePipeline pipeline_of(
+    const backend::vulkan::Device& device, const scene::PassLibrary& library, const PassSource& source,
+    std::vector<backend::vulkan::BindingKind> kinds = {});
 
 // A pass that is ready to be recorded. The objects that it refers to must live until it has run.
 struct Step {
     std::string name;
-    const gpu::ComputePipeline* pipeline = nullptr;
-    std::vector<gpu::Resource> resources;
+    const backend::vulkan::ComputePipeline* pipeline = nullptr;
+    std::vector<backend::vulkan::Resource> resources;
     std::span<const std::byte> parameters;
     std::array<std::uint32_t, 3> groups{};
-    const gpu::Buffer* groups_from = nullptr;  // has them
-    std::uint32_t groups_at = 0;               // behind so many bytes
+    const backend::vulkan::Buffer* groups_from = nullptr;  // has them
+    std::uint32_t groups_at = 0;                           // behind so many bytes
 };
 
 template <class Parameters>
@@ -39,9 +39,9 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
 }
 
 // Runs the passes in order, `repeat` times. Returns the median time of each pass, NaN with a watcher. Throws
-// like gpu::Commands::submit().
-[[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes, int repeat,
-                                        const PassWatcher& watcher = {});
+// like backend::vulkan::Commands::submit().
+[[nodiscard]] std::vector<PassTime> run(const backend::vulkan::Device& device, std::span<const Step> passes,
+                                        int repeat, const PassWatcher& watcher = {});
 
 // One channel of an image of four: element `which` of each texel.
 [[nodiscard]] std::vector<float> channel(std::span<const float> texels, std::size_t which);

@@ -35,10 +35,10 @@ class Values {
 
     // What a module has of them. Each throws std::logic_error for a name without a value, or with another
     // number of elements. file: of the pass, for the message.
-    [[nodiscard]] std::vector<std::byte> push_constants(const shader::ModuleInterface& interface,
+    [[nodiscard]] std::vector<std::byte> push_constants(const module::ModuleInterface& interface,
                                                         const std::string& file) const;
-    [[nodiscard]] std::vector<gpu::SpecializationConstant> constants(const shader::ModuleInterface& interface,
-                                                                     const std::string& file) const;
+    [[nodiscard]] std::vector<backend::vulkan::SpecializationConstant> constants(
+        const module::ModuleInterface& interface, const std::string& file) const;
 
   private:
     [[nodiscard]] const std::vector<double>& at(const std::string& name, std::size_t count,

@@ -13,16 +13,16 @@ void adapt_hbao(Settings& s) {
 }
 
 // hbao at half the resolution: every other pixel in x and y has a result. A pixel reads 3 x 3 of them.
-Preparation half_resolution(const Settings&, gpu::Extent view) {
-    const gpu::Extent half{(view.width + 1) / 2, (view.height + 1) / 2};
+Preparation half_resolution(const Settings&, backend::Extent view) {
+    const backend::Extent half{(view.width + 1) / 2, (view.height + 1) / 2};
     return {.image = half, .passes = {{"half_resolution", "half_resolution.comp", half}}, .spread = 3};
 }
 
 // Each pixel's occlusion along its first direction. Other pixels use it from up to two standard deviations
 // away.
-Preparation first_direction(const Settings& settings, gpu::Extent view) {
+Preparation first_direction(const Settings& settings, backend::Extent view) {
     return {.image = view,
-            .format = gpu::Format::r32f,
+            .format = backend::vulkan::Format::r32f,
             .passes = {{"first_direction", "first_direction.comp", view}},
             .spread = 1,
             .reach = 2.0F * settings.own.epsilon};

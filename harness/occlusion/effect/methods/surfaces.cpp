@@ -21,14 +21,14 @@ constexpr std::uint32_t last_area_level = 6;
 constexpr int mssao_texels = 11;
 
 // Size of a level; level 1 has half the resolution.
-gpu::Extent level_size(gpu::Extent size, std::uint32_t level) {
+backend::Extent level_size(backend::Extent size, std::uint32_t level) {
     const std::uint32_t texel = 1U << level;
     return {(size.width + texel - 1) / texel, (size.height + texel - 1) / texel};
 }
 
 // Size of the image with the layout of gloam/methods/mssao.glsl.
-gpu::Extent pyramid_size(gpu::Extent view, std::uint32_t coarsest) {
-    gpu::Extent size = level_size(view, coarsest);
+backend::Extent pyramid_size(backend::Extent view, std::uint32_t coarsest) {
+    backend::Extent size = level_size(view, coarsest);
     for (std::uint32_t level = 1; level <= coarsest; ++level) {
         size.width += level_size(view, level).width;
         size.height += level_size(view, level).height;
@@ -38,7 +38,7 @@ gpu::Extent pyramid_size(gpu::Extent view, std::uint32_t coarsest) {
 
 // Passes: the surfaces of all coarser levels, each from the level before, then their occlusion, coarsest
 // level first.
-Preparation resolutions(const Settings& settings, gpu::Extent view) {
+Preparation resolutions(const Settings& settings, backend::Extent view) {
     const std::uint32_t coarsest = std::clamp(settings.own.steps, 1U, most_resolutions) - 1;
     if (coarsest == 0) return {.image = {1, 1}};
     Preparation all{.image = pyramid_size(view, coarsest)};
@@ -56,7 +56,7 @@ Preparation resolutions(const Settings& settings, gpu::Extent view) {
 
 // Passes: moments of blocks, each level from the level before. A sample reads up to one block beyond the
 // disc.
-Preparation area_moments(const Settings&, gpu::Extent view) {
+Preparation area_moments(const Settings&, backend::Extent view) {
     Preparation all{.image = pyramid_size(view, last_area_level)};
     for (std::uint32_t level = 1; level <= last_area_level; ++level) {
         all.passes.push_back({fmt::format("moments_{}", level), "area_moments.comp", level_size(view, level),
@@ -74,9 +74,9 @@ std::vector<Preset> area_presets(const MethodInfo& method) {
 }
 
 // Pass: each pixel's visibility. It weights the pixel's disc for other pixels within the radius.
-Preparation disc_visibility(const Settings& settings, gpu::Extent view) {
+Preparation disc_visibility(const Settings& settings, backend::Extent view) {
     return {.image = view,
-            .format = gpu::Format::r32f,
+            .format = backend::vulkan::Format::r32f,
             .passes = {{"disc_visibility", "disc_visibility.comp", view}},
             .spread = 1,
             .reach = settings.radius};

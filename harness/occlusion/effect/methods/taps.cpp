@@ -36,14 +36,14 @@ void adapt_issao(Settings& s) {
 constexpr std::uint32_t last_tap_level = 5;
 
 // The image with the layout of gloam/methods/sao_chain.glsl.
-Preparation depth_chain(const Settings&, gpu::Extent view) {
+Preparation depth_chain(const Settings&, backend::Extent view) {
     const auto level = [view](std::uint32_t l) {
-        return gpu::Extent{std::max(view.width >> l, 1U), std::max(view.height >> l, 1U)};
+        return backend::Extent{std::max(view.width >> l, 1U), std::max(view.height >> l, 1U)};
     };
     std::uint32_t column = 0;
     for (std::uint32_t l = 2; l <= last_tap_level; ++l) column += level(l).height;
     return {.image = {level(1).width + level(2).width, std::max(level(1).height, column)},
-            .format = gpu::Format::r32f,
+            .format = backend::vulkan::Format::r32f,
             .passes = {{"depth_chain", "depth_chain.comp", level(1)}}};
 }
 

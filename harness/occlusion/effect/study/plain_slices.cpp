@@ -11,12 +11,12 @@
 namespace gloam::effect {
 namespace {
 
-using enum gpu::Format;
+using enum backend::vulkan::Format;
 
 constexpr float depth_tolerance = 0.02F;
 
-gpu::ComputePipeline slices_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
-                                     SliceTaps taps) {
+backend::vulkan::ComputePipeline slices_pipeline(const backend::vulkan::Device& device,
+                                                 const scene::PassLibrary& passes, SliceTaps taps) {
     if (taps.slices < 1 || taps.steps < 1)
         throw std::invalid_argument(
             fmt::format("{} slices of {} steps: expected 1 or more", taps.slices, taps.steps));
@@ -26,7 +26,8 @@ gpu::ComputePipeline slices_pipeline(const gpu::Device& device, const scene::Pas
                         .constants = {{.id = 0, .bits = taps.slices}, {.id = 1, .bits = taps.steps}}});
 }
 
-gpu::ComputePipeline blur_pipeline(const gpu::Device& device, const scene::PassLibrary& passes) {
+backend::vulkan::ComputePipeline blur_pipeline(const backend::vulkan::Device& device,
+                                               const scene::PassLibrary& passes) {
     return pipeline_of(device, passes, {.file = "study/comparison/plain_blur.comp"});
 }
 
@@ -36,14 +37,14 @@ void require(bool holds, const char* found, const char* expected) {
 
 }  // namespace
 
-void require_timestamps(const gpu::DeviceInfo& device) {
+void require_timestamps(const backend::DeviceInfo& device) {
     if (device.timestamp_period_ns > 0.0) return;
     throw std::runtime_error(fmt::format(
         "device \"{}\" has no timestamps: expected one that can tell how long a pass takes", device.name));
 }
 
-PlainSlices::PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
-                         SliceTaps taps, int blurs)
+PlainSlices::PlainSlices(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
+                         backend::Extent extent, SliceTaps taps, int blurs)
     : device_(&device),
       slices_(slices_pipeline(device, passes, taps)),
       blur_(blur_pipeline(device, passes)),
@@ -57,7 +58,7 @@ PlainSlices::PlainSlices(const gpu::Device& device, const scene::PassLibrary& pa
 void PlainSlices::take(const scene::GBuffer& view, float radius) {
     require(view.extent == depth_.extent(), "a view of another size", "the size of the images");
     require(!view.camera.orthographic(), "an orthographic camera", "a perspective one");
-    require(view.border == gpu::Extent{}, "a guard band", "none");
+    require(view.border == backend::Extent{}, "a guard band", "none");
     require(!view.normal.empty(), "no normals", "one a pixel");
     require(radius > 0.0F, "no radius", "one above 0");
     depth_.upload(view.depth);
@@ -71,8 +72,8 @@ PlainFrame PlainSlices::next(int repeat) {
     const auto groups = groups_for(depth_.extent());
     std::vector<Step> steps{
         {"plain_slices", &slices_, {depth_, normal_, occlusion_}, bytes_of(slice_parameters_), groups}};
-    const gpu::Image* last = &occlusion_;
-    for (const gpu::Image& blurred : blurred_) {
+    const backend::vulkan::Image* last = &occlusion_;
+    for (const backend::vulkan::Image& blurred : blurred_) {
         steps.push_back({"plain_blur", &blur_, {depth_, *last, blurred}, bytes_of(blur_parameters_), groups});
         last = &blurred;
     }

@@ -13,7 +13,7 @@ namespace gloam::effect {
 
 // Throws std::runtime_error with the device's name if it has no timestamps, so that nothing can be timed on
 // it.
-void require_timestamps(const gpu::DeviceInfo& device);
+void require_timestamps(const backend::DeviceInfo& device);
 
 // Taps of one pixel: so many on each side of each slice.
 struct SliceTaps {
@@ -35,9 +35,9 @@ class PlainSlices {
   public:
     // `blurs`: times that the blur is applied. The device must outlive this object. Throws
     // std::invalid_argument for 0 slices or steps and for less than 0 blurs, std::runtime_error without
-    // timestamps, and like gpu::Image.
-    PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
-                SliceTaps taps, int blurs = 1);
+    // timestamps, and like backend::vulkan::Image.
+    PlainSlices(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
+                backend::Extent extent, SliceTaps taps, int blurs = 1);
 
     // The next frames are of this view. radius: of influence, world units, > 0. Throws std::invalid_argument
     // for another size, an orthographic camera, a guard band, missing normals, or a radius out of range.
@@ -57,13 +57,13 @@ class PlainSlices {
         float tolerance = 0.0F;
     };
 
-    const gpu::Device* device_;
-    gpu::ComputePipeline slices_;
-    gpu::ComputePipeline blur_;
-    gpu::Image depth_;
-    gpu::Image normal_;
-    gpu::Image occlusion_;
-    std::vector<gpu::Image> blurred_;  // one for each blur
+    const backend::vulkan::Device* device_;
+    backend::vulkan::ComputePipeline slices_;
+    backend::vulkan::ComputePipeline blur_;
+    backend::vulkan::Image depth_;
+    backend::vulkan::Image normal_;
+    backend::vulkan::Image occlusion_;
+    std::vector<backend::vulkan::Image> blurred_;  // one for each blur
     SliceParameters slice_parameters_;
     BlurParameters blur_parameters_;
 };

@@ -32,7 +32,8 @@ struct Subject {
 [[nodiscard]] scene::ClosedFormView closed_form_of(const Case& one);
 
 // The frames of a case at a size of the experiment, without the truth of the depth buffer.
-[[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent);
+[[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one,
+                                        backend::Extent extent);
 
 [[nodiscard]] bool takes_part(const Case& one, const Candidate& candidate);
 

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <gloam/shader_test.hpp>
 
-using namespace gloam::check;
+using namespace gloam::shader_test;
 
 TEST_CASE("tone_reinhard") {
     const Lab lab({.validation = true, .include_roots = {SHADER_DIR}});

@@ -21,7 +21,7 @@
 namespace gloam::cli {
 namespace {
 
-using check::Answer;
+using judge::Answer;
 
 // The conditions under which --resume goes on from a journal.
 std::string journal_heading(const CheckOptions& options) {
@@ -54,7 +54,7 @@ unsigned jobs_of(const CheckOptions& options, std::size_t checks) {
 }
 
 // The row of a device that cannot be opened.
-Answer device_row(check::Reason reason, const std::string& error, std::size_t checks_left) {
+Answer device_row(judge::Reason reason, const std::string& error, std::size_t checks_left) {
     Answer row{{.equation = "device"}};
     row.error = fmt::format("the device cannot be opened, {} checks were not run: {}", checks_left, error);
     row.reason = reason;
@@ -97,7 +97,7 @@ class CheckRun {
     // What --device stands for. Adds a report for each broken driver.
     [[nodiscard]] std::vector<std::string> devices() {
         if (options_.device == every_opengl) return gl_device_names();
-        if (options_.device == check::interpreter_name || is_opengl(options_.device))
+        if (options_.device == subject::interpreter_name || is_opengl(options_.device))
             return {options_.device};
         const Drivers drivers = load_drivers();
         for (const BrokenDriver& driver : drivers.broken) {
@@ -126,7 +126,7 @@ class CheckRun {
         try {
             report.device = shared.worker().device();
         } catch (const NoWorker& none) {
-            const bool refuses = none.reason == check::Reason::error;
+            const bool refuses = none.reason == judge::Reason::error;
             if (refuses && options_.device != "all" && options_.device != every_opengl) throw;
             report.device.name = refuses ? "device " + device : device.empty() ? "default" : device;
             return add(device_row(none.reason, none.what(), tasks_.size()));
@@ -155,7 +155,7 @@ class CheckRun {
   private:
     // Of equation and variant, on the device of the last report.
     using Key = std::array<std::string, 3>;
-    [[nodiscard]] Key key_of(const check::AnswerIdentity& row) const {
+    [[nodiscard]] Key key_of(const judge::AnswerIdentity& row) const {
         return {name_of(reports.back().device), row.equation, row.variant};
     }
 
@@ -205,7 +205,7 @@ class CheckRun {
         const bool is_known = known_.contains(key_of(row));
         if (!is_known) journal_.add(record::line_of(JournalRow{record::name_of(reports.back().device), row}));
         progress_(-1.0);
-        if (options_.rows && row.reason != check::Reason::unchanged) {  // which step_summary() counts
+        if (options_.rows && row.reason != judge::Reason::unchanged) {  // which step_summary() counts
             std::string verdict = record::verdict_of(row);
             if (row.passed() || row.failed()) verdict = colored(verdict, row.passed() ? Ink::good : Ink::bad);
             fmt::print("{}\n", record::table_line(row, verdict));

@@ -31,6 +31,6 @@ inline constexpr const char* every_opengl = "gl";
 
 // The command that repeats this check exactly: the same inputs on the same device.
 [[nodiscard]] std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
-                                      const check::Answer& row);
+                                      const judge::Answer& row);
 
 }  // namespace gloam::cli

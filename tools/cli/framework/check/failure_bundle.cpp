@@ -17,24 +17,24 @@ namespace gloam::cli {
 namespace {
 
 // The lines at the top of a program that repeats it.
-std::vector<std::string> comments_of(const check::Reproduction& all, const check::Question& question,
+std::vector<std::string> comments_of(const judge::Reproduction& all, const judge::Question& question,
                                      const CheckTask& task, const backend::DeviceInfo& device,
                                      const std::string& how) {
     std::vector<std::string> comments{
         fmt::format("{}: {} of {}, variant {}", task.identity.equation, question.function, question.file,
                     task.identity.variant),
         fmt::format("Found on: {} ({})", device.name, device.driver),
-        fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
+        fmt::format("Input: {}", judge::describe_inputs(question.signature, all.inputs)),
         "Run it with: " + how};
     if (!all.scenario.empty()) comments.push_back("Images: " + all.scenario);
     return comments;
 }
 
 // With sampled images whose texels are as the device has them.
-check::Reproduction encoded(check::Reproduction all) {
-    for (check::Reproduction::ImageBuffer& image : all.images) {
+judge::Reproduction encoded(judge::Reproduction all) {
+    for (judge::Reproduction::ImageBuffer& image : all.images) {
         if (!image.bound) continue;
-        const std::vector<check::Word> texels = backend::stored_texels(image.words);
+        const std::vector<subject::Word> texels = backend::stored_texels(image.words);
         image.words.resize(backend::sampled_header_words);
         image.words.insert(image.words.end(), texels.begin(), texels.end());
     }
@@ -48,12 +48,12 @@ std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
 
 }  // namespace
 
-FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, const CheckTask& task,
-                        const check::Answer& failed) {
-    const check::Reproduction all = !failed.ran() ? check::reproduce(lab, question, task.run)
+FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question, const CheckTask& task,
+                        const judge::Answer& failed) {
+    const judge::Reproduction all = !failed.ran() ? judge::reproduce(lab, question, task.run)
                                     : failed.outside() > 0
-                                        ? check::reproduce(lab, question, task.run, failed.worst.value())
-                                        : check::reproduce_fault(lab, question, task.run);
+                                        ? judge::reproduce(lab, question, task.run, failed.worst.value())
+                                        : judge::reproduce_fault(lab, question, task.run);
     const backend::DeviceInfo& device = lab.info();
     if (!all.opengl.empty()) return {.glsl = all.opengl, .rules = all.rules, .smallest = all.failure};
     FailureBundle bundle{.glsl = all.glsl,
@@ -64,9 +64,9 @@ FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, 
                          .before = all.before,
                          .smallest = all.failure};
     // They run compute shaders and ask for no features.
-    if (all.team.kind == backend::Team::Kind::quad || shader::has_float16(all.spirv)) return bundle;
+    if (all.team.kind == backend::Team::Kind::quad || module::has_float16(all.spirv)) return bundle;
     // The script has no images; the program has those of single samplers, not of layers.
-    const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
+    const bool has_images = std::ranges::any_of(all.images, &judge::Reproduction::ImageBuffer::bound);
     const bool has_layers =
         std::ranges::any_of(all.images, [](const auto& image) { return image.bound && image.words.empty(); });
     if (!has_images)
@@ -76,12 +76,12 @@ FailureBundle bundle_of(const check::Lab& lab, const check::Question& question, 
         bundle.c_program = record::to_c_program(
             encoded(all),
             comments_of(all, question, task, device, "cc repro.c -o repro -lvulkan -lm && ./repro"),
-            device.name == check::interpreter_name ? "" : device.name);
+            device.name == subject::interpreter_name ? "" : device.name);
     return bundle;
 }
 
 void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
-                   const check::Answer& row, const FailureBundle& bundle, record::RunAgain again) {
+                   const judge::Answer& row, const FailureBundle& bundle, record::RunAgain again) {
     record::OutputFolder out(folder.path() / record::slug(record::name_of(device)) /
                              (record::slug(row.equation) + "-" + record::slug(row.variant)));
     const std::string note =

@@ -20,12 +20,12 @@ namespace gloam::cli {
 namespace {
 
 // The variant with this name; all variants for "all".
-std::vector<shader::Variant> select_variants(const std::string& name) {
-    if (name == "all") return shader::variants();
+std::vector<module::Variant> select_variants(const std::string& name) {
+    if (name == "all") return module::variants();
     try {
-        return {shader::variant(name)};
+        return {module::variant(name)};
     } catch (const std::invalid_argument& error) {
-        if (name.find(shader::step_separator) != std::string::npos) throw;
+        if (name.find(module::step_separator) != std::string::npos) throw;
         throw std::invalid_argument(std::string(error.what()) + ", or all");
     }
 }
@@ -33,30 +33,30 @@ std::vector<shader::Variant> select_variants(const std::string& name) {
 // Each name with each of the steps that the text stands for.
 std::vector<std::string> followed(const std::vector<std::string>& names, const std::string& text) {
     std::vector<std::string> longer;
-    for (const std::string& step : shader::steps_from(text))
+    for (const std::string& step : module::steps_from(text))
         for (const std::string& name : names)
-            longer.push_back(name + std::string(shader::step_separator) + step);
+            longer.push_back(name + std::string(module::step_separator) + step);
     return longer;
 }
 
 // The variants that the options ask for, with the steps of each --compiler. OpenGL devices have one variant:
 // the others are ways to make a SPIR-V module. Throws std::invalid_argument.
-std::vector<shader::Variant> variants_of(const CheckOptions& options) {
-    const std::vector<shader::Variant> bases = select_variants(options.variant);
-    std::vector<shader::Variant> variants;
+std::vector<module::Variant> variants_of(const CheckOptions& options) {
+    const std::vector<module::Variant> bases = select_variants(options.variant);
+    std::vector<module::Variant> variants;
     if (options.compilers.empty()) variants = bases;
     for (const std::string& compiler : options.compilers) {
         std::vector<std::string> chains;
-        for (const shader::Variant& base : bases) chains.push_back(base.name);
-        for (const auto step : std::views::split(std::string_view(compiler), shader::step_separator))
+        for (const module::Variant& base : bases) chains.push_back(base.name);
+        for (const auto step : std::views::split(std::string_view(compiler), module::step_separator))
             chains = followed(chains, std::string(step.begin(), step.end()));
-        for (const std::string& name : chains) variants.push_back(shader::variant(name));
+        for (const std::string& name : chains) variants.push_back(module::variant(name));
     }
     if (!is_opengl(options.device)) return variants;
-    const std::optional<gl::DeviceName> named = gl::device_name_from(options.device);
-    const bool compute = !named || gl::has_compute(named->version);
+    const std::optional<backend::gl::DeviceName> named = backend::gl::device_name_from(options.device);
+    const bool compute = !named || backend::gl::has_compute(named->version);
     const std::string first = variants.front().name;
-    std::erase_if(variants, [&](const shader::Variant& variant) { return !variant.runs_on_opengl(compute); });
+    std::erase_if(variants, [&](const module::Variant& variant) { return !variant.runs_on_opengl(compute); });
     if (variants.empty())
         throw std::invalid_argument(fmt::format("{}: expected the variant shipped{}, not {}", options.device,
                                                 compute ? "" : " without steps", first));
@@ -65,7 +65,7 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
 
 // The functions of a user's file, by their names. `outcome` receives what is said of it. Throws
 // std::runtime_error if nothing can be checked; then it has printed the notes, if there are several.
-std::vector<check::Question> functions_in_file(const CheckOptions& options, CheckOutcome& outcome) {
+std::vector<judge::Question> functions_in_file(const CheckOptions& options, CheckOutcome& outcome) {
     const std::vector<std::string>& words = options.equations;
     const std::string& file = words.front();
     const auto [own, functions] = functions_of(file, {words.begin() + 1, words.end()}, options.task.own);
@@ -76,13 +76,13 @@ std::vector<check::Question> functions_in_file(const CheckOptions& options, Chec
     for (const std::string& made : own->excerpts.by_macro)
         outcome.notes.push_back(fmt::format(
             "{}: {}: functions that a macro makes are not looked at; write one out to check it", file, made));
-    for (const check::Skipped& function : functions.left_out) {
+    for (const subject::Skipped& function : functions.left_out) {
         outcome.notes.push_back(
             base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
         outcome.complete = outcome.complete && !function.is_error && words.size() == 1;
     }
-    std::vector<check::Question> questions;
-    for (const check::OwnFunction& one : functions.found)
+    std::vector<judge::Question> questions;
+    for (const subject::OwnFunction& one : functions.found)
         questions.push_back({.name = one.name, .file = one.file, .function = one.function.name});
     if (!questions.empty()) return questions;
     if (functions.left_out.size() > 1)
@@ -120,7 +120,7 @@ Shard shard_from(std::string text) {
 }  // namespace
 
 bool is_opengl(const std::string& device) {
-    return device == every_opengl || gl::is_device_name(device);
+    return device == every_opengl || backend::gl::is_device_name(device);
 }
 
 // A file of the library by its name there is its equations, unless there is a file of this name.
@@ -137,12 +137,12 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
     const Shard shard = shard_from(options.shard);
     CheckTask task = options.task;
     if (is_of_file(options)) task.path = std::filesystem::absolute(options.equations.front()).string();
-    const std::vector<check::Question> questions =
+    const std::vector<judge::Question> questions =
         is_of_file(options) ? functions_in_file(options, outcome) : options.named(options.equations);
     std::vector<CheckTask> tasks;
     std::size_t position = 0;
-    for (const shader::Variant& variant : variants_of(options)) {
-        for (const check::Question& question : questions) {
+    for (const module::Variant& variant : variants_of(options)) {
+        for (const judge::Question& question : questions) {
             if (question.answers && variant.name != "shipped") continue;  // a pass has no other
             if (position++ % shard.count != shard.index) continue;
             task.identity = {.equation = question.name,
@@ -157,7 +157,7 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
 }
 
 std::string command_for(const CheckOptions& options, const record::DeviceSummary& device,
-                        const check::Answer& row) {
+                        const judge::Answer& row) {
     std::string what = record::shell_word(row.equation);
     if (is_of_file(options)) what = record::shell_word(options.equations.front()) + " " + what;
     std::string variant = record::shell_word(row.variant_before_steps());

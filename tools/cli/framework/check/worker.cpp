@@ -30,7 +30,7 @@ void members(Io& io, OwnFileOptions& own) {
 
 template <class Io>
 void members(Io& io, CheckTask& task) {
-    check::AnswerIdentity& row = task.identity;
+    judge::AnswerIdentity& row = task.identity;
     record::each(io, "equation", row.equation, "function", row.function, "file", row.file, "variant",
                  row.variant, "inputs", task.run.inputs, "seed", task.run.seed, "coverage", task.coverage,
                  "path", task.path, "own", task.own);
@@ -55,9 +55,9 @@ double seconds_since(Clock::time_point begin) {
 }
 
 // The row of a check that has no result.
-check::Answer answer_without_result(const CheckTask& task, const std::exception& error,
+judge::Answer answer_without_result(const CheckTask& task, const std::exception& error,
                                     Clock::time_point begin) {
-    check::Answer answer{task.identity};
+    judge::Answer answer{task.identity};
     answer.error = error.what();
     answer.reason = base::reason_of(error);
     answer.seconds = seconds_since(begin);
@@ -79,7 +79,7 @@ void members(Io& io, Greeting& greeting) {
 // not tried again, because that has already cost a worker.
 struct Request {
     CheckTask task;
-    std::optional<check::Answer> failed = {};
+    std::optional<judge::Answer> failed = {};
 };
 
 template <class Io>
@@ -113,8 +113,8 @@ void send(std::FILE* replies, const T& message) {
 // What devices there are.
 Listing listing_of(const std::string& what) {
     try {
-        if (what == "vulkan" || what == "manifests") return {.devices = gpu::list_devices()};
-        const auto found = gl::list_devices(what);
+        if (what == "vulkan" || what == "manifests") return {.devices = backend::vulkan::list_devices()};
+        const auto found = backend::gl::list_devices(what);
         return {.devices = {found.begin(), found.end()}};
     } catch (const std::exception& error) {
         return {.error = error.what()};
@@ -128,8 +128,8 @@ std::vector<std::string> worker_command(const CheckOptions& options) {
     return command;
 }
 
-bool is_unusable_after(check::Reason reason) {
-    using enum check::Reason;
+bool is_unusable_after(judge::Reason reason) {
+    using enum judge::Reason;
     return reason == device_lost || reason == hang || reason == out_of_memory;
 }
 
@@ -139,36 +139,36 @@ Checker::Checker(const CheckOptions& options) : options_(options), equations_(op
     lab({.identity = {.variant = "shipped"}});
 }
 
-const check::Lab& Checker::lab(const CheckTask& task) {
+const subject::Lab& Checker::lab(const CheckTask& task) {
     if (!task.path.empty() && !file_)  // which the command has tried
-        file_ = std::make_shared<const check::OwnFile>(task.path, shader::read_text(task.path),
-                                                       include_roots_of(task.path, task.own.includes),
-                                                       task.own.defines);
+        file_ = std::make_shared<const subject::OwnFile>(task.path, module::read_text(task.path),
+                                                         include_roots_of(task.path, task.own.includes),
+                                                         task.own.defines);
     const std::string& variant = task.identity.variant;
     if (lab_ && variant == lab_->options().variant.name && lab_->options().file == file_) return *lab_;
-    check::LabOptions options{.device = options_.device,
-                              .validation = options_.validation,
-                              .include_roots = {glsl_directory()},
-                              .cache_directory = cache_directory(),
-                              .variant = shader::variant(variant),
-                              .file = file_,
-                              .timeout = options_.patience()};
-    lab_ = lab_ ? std::make_unique<check::Lab>(std::move(options), lab_->backend())
-                : std::make_unique<check::Lab>(std::move(options));
+    subject::LabOptions options{.device = options_.device,
+                                .validation = options_.validation,
+                                .include_roots = {glsl_directory()},
+                                .cache_directory = cache_directory(),
+                                .variant = module::variant(variant),
+                                .file = file_,
+                                .timeout = options_.patience()};
+    lab_ = lab_ ? std::make_unique<subject::Lab>(std::move(options), lab_->backend())
+                : std::make_unique<subject::Lab>(std::move(options));
     return *lab_;
 }
 
-check::Question Checker::question_of(const CheckTask& task) {
+judge::Question Checker::question_of(const CheckTask& task) {
     const std::string& name = task.identity.equation;
-    if (task.path.empty()) return *std::ranges::find(equations_, name, &check::Question::name);
-    const check::OwnFunctions own = check::own_functions(lab(task).options(), {name});
+    if (task.path.empty()) return *std::ranges::find(equations_, name, &judge::Question::name);
+    const subject::OwnFunctions own = subject::own_functions(lab(task).options(), {name});
     if (own.found.empty())
         throw std::invalid_argument(fmt::format("{}: {}: {}", file_->name, name, own.left_out.front().why));
-    const check::OwnFunction& function = own.found.front();
-    const check::Ranges ranges = ranges_from(task.own.ranges);
-    check::Question question = check::question_of(*lab_, function, ranges);
+    const subject::OwnFunction& function = own.found.front();
+    const subject::Ranges ranges = ranges_from(task.own.ranges);
+    judge::Question question = judge::question_of(*lab_, function, ranges);
     if (question.must_hold)  // for what it is meant for
-        question.domain = check::ordinary_domain(function.function, check::ordinary_values(function, ranges));
+        question.domain = audit::ordinary_domain(function.function, audit::ordinary_values(function, ranges));
     return question;
 }
 
@@ -181,13 +181,13 @@ record::DeviceSummary Checker::device() const {
             .float32 = info.float32};
 }
 
-check::Answer Checker::run(const CheckTask& task) {
+judge::Answer Checker::run(const CheckTask& task) {
     const auto begin = Clock::now();
     try {
-        const check::Question question = question_of(task);
-        check::Answer answer = check::run(lab(task), question, task.run);
+        const judge::Question question = question_of(task);
+        judge::Answer answer = judge::run(lab(task), question, task.run);
         if (task.coverage && !question.answers)
-            answer.coverage = measure_coverage(lab(task), question, task.run);
+            answer.coverage = audit::measure_coverage(lab(task), question, task.run);
         answer.seconds = seconds_since(begin);
         return answer;
     } catch (const std::exception& error) {
@@ -195,7 +195,7 @@ check::Answer Checker::run(const CheckTask& task) {
     }
 }
 
-FailureBundle Checker::bundle(const CheckTask& task, const check::Answer& failed) {
+FailureBundle Checker::bundle(const CheckTask& task, const judge::Answer& failed) {
     try {
         return bundle_of(lab(task), question_of(task), task, failed);
     } catch (const std::exception& error) {
@@ -216,11 +216,11 @@ T Worker::asked(const std::string& line) {
     });
     std::optional<base::Failure> failure;
     if (heard == Heard::end) {
-        failure.emplace("the process " + process_->end(), check::Reason::crash);
+        failure.emplace("the process " + process_->end(), judge::Reason::crash);
     } else if (heard == Heard::silence) {
         failure.emplace(fmt::format("not finished after {:g} s, the time limit",
                                     std::chrono::duration<double>(options_.patience()).count()),
-                        check::Reason::hang);
+                        judge::Reason::hang);
     } else {
         try {
             return record::from_line<T>(answer);
@@ -254,12 +254,12 @@ const record::DeviceSummary& Worker::device() {
     throw NoWorker(greeting.error);
 }
 
-check::Answer Worker::run(const CheckTask& task) {
+judge::Answer Worker::run(const CheckTask& task) {
     device();
     if (here_) return here_->run(task);
     const auto begin = Clock::now();
     try {
-        check::Answer row = asked<check::Answer>(record::line_of(Request{task}));
+        judge::Answer row = asked<judge::Answer>(record::line_of(Request{task}));
         if (is_unusable_after(row.reason)) process_.reset();
         return row;
     } catch (const base::Failure& failure) {
@@ -267,7 +267,7 @@ check::Answer Worker::run(const CheckTask& task) {
     }
 }
 
-FailureBundle Worker::bundle(const CheckTask& task, const check::Answer& failed) {
+FailureBundle Worker::bundle(const CheckTask& task, const judge::Answer& failed) {
     device();
     if (here_) return here_->bundle(task, failed);
     try {

@@ -23,45 +23,45 @@ struct FailureBundle {
     std::vector<std::uint32_t> spirv;
     std::string amber;
     std::string c_program = {};           // record::to_c_program()
-    std::vector<std::string> steps = {};  // check::Reproduction
+    std::vector<std::string> steps = {};  // judge::Reproduction
     std::vector<std::string> rules = {};
     std::vector<std::uint32_t> before = {};
-    std::optional<check::Sample> smallest;  // the simplest input found to fail
+    std::optional<judge::Sample> smallest;  // the simplest input found to fail
     std::string error;                      // why the other members are empty; empty: no error
 };
 
 // Prepares a failed check, with the lab's variant. Throws what compiling and running throw.
-[[nodiscard]] FailureBundle bundle_of(const check::Lab& lab, const check::Question& question,
-                                      const CheckTask& task, const check::Answer& failed);
+[[nodiscard]] FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question,
+                                      const CheckTask& task, const judge::Answer& failed);
 
 // Writes a failure to DEVICE/EQUATION-VARIANT/{report.txt, shader.comp, shader.spvasm, shader.spv,
 // repro.amber} in the folder. report.txt states which parts are missing and why (see FailureBundle::error).
 void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
-                   const check::Answer& row, const FailureBundle& bundle, record::RunAgain again);
+                   const judge::Answer& row, const FailureBundle& bundle, record::RunAgain again);
 
 // Runs checks in this process.
 class Checker {
   public:
-    // Opens the options' device, which is one. Throws like gpu::Device.
+    // Opens the options' device, which is one. Throws like backend::vulkan::Device.
     explicit Checker(const CheckOptions& options);
 
     [[nodiscard]] record::DeviceSummary device() const;  // in the form of reports
 
     // Runs a check. It does not throw for errors of the check; the row reports them. After
     // Reason::device_lost and Reason::hang the device cannot be used any more.
-    [[nodiscard]] check::Answer run(const CheckTask& task);
+    [[nodiscard]] judge::Answer run(const CheckTask& task);
 
     // Prepares a failure for a report. It does not throw for errors; FailureBundle::error reports them.
-    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const check::Answer& failed);
+    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const judge::Answer& failed);
 
   private:
-    const check::Lab& lab(const CheckTask& task);
-    [[nodiscard]] check::Question question_of(const CheckTask& task);
+    const subject::Lab& lab(const CheckTask& task);
+    [[nodiscard]] judge::Question question_of(const CheckTask& task);
 
     CheckOptions options_;
-    std::vector<check::Question> equations_;
-    std::shared_ptr<const check::OwnFile> file_;  // of a user: the tasks of a run are about one
-    std::unique_ptr<check::Lab> lab_;
+    std::vector<judge::Question> equations_;
+    std::shared_ptr<const subject::OwnFile> file_;  // of a user: the tasks of a run are about one
+    std::unique_ptr<subject::Lab> lab_;
 };
 
 // No worker is available: twice in succession it failed before its greeting, or it has no device
@@ -79,8 +79,8 @@ class Worker {
     // Its device. Starts the process if there is none, as all of these do. Throws NoWorker.
     const record::DeviceSummary& device();
     // As Checker has them.
-    [[nodiscard]] check::Answer run(const CheckTask& task);
-    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const check::Answer& failed);
+    [[nodiscard]] judge::Answer run(const CheckTask& task);
+    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const judge::Answer& failed);
 
   private:
     // The answer to a line, the first of which asks for the greeting. Throws base::Failure where there is

@@ -179,9 +179,9 @@ int run_experiment(const ExperimentOptions& options) {
     const fs::path meshes = options.meshes.empty() ? scene::installed_meshes() : options.meshes;
     choose_candidates(what, options);
     choose_cases(what, options.cases, options.half, meshes);
-    std::vector<gpu::Extent> sizes;
+    std::vector<backend::Extent> sizes;
     for (const std::string& size : what.sizes) sizes.push_back(judged_size(size));
-    gpu::Device device = open_device(options.device, options.validation);
+    backend::vulkan::Device device = open_device(options.device, options.validation);
     scene::PassLibrary passes(glsl_directory(), cache_directory());
     if (options.inputs != "device")
         passes.inputs = options.inputs == "sampled" ? scene::Inputs::sampled : scene::Inputs::storage;

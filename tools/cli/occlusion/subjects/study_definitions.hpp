@@ -15,12 +15,12 @@
 // The study's passes in double, as the paper's equations have them, on a view that is drawn for them.
 namespace gloam::cli::study {
 
-using check::Image;
-using check::make_image;
 using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 using glm::ivec2;
+using subject::Image;
+using subject::make_image;
 using namespace reference;
 
 inline constexpr ivec2 size(24, 20);

@@ -25,29 +25,31 @@ namespace gloam::cli {
 namespace {
 
 using namespace study;
-using check::Pass;
-using check::PassInputs;
-using check::PassResult;
+using pass::Pass;
+using pass::PassInputs;
+using pass::PassResult;
 
 // Judges an image that a pass wrote, pixel by pixel: the question's inputs are pixels. wanted: appends what
 // one shall hold. promised: whether it is judged by the budget; none: each is.
-check::Answer judged(const check::Lab& lab, check::Question question, const Image& image,
+judge::Answer judged(const subject::Lab& lab, judge::Question question, const subject::Image& image,
                      const std::string& scenario,
                      const std::function<void(ivec2, std::vector<double>&)>& wanted,
                      const std::function<bool(ivec2)>& promised = {}) {
-    const auto pixel_of = [](std::span<const check::Word> words) { return check::take_words<ivec2>(words); };
+    const auto pixel_of = [](std::span<const subject::Word> words) {
+        return subject::take_words<ivec2>(words);
+    };
     question.reference = [&](const auto&, auto words, std::vector<double>& outputs) {
         outputs.clear();
         wanted(pixel_of(words), outputs);
     };
     if (promised) question.promised = [&](auto words) { return promised(pixel_of(words)); };
-    check::Domain::Inputs inputs{.width = 2};
+    subject::Domain::Inputs inputs{.width = 2};
     for (int i = 0; i < image.size.x * image.size.y; ++i) {
-        std::vector<check::Word> words;
-        check::append_words(ivec2(i % image.size.x, i / image.size.x), words);
+        std::vector<subject::Word> words;
+        subject::append_words(ivec2(i % image.size.x, i / image.size.x), words);
         inputs.add(words);
     }
-    return check::judge(question, {.edges = false, .nan = lab.keeps_nan()}, inputs, image.words, {},
+    return judge::judge(question, {.edges = false, .nan = lab.keeps_nan()}, inputs, image.words, {},
                         scenario);
 }
 
@@ -84,12 +86,12 @@ struct MethodValues {
 };
 
 // Told what an image of a pass shall hold.
-using Judge = std::function<void(const Image& image, const std::function<Wanted(ivec2)>& wanted)>;
+using Judge = std::function<void(const subject::Image& image, const std::function<Wanted(ivec2)>& wanted)>;
 
 // The passes of both frames, as far as one of them needs the others. It is judged.
 class Frames {
   public:
-    Frames(const check::Lab& lab, const Case& one, std::string judged, const Judge& judge)
+    Frames(const subject::Lab& lab, const Case& one, std::string judged, const Judge& judge)
         : lab_(lab), one_(one), judged_(std::move(judged)), judge_with_(judge) {}
 
     void run() {
@@ -100,8 +102,8 @@ class Frames {
             seen({scale * glm::vec2(1.2F, -1.6F), size, one_.orthographic}, glm::mat4(1.0F), dvec3(0.0));
         const View now = seen({scale * glm::vec2(1.15F, -1.5F), size, one_.orthographic}, moved,
                               one_.moving ? dvec3(0.2, 0.1, 0.3) : dvec3(0.0));
-        const Image history = occlusion_of(before, nullptr);
-        const Image reprojected_history =
+        const subject::Image history = occlusion_of(before, nullptr);
+        const subject::Image reprojected_history =
             run("reproject", now, "depth_image", now.depth, "previous_position_image", now.positions,
                 "previous_history", history, "moving_objects", one_.moving, "taps", one_.taps,
                 "previous_orthographic", one_.orthographic, "previous_from_current", now.first_from_view,
@@ -110,7 +112,7 @@ class Frames {
         judge("reproject", reprojected_history,
               [&](ivec2 pixel) { return reprojected(one_, now, before, history, pixel); });
         if (judged_ == "reproject") return;
-        const Image after = occlusion_of(now, &reprojected_history);
+        const subject::Image after = occlusion_of(now, &reprojected_history);
         if (judged_ == "spatial_filter")
             (void)smoothed(now, after, smoothed(now, after, now.depth, false), true);
         if (judged_ != "remap") return;
@@ -126,15 +128,16 @@ class Frames {
     }
 
   private:
-    void judge(const std::string& name, const Image& image, const std::function<Wanted(ivec2)>& wanted) {
+    void judge(const std::string& name, const subject::Image& image,
+               const std::function<Wanted(ivec2)>& wanted) {
         if (name == judged_) judge_with_(image, wanted);
     }
 
     // With the filter of the case.
-    [[nodiscard]] Pass pass(const std::string& name) const {
+    [[nodiscard]] pass::Pass pass(const std::string& name) const {
         const std::filesystem::path path =
-            shader::resolve_include("passes/study/" + name + ".comp", {}, lab_.options().include_roots);
-        std::string text = shader::read_text(path);
+            module::resolve_include("passes/study/" + name + ".comp", {}, lab_.options().include_roots);
+        std::string text = module::read_text(path);
         const std::string usual = "filters/convergence";
         if (const std::size_t at = text.find(usual); at != std::string::npos)
             text.replace(at, usual.size(), "passes/study/filters/" + one_.filter);
@@ -143,7 +146,8 @@ class Frames {
 
     // The values of a pass by their names, and those of the camera.
     template <class... Values>
-    [[nodiscard]] PassResult run(const std::string& name, const View& view, const Values&... values) const {
+    [[nodiscard]] pass::PassResult run(const std::string& name, const View& view,
+                                       const Values&... values) const {
         PassInputs inputs{{"size", size}};
         give(inputs, "p00_p11", glm::vec2(view.camera.p00_p11), "orthographic", view.camera.orthographic,
              values...);
@@ -156,9 +160,9 @@ class Frames {
     }
 
     // The history of a view; before: that of the frame before, at its pixels.
-    [[nodiscard]] Image occlusion_of(const View& view, const Image* before) {
+    [[nodiscard]] subject::Image occlusion_of(const View& view, const subject::Image* before) {
         const MethodValues method{.range = range};
-        const PassResult result =
+        const pass::PassResult result =
             run("ambient_occlusion", view, "depth_image", view.depth, "normal_image", view.normal,
                 "layer_image", view.normal, "prepared_image", view.normal, "history_before",
                 before == nullptr ? view.normal : *before, "previous_position_image", view.positions,
@@ -171,33 +175,34 @@ class Frames {
                 "confidence_factor", confidence_factor, "samples_distance", one_.samples_distance,
                 "samples_radius", one_.samples_radius, "samples_least", one_.samples_least, "radius_cap",
                 one_.radius_cap, "smoothing", one_.smoothing, "bias_depth", one_.bias_depth);
-        const Image& after = result.image("history_after");
+        const subject::Image& after = result.image("history_after");
         judge("ambient_occlusion", after, [&](ivec2 pixel) { return blended(one_, view, before, pixel); });
         return after;
     }
 
-    [[nodiscard]] Image smoothed(const View& view, const Image& history, const Image& along_x, bool along_y) {
-        const PassResult result =
+    [[nodiscard]] subject::Image smoothed(const View& view, const subject::Image& history,
+                                          const subject::Image& along_x, bool along_y) {
+        const pass::PassResult result =
             run("spatial_filter", view, "history_image", history, "normal_image", view.normal,
                 "along_x_image", along_x, "along_y", along_y, "filter_half_width", half_width, "sigma_pixels",
                 sigma_pixels, "filter_depth", filter_depth, "c_adaptive", c_adaptive, "weight_max",
                 weight_max, "filter_cap", one_.filter_cap);
         const ivec2 axis(along_y ? 0 : 1, along_y ? 1 : 0);
-        const Image& source = along_y ? along_x : history;
+        const subject::Image& source = along_y ? along_x : history;
         judge("spatial_filter", result.image("filtered_image"), [&](ivec2 pixel) -> Wanted {
             return {dvec4(filtered(one_, view, history, source, pixel, axis))};
         });
         return result.image("filtered_image");
     }
 
-    const check::Lab& lab_;
+    const subject::Lab& lab_;
     const Case& one_;
     std::string judged_;
     const Judge& judge_with_;
 };
 
 // Whether a pixel is another than it shall be where a decision lies within rounding.
-bool is_tied(const Image& image, ivec2 pixel, const Wanted& wanted) {
+bool is_tied(const subject::Image& image, ivec2 pixel, const Wanted& wanted) {
     if (!wanted.tied) return false;
     const dvec4 got = image.element.rows == 1 ? dvec4(image.at<double>(pixel)) : image.at<dvec4>(pixel);
     for (int c = 0; c < image.element.rows; ++c)
@@ -207,11 +212,11 @@ bool is_tied(const Image& image, ivec2 pixel, const Wanted& wanted) {
 }
 
 // The answer to the question of a pass of that name.
-check::Answer answered(const check::Lab& lab, const check::Question& question, const std::string& pass) {
-    check::Answer answer = check::empty_answer(question, check::Verdict::budget);
+judge::Answer answered(const subject::Lab& lab, const judge::Question& question, const std::string& pass) {
+    judge::Answer answer = judge::empty_answer(question, judge::Verdict::budget);
     for (const Case& one : cases) {
         if (pass == "remap" && &one != cases) break;  // it has no other
-        Frames(lab, one, pass, [&](const Image& image, const std::function<Wanted(ivec2)>& wanted) {
+        Frames(lab, one, pass, [&](const subject::Image& image, const std::function<Wanted(ivec2)>& wanted) {
             constexpr int most_ties = 3;
             int ties = 0;
             for (int i = 0; i < size.x * size.y; ++i)
@@ -233,50 +238,53 @@ check::Answer answered(const check::Lab& lab, const check::Question& question, c
 // The study's passes ("PASS-reproject"), each run as it is on two frames of a moving camera, with several
 // settings. Every pixel is judged by what the paper's equations give in double for the same images; where a
 // decision of theirs lies within rounding, nothing is promised.
-std::vector<check::Question> study_passes() {
-    std::vector<check::Question> questions;
+std::vector<judge::Question> study_passes() {
+    std::vector<judge::Question> questions;
     for (const std::string pass : {"reproject", "ambient_occlusion", "spatial_filter", "remap"}) {
         std::string name = pass;
         std::ranges::replace(name, '_', '-');
         const bool history = pass == "reproject" || pass == "ambient_occlusion";
-        check::Question question{.name = "PASS-" + name,
+        judge::Question question{.name = "PASS-" + name,
                                  .file = "passes/study/" + pass + ".comp",
                                  .function = "main",
-                                 .signature = history ? check::SignatureOf<glm::vec4(ivec2)>::describe()
-                                                      : check::SignatureOf<float(ivec2)>::describe(),
+                                 .signature = history ? subject::SignatureOf<glm::vec4(ivec2)>::describe()
+                                                      : subject::SignatureOf<float(ivec2)>::describe(),
                                  .budget = {.ulp = 8, .absolute = 1e-6}};
-        question.answers = [question, pass](const check::Lab& lab) { return answered(lab, question, pass); };
+        question.answers = [question, pass](const subject::Lab& lab) {
+            return answered(lab, question, pass);
+        };
         questions.push_back(std::move(question));
     }
     return questions;
 }
 
 // By the meaning of its texels: of 32 bits the codes of depth, occlusion and weight, and what moved.
-Image by_meaning(const Image& image) {
-    if (image.element.scalar == shader::Scalar::float_) return image;
-    return check::make_image<glm::vec4>(image.size, [&](glm::ivec2 pixel) {
+subject::Image by_meaning(const subject::Image& image) {
+    if (image.element.scalar == module::Scalar::float_) return image;
+    return subject::make_image<glm::vec4>(image.size, [&](glm::ivec2 pixel) {
         const auto code = image.at<std::uint32_t>(pixel);
         return glm::vec4(code & 0xFFFFU, code >> 16U & 0xFFU, code >> 25U, 2U * (code >> 24U & 1U));
     });
 }
 
 // A pass may round what it writes to 16 bits up or down, and an occlusion or a weight to a code.
-check::Budget budget_of(const std::string& image, const Image& texels) {
-    if (texels.element.scalar != shader::Scalar::float_) return {.absolute = 1.0};
-    return image == "levels" ? check::Budget{.ulp = 8192} : check::Budget{.absolute = 1e-5};
+judge::Budget budget_of(const std::string& image, const subject::Image& texels) {
+    if (texels.element.scalar != module::Scalar::float_) return {.absolute = 1.0};
+    return image == "levels" ? judge::Budget{.ulp = 8192} : judge::Budget{.absolute = 1e-5};
 }
 
 // An image of the device beside that of the interpreter.
-void judge(const check::Lab& lab, check::Question question, const std::string& name,
-           const std::string& scenario, const Image& written, const Image& expected, check::Answer& answer) {
-    const Image got = by_meaning(written);
-    const Image want = by_meaning(expected);
+void judge(const subject::Lab& lab, judge::Question question, const std::string& name,
+           const std::string& scenario, const subject::Image& written, const subject::Image& expected,
+           judge::Answer& answer) {
+    const subject::Image got = by_meaning(written);
+    const subject::Image want = by_meaning(expected);
     question.budget = budget_of(name, expected);
     question.signature.result = got.element;
-    const check::Answer part =
+    const judge::Answer part =
         judged(lab, question, got, scenario, [&](glm::ivec2 pixel, std::vector<double>& numbers) {
             if (want.element.rows == 1) return numbers.push_back(want.at<double>(pixel));
-            check::append_numbers(want.at<glm::dvec4>(pixel), numbers);
+            subject::append_numbers(want.at<glm::dvec4>(pixel), numbers);
         });
     answer.merge(part);
     if (part.failed()) answer.story += describe(question.signature, part);
@@ -291,16 +299,16 @@ scene::GBuffer small_view() {
 }
 
 // Every pass on the device, and on the interpreter with what the device has written before.
-check::Answer frame_answer(const check::Lab& lab, const check::Question& question,
+judge::Answer frame_answer(const subject::Lab& lab, const judge::Question& question,
                            effect::Settings settings) {
     settings.output = effect::OutputFormat::r32f;
     settings.history = false;
     const scene::GBuffer view = small_view();
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
-    const check::Lab interpreter({.device = std::string(check::interpreter_name)});
+    const subject::Lab interpreter({.device = std::string(subject::interpreter_name)});
     effect::Plan plan = effect::plan_of(settings, {.view = view.extent}, passes);
     effect::PlanMemory memory(plan, view);
-    check::Answer answer = check::empty_answer(question, check::Verdict::budget);
+    judge::Answer answer = judge::empty_answer(question, judge::Verdict::budget);
     for (const effect::PlannedPass& pass : std::vector(plan.passes)) {
         plan.passes = {pass};
         const effect::PlanMemory before = memory;
@@ -309,8 +317,8 @@ check::Answer frame_answer(const check::Lab& lab, const check::Question& questio
         effect::run(lab, plan, passes, memory);
         for (const auto& [name, levels] : expected.images)
             for (std::size_t level = 0; level < levels.size(); ++level) {
-                const std::vector<check::Word>& was = before.images.at(name)[level].words;
-                const Image& written = memory.images.at(name)[level];
+                const std::vector<subject::Word>& was = before.images.at(name)[level].words;
+                const subject::Image& written = memory.images.at(name)[level];
                 if (levels[level].words != was || written.words != was)  // the pass writes it
                     judge(lab, question, name, fmt::format("{}: {}/{}", pass.name, name, level), written,
                           levels[level], answer);
@@ -320,16 +328,16 @@ check::Answer frame_answer(const check::Lab& lab, const check::Question& questio
     return answer;
 }
 
-std::vector<check::Question> passes() {
-    std::vector<check::Question> all = study_passes();
+std::vector<judge::Question> passes() {
+    std::vector<judge::Question> all = study_passes();
     for (const effect::Preset& preset : effect::presets()) {
         if (preset.published) continue;
-        check::Question question{.name = "PASS-frame-" + preset.name,
+        judge::Question question{.name = "PASS-frame-" + preset.name,
                                  .file = "passes/frame",
                                  .function = "main",
-                                 .signature = check::SignatureOf<glm::vec4(glm::ivec2)>::describe(),
+                                 .signature = subject::SignatureOf<glm::vec4(glm::ivec2)>::describe(),
                                  .budget = {.absolute = 1e-5}};
-        question.answers = [question, settings = preset.settings](const check::Lab& lab) {
+        question.answers = [question, settings = preset.settings](const subject::Lab& lab) {
             return frame_answer(lab, question, settings);
         };
         all.push_back(std::move(question));
@@ -339,9 +347,9 @@ std::vector<check::Question> passes() {
 
 }  // namespace
 
-std::vector<check::Question> subjects_named(const std::vector<std::string>& names) {
-    std::vector<check::Question> found = passes();
-    const auto fits = [](const check::Question& pass, const std::string& name) {
+std::vector<judge::Question> subjects_named(const std::vector<std::string>& names) {
+    std::vector<judge::Question> found = passes();
+    const auto fits = [](const judge::Question& pass, const std::string& name) {
         return catalogue::matches_glob(pass.name, name);
     };
     std::vector<std::string> others;
@@ -349,12 +357,12 @@ std::vector<check::Question> subjects_named(const std::vector<std::string>& name
         const bool known = std::ranges::any_of(found, [&](const auto& pass) { return fits(pass, name); });
         if (!known || !catalogue::matches_glob(name, "PASS-*")) others.push_back(name);
     }
-    std::erase_if(found, [&](const check::Question& pass) {
+    std::erase_if(found, [&](const judge::Question& pass) {
         return !names.empty() &&
                std::ranges::none_of(names, [&](const std::string& name) { return fits(pass, name); });
     });
     if (!names.empty() && others.empty()) return found;
-    std::vector<check::Question> all = equations_named(others);
+    std::vector<judge::Question> all = equations_named(others);
     std::ranges::move(found, std::back_inserter(all));
     return all;
 }

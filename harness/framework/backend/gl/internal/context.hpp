@@ -9,7 +9,7 @@
 
 #include "backend/gl/device.hpp"
 
-namespace gloam::gl::internal {
+namespace gloam::backend::gl::internal {
 
 // The EGL library of this machine, opened at run time. Throws Unavailable.
 class Egl {
@@ -53,7 +53,7 @@ class Display {
     std::string executor_;
 };
 
-}  // namespace gloam::gl::internal
+}  // namespace gloam::backend::gl::internal
 
 // The functions of OpenGL that this room calls. The versions of OpenGL and OpenGL ES that it opens all have
 // those of the first list, with the same signatures; those of the second come with compute shaders.
@@ -72,7 +72,7 @@ class Display {
     X(BindImageTexture) X(DispatchCompute) X(MemoryBarrier) X(TexStorage2D) X(TexStorage3D) X(TexSubImage3D)
 // clang-format on
 
-namespace gloam::gl::internal {
+namespace gloam::backend::gl::internal {
 
 struct Functions {
 #define GLOAM_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
@@ -104,4 +104,4 @@ struct Context {
     GLuint vertex_array = 0;  // draws need one in the core profile
 };
 
-}  // namespace gloam::gl::internal
+}  // namespace gloam::backend::gl::internal

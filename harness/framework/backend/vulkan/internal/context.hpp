@@ -18,7 +18,7 @@
 #include "backend/vulkan/internal/vulkan.hpp"
 #include "base/hidden.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 // The physical device of a selector, and its frequently used properties.
 struct Physical {
@@ -147,4 +147,4 @@ inline void host_barrier(const vk::raii::CommandBuffer& commands) {
 // A command buffer that is begun, for one submission. Its commands see the writes of all earlier ones.
 [[nodiscard]] vk::raii::CommandBuffers begun(const Context& context);
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

@@ -14,7 +14,7 @@
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/internal/vulkan.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 // Collects the messages of the validation layers. Layers may call it from any thread.
 class MessageLog {
@@ -63,4 +63,4 @@ inline constexpr const char* no_device_message =
 // is no device, or if none matches (the message lists the existing ones).
 [[nodiscard]] std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view selector);
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan

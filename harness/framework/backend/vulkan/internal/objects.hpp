@@ -11,7 +11,7 @@
 #include "backend/vulkan/internal/vulkan.hpp"
 #include "backend/vulkan/resources.hpp"
 
-namespace gloam::gpu {
+namespace gloam::backend::vulkan {
 
 struct Buffer::Handles {
     Context& context;
@@ -100,4 +100,4 @@ struct Commands::Handles {
     State state = State::recording;
 };
 
-}  // namespace gloam::gpu
+}  // namespace gloam::backend::vulkan
