@@ -17,9 +17,9 @@
 //
 // A line that begins with four blanks goes on with the one before. {a,b} stands for a, then for b. 'a b' is
 // one word. @glsl, @examples and @fixtures are folders of the repository, @here is the story's own,
-// @version gloam's version, @crashing the manifest of a driver that crashes, @full_disk a disk that is full.
-// \n is a new line, \e the escape character. Words like NAME=VALUE before the others are of the environment.
-// # begins a comment.
+// @version gloam's version, @crashing the manifest of a driver that crashes, @crashing.so the driver,
+// @full_disk a disk that is full. \n is a new line, \e the escape character. Words like NAME=VALUE before the
+// others are of the environment. # begins a comment.
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "tools/gloam.hpp"
@@ -110,6 +110,7 @@ class Stories : public InFolder {
                                                              {"@examples", GLOAM_EXAMPLES},
                                                              {"@fixtures", GLOAM_TOOLS_FIXTURES},
                                                              {"@version", base::version()},
+                                                             {"@crashing.so", GLOAM_CRASHING_LIBRARY},
                                                              {"@crashing", GLOAM_CRASHING_DRIVER},
                                                              {"@full_disk", GLOAM_FULL_DISK},
                                                              {"@here", path("").string()},

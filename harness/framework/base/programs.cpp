@@ -24,7 +24,7 @@ using internal::Arrival;
 using internal::Clock;
 
 constexpr std::chrono::seconds time_to_end_by_itself{1};  // after it closed its output
-constexpr std::chrono::seconds between_looks{1};          // at how much a program has written
+constexpr std::chrono::milliseconds between_looks{20};    // at how much a program has written
 constexpr std::size_t longest_line = 1U << 28U;           // bytes; more is no answer
 
 // An unnamed file, for standard error.
