@@ -43,6 +43,14 @@ TEST(Process, IsEndedAtItsLimits) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 25s);
 }
 
+// It would write on without end.
+TEST(Process, WhatItStartedEndsWithItsStreams) {
+    const ProcessResult result = shell("yes >&2 & echo $!; wait", {.output_bytes = 100'000});
+    const std::filesystem::path program = "/proc/" + std::to_string(std::stoi(result.output)) + "/exe";
+    for (int i = 0; i < 1000 && std::filesystem::exists(program); ++i) std::this_thread::sleep_for(10ms);
+    EXPECT_FALSE(std::filesystem::exists(program));
+}
+
 TEST(Process, MemoryIsLimited) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "no limit there: the sanitizer takes all of the address space";

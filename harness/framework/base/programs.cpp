@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <csignal>
@@ -24,10 +26,9 @@ using internal::Arrival;
 using internal::Clock;
 
 constexpr std::chrono::seconds time_to_end_by_itself{1};  // after it closed its output
-constexpr std::chrono::milliseconds between_looks{20};    // at how much a program has written
 constexpr std::size_t longest_line = 1U << 28U;           // bytes; more is no answer
 
-// An unnamed file, for standard error.
+// An unnamed file, for a worker's standard error.
 FileDescriptor scratch_file() {
     std::string name = (std::filesystem::temp_directory_path() / "gloam-XXXXXX").string();
     FileDescriptor file(mkostemp(name.data(), O_CLOEXEC | O_APPEND));
@@ -36,49 +37,66 @@ FileDescriptor scratch_file() {
     return beyond_standard(std::move(file));
 }
 
-off_t size_of(const FileDescriptor& file) {
-    return std::max<off_t>(lseek(file.get(), 0, SEEK_END), 0);
-}
-
-// The end of a file, without trailing white space.
-std::string last_words(const FileDescriptor& file) {
-    constexpr off_t most = 1000;  // bytes
-    const off_t size = size_of(file);
-    std::string text(static_cast<std::size_t>(std::min(size, most)), '\0');
-    const ssize_t count = pread(file.get(), text.data(), text.size(), std::max<off_t>(0, size - most));
-    text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+// Without trailing white space.
+std::string trimmed(std::string text) {
     while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
     return text;
+}
+
+constexpr std::size_t most_words = 1000;  // bytes
+
+// The end of a file.
+std::string last_words(const FileDescriptor& file) {
+    const off_t size = std::max<off_t>(lseek(file.get(), 0, SEEK_END), 0);
+    std::string text(std::min(static_cast<std::size_t>(size), most_words), '\0');
+    const ssize_t count = pread(file.get(), text.data(), text.size(), size - static_cast<off_t>(text.size()));
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    return trimmed(std::move(text));
+}
+
+// Waits for either stream, a second at most, and appends what is there to its text; -1 stands for one that
+// ended.
+void receive_both(std::array<pollfd, 2>& streams, Clock::time_point deadline,
+                  const std::array<std::string*, 2>& texts) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (poll(streams.data(), streams.size(), static_cast<int>(std::clamp<long long>(left, 0, 1000))) <= 0)
+        return;
+    for (std::size_t i = 0; i < streams.size(); ++i)
+        if (streams[i].revents != 0 &&
+            internal::receive_some(streams[i].fd, Clock::now(), std::size_t{1} << 16U, *texts[i]) ==
+                Arrival::end)
+            streams[i].fd = -1;
 }
 
 }  // namespace
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessLimits& limits) {
     const FileDescriptor nothing = beyond_standard(FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC)));
-    const FileDescriptor errors = scratch_file();
-    auto [from_child, child_output] = connected_pair();
+    auto [from_output, output] = connected_pair();
+    auto [from_errors, errors] = connected_pair();
     internal::ChildProcess child =
-        internal::started(command, {nothing.get(), child_output.get(), errors.get()}, &limits);
-    child_output.reset();
+        internal::started(command, {nothing.get(), output.get(), errors.get()}, &limits);
+    output.reset();
+    errors.reset();
     ProcessResult result;
     const auto exceeds = [&] {
-        return std::max(result.output.size(), static_cast<std::size_t>(size_of(errors))) >
-               limits.output_bytes;
+        return std::max(result.output.size(), result.errors.size()) > limits.output_bytes;
     };
     const auto deadline = Clock::now() + limits.patience;
-    Arrival arrived = Arrival::bytes;
-    while (arrived != Arrival::end && Clock::now() < deadline && !exceeds())
-        arrived = internal::receive_some(from_child.get(), std::min(deadline, Clock::now() + between_looks),
-                                         std::size_t{1} << 16U, result.output);
+    std::array<pollfd, 2> streams{{{from_output.get(), POLLIN, 0}, {from_errors.get(), POLLIN, 0}}};
+    const auto are_open = [&] { return streams[0].fd >= 0 || streams[1].fd >= 0; };
+    while (are_open() && Clock::now() < deadline && !exceeds())
+        receive_both(streams, deadline, {&result.output, &result.errors});
     if (exceeds()) {
         result.end = ProcessResult::End::output;
-    } else if (arrived != Arrival::end || !child.has_ended_by(deadline)) {
+    } else if (are_open() || !child.has_ended_by(deadline)) {
         result.end = ProcessResult::End::time;
     }
     if (result.end != ProcessResult::End::status) child.kill();
     if (limits.group) ::kill(-child.id(), SIGKILL);
     const int status = child.wait();
-    result.errors = last_words(errors);
+    if (result.errors.size() > most_words) result.errors.erase(0, result.errors.size() - most_words);
+    result.errors = trimmed(std::move(result.errors));
     if (result.end != ProcessResult::End::status) return result;
     if (WIFSIGNALED(status)) result.end = ProcessResult::End::signal;
     result.number = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
