@@ -211,15 +211,11 @@ void prepare(State<N>& s) {
     if (s.sampling) numeric::Paths::draw_wholes(*s.sampling);
 }
 
-// Hears of each instruction, after it.
-using Tell = std::function<void(const Instruction&)>;
-
-// Runs an invocation until it ends or waits.
-template <class N>
+// Runs an invocation until it ends or waits. tell(instruction) hears of each, after it.
+template <class N, class Tell>
 void step(State<N>& s, const Tell& tell) {
     const Instruction* const code = s.code.instructions.data();
     const std::uint64_t end = s.end;
-    const bool tells = static_cast<bool>(tell);
     for (; s.running; ++s.steps) {
         s.steps += std::exchange(s.cost, 0);
         if (s.steps >= end)
@@ -234,11 +230,11 @@ void step(State<N>& s, const Tell& tell) {
         }
         s.handlers[s.at](s, i);
         if (s.undefinedness.touched) s.forget_touched();
-        if (tells) tell(i);
+        tell(i);
     }
 }
 
-template <class N>
+template <class N, class Tell>
 void execute_group(State<N>& s, const Tell& tell) {
     const auto count = static_cast<std::uint32_t>(s.lanes.size());
     do {
@@ -257,8 +253,8 @@ void execute_group(State<N>& s, const Tell& tell) {
     } while (meet(s));
 }
 
-template <class N>
-void execute(State<N>& s, const Tell& tell = {}) {
+template <class N, class Tell>
+void execute(State<N>& s, const Tell& tell) {
     prepare(s);
     try {
         if (!s.lanes.empty()) return execute_group(s, tell);
@@ -293,7 +289,7 @@ void Machine<N>::set_sampling(std::uint64_t seed) {
 
 template <class N>
 void Machine<N>::run() {
-    internal::execute(*state_);
+    internal::execute(*state_, [](const internal::Instruction&) {});
 }
 
 template <class N>
