@@ -47,8 +47,8 @@ TEST(ExperimentRecord, ReadsTheDocumentOfResults) {
     EXPECT_EQ(lines_of(read_record("", text)), lines_of(record));
 }
 
-// A file of results is untrusted: each name in it becomes one line, and what is wrong is named with its
-// place.
+// A file of results is untrusted: a message shows each name of it in one line, and says where what is wrong
+// stands.
 TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
     const auto expect_refused = [](const std::string& text, const std::string& named) {
         expect_error<std::runtime_error>([&] { (void)read_record("some file", text); }, {"some file", named});

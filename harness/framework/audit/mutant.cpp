@@ -78,7 +78,7 @@ Difference difference_of(module::Scalar scalar, double before, double after,
 
 // Of an input.
 Difference difference_at(internal::AuditRuns& original, internal::AuditRuns& changed,
-                         const std::vector<subject::Word>& words) {
+                         const std::vector<Word>& words) {
     using Gaps = internal::AuditRuns::Gaps;
     const std::vector<double> before = original.in_float(words);
     const std::vector<double> after = changed.in_float(words);
@@ -212,7 +212,7 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
         const Domain::Inputs drawn = question.domain.draw(inputs, seed, original.image_size());
         result.difference = Difference::none;
         for (std::size_t i = 0; i < drawn.count() && result.difference != Difference::real; ++i) {
-            const std::vector<subject::Word> words(drawn.row(i).begin(), drawn.row(i).end());
+            const std::vector<Word> words(drawn.row(i).begin(), drawn.row(i).end());
             const Difference found = difference_at(original, mutant, words);
             ++result.inputs;
             if (found <= result.difference) continue;
@@ -220,10 +220,9 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
             result.words = words;
         }
         if (result.difference == Difference::none) return result;
-        result.words =
-            internal::simplified(original, result.words, [&](const std::vector<subject::Word>& tried) {
-                return difference_at(original, mutant, tried) == result.difference;
-            });
+        result.words = internal::simplified(original, result.words, [&](const std::vector<Word>& tried) {
+            return difference_at(original, mutant, tried) == result.difference;
+        });
         result.values = original.named(result.words);
         result.before = numbers_text(original.in_float(result.words));
         result.after = numbers_text(mutant.in_float(result.words));

@@ -36,12 +36,12 @@ constexpr long usual_index = 7;  // most integer parameters are indices, counts 
 
 // No one means subnormal numbers, or the smallest normal ones, though they lie in the range.
 Values without_tiny(Values values, Scalar scalar) {
-    const auto is_tiny = [scalar](std::span<const subject::Word> words) {
+    const auto is_tiny = [scalar](std::span<const Word> words) {
         const double magnitude = std::abs(from_word<double>(words.front()));
         return magnitude > 0.0 && magnitude <= format_of(scalar).smallest_normal();
     };
     std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_tiny(fixed.words); });
-    values.contains = [contains = values.contains, is_tiny](std::span<const subject::Word> words) {
+    values.contains = [contains = values.contains, is_tiny](std::span<const Word> words) {
         return contains(words) && !is_tiny(words);
     };
     return values;

@@ -11,14 +11,14 @@ namespace {
 
 using namespace subject;
 
-using Words = std::vector<subject::Word>;
+using Words = std::vector<Word>;
 using module::Scalar;
 
 // A number of the input, and where it may be special: the middle and the quarters of its range first.
 struct Axis {
     const Slot* slot;
     std::size_t word;  // in the input
-    std::vector<subject::Word> places;
+    std::vector<Word> places;
 };
 
 constexpr std::size_t most_axes = 16;
@@ -53,7 +53,7 @@ Axis axis_of(const Slot& slot, std::size_t k, Scalar scalar, const std::vector<d
     for (const double place : all) {
         const bool whole = !module::is_float(scalar);
         if (!std::isfinite(place) || (whole && std::abs(place) > 0x1p32)) continue;
-        axis.places.push_back(whole ? static_cast<subject::Word>(static_cast<std::int64_t>(std::floor(place)))
+        axis.places.push_back(whole ? static_cast<Word>(static_cast<std::int64_t>(std::floor(place)))
                                     : float_word(scalar, place));
     }
     return axis;
@@ -126,7 +126,7 @@ std::vector<Words> places_of(const judge::Question& question, std::span<const fl
             });
     }
     for (const Axis& a : axes)
-        for (const subject::Word at : a.places) place([&](Words& words) { words[a.word] = at; });
+        for (const Word at : a.places) place([&](Words& words) { words[a.word] = at; });
     for (const Axis& a : axes)
         for (const Axis& b : axes)
             for (std::size_t i = 0; a.word < b.word && i < most_of_pairs * most_of_pairs; ++i)

@@ -67,9 +67,9 @@ class Search {
     }
 
     // A row with another number in a slot; nullopt if the domain has no such number.
-    static std::optional<std::vector<subject::Word>> with(std::span<const subject::Word> row,
-                                                          const Slot& slot, std::size_t k, float number) {
-        std::vector<subject::Word> words(row.begin(), row.end());
+    static std::optional<std::vector<Word>> with(std::span<const Word> row, const Slot& slot, std::size_t k,
+                                                 float number) {
+        std::vector<Word> words(row.begin(), row.end());
         words[slot.first + k] = to_word(number);
         if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return std::nullopt;
         return words;
@@ -84,7 +84,7 @@ class Search {
                 const auto usual = with(drawn.row(i), slot, k, 0x1p-6F);
                 if (!usual || !with(drawn.row(i), slot, k, -0x1p-6F)) return;
                 for (const float tiny : {-0x1p-30F, 0x1p-30F}) {
-                    std::vector<subject::Word> words = *usual;
+                    std::vector<Word> words = *usual;
                     words[slot.first + k] = to_word(tiny);
                     runs_.question().domain.adjust(words);
                     if (shows(Concern::fault, runs_.read(words))) keep(Concern::fault, words, false);
@@ -94,7 +94,7 @@ class Search {
 
     // Numbers as people write them: int(x * 10.0) decides otherwise in double for 0.7, and for few floats
     // that are drawn.
-    void try_decimals(std::span<const subject::Word> row) {
+    void try_decimals(std::span<const Word> row) {
         constexpr int most_steps = 100;
         for_each_float([&](const Slot& slot, std::size_t k) {
             for (const double unit : {0.1, 1.0})
@@ -103,7 +103,7 @@ class Search {
         });
     }
 
-    void try_parting(std::vector<subject::Word>& words) {
+    void try_parting(std::vector<Word>& words) {
         runs_.question().domain.adjust(words);
         const Reading reading = runs_.read(words);
         if (reading.fault.empty() && !runs_.is_undefined(words, reading) && runs_.parting_of(words, reading))
@@ -113,7 +113,7 @@ class Search {
     // Where the function goes wrong at one number only.
     void try_places(const Domain::Inputs& drawn) {
         constexpr double share = 0.6;
-        for (std::vector<subject::Word>& words :
+        for (std::vector<Word>& words :
              places_of(runs_.question(), runs_.numbers(), drawn, options_.inputs / 2)) {
             if (!has_steps(share)) break;
             runs_.question().domain.adjust(words);
@@ -125,7 +125,7 @@ class Search {
     std::size_t draw(const Domain::Inputs& drawn, bool random, double share) {
         std::size_t i = 0;
         for (; i < drawn.count() && has_steps(share); ++i) {
-            const std::vector<subject::Word> words(drawn.row(i).begin(), drawn.row(i).end());
+            const std::vector<Word> words(drawn.row(i).begin(), drawn.row(i).end());
             const Reading reading = run(words, true, random);
             if (!reading.fault.empty()) continue;
             for (const Concern concern : losses)
@@ -146,8 +146,8 @@ class Search {
     }
 
     // `drawn`: before adjustment. `draws`: it does not come from a climb.
-    Reading run(const std::vector<subject::Word>& drawn, bool draws, bool random) {
-        std::vector<subject::Word> words = drawn;
+    Reading run(const std::vector<Word>& drawn, bool draws, bool random) {
+        std::vector<Word> words = drawn;
         runs_.question().domain.adjust(words);
         Reading reading = runs_.read(words);
         ++found_.inputs;
@@ -167,7 +167,7 @@ class Search {
     }
 
     // Returns whether a result is undefined.
-    bool keep_broken(const std::vector<subject::Word>& words, const Reading& reading, bool random) {
+    bool keep_broken(const std::vector<Word>& words, const Reading& reading, bool random) {
         for (const Concern concern : {Concern::fault, Concern::not_finite})
             if (shows(concern, reading)) keep(concern, words, random);
         const bool undefined = runs_.is_undefined(words, reading);
@@ -175,7 +175,7 @@ class Search {
         return undefined;
     }
 
-    void keep(Concern concern, const std::vector<subject::Word>& words, bool random) {
+    void keep(Concern concern, const std::vector<Word>& words, bool random) {
         Examples& examples = found_.examples[concern];
         if (random) ++examples.shown;
         auto& kept = random ? examples.random : examples.others;
@@ -207,10 +207,9 @@ bool shows(Concern concern, const Reading& reading) {
                                [&](const OutputReading& output) { return shows(concern, output); });
 }
 
-std::vector<subject::Word> simplified(const AuditRuns& runs, const std::vector<subject::Word>& words,
-                                      const std::function<bool(const std::vector<subject::Word>&)>& still) {
-    const auto first_still =
-        [&](std::span<const std::vector<subject::Word>> inputs) -> std::optional<judge::Sample> {
+std::vector<Word> simplified(const AuditRuns& runs, const std::vector<Word>& words,
+                             const std::function<bool(const std::vector<Word>&)>& still) {
+    const auto first_still = [&](std::span<const std::vector<Word>> inputs) -> std::optional<judge::Sample> {
         const auto found = std::ranges::find_if(inputs, still);
         return found == inputs.end() ? std::nullopt : std::optional(judge::Sample{.inputs = *found});
     };
