@@ -45,7 +45,7 @@ TEST(Process, IsEndedAtItsLimits) {
 
 // It would write on without end.
 TEST(Process, WhatItStartedEndsWithItsStreams) {
-    const ProcessResult result = shell("yes >&2 & echo $!; wait", {.output_bytes = 100'000});
+    const ProcessResult result = shell("sh -c 'echo $$; exec yes >&2' & wait", {.output_bytes = 100'000});
     const std::filesystem::path program = "/proc/" + std::to_string(std::stoi(result.output)) + "/exe";
     for (int i = 0; i < 1000 && std::filesystem::exists(program); ++i) std::this_thread::sleep_for(10ms);
     EXPECT_FALSE(std::filesystem::exists(program));
