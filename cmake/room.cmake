@@ -17,15 +17,15 @@ function(gloam_sources RESULT)
   set(${RESULT} ${files} PARENT_SCOPE)
 endfunction()
 
-# gloam_compile_together(TARGET [COUNT])
-# Compiles the sources of a target in the groups that gloam_sources() made, or COUNT at a time.
+# gloam_compile_together(TARGET [ALL])
+# Compiles the sources of a target in the groups that gloam_sources() made, or all as one.
 function(gloam_compile_together TARGET)
   if(DEFINED CMAKE_UNITY_BUILD AND NOT CMAKE_UNITY_BUILD)
     return()
   endif()
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON)
   if(ARGC GREATER 1)
-    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_BATCH_SIZE ${ARGV1})
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
   else()
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_MODE GROUP)
   endif()
@@ -92,7 +92,7 @@ endfunction()
 
 # gloam_test(NAME SOURCES file... USES room... LIBRARIES target... [SWIFTSHADER filter])
 # A GoogleTest program whose suites ctest finds (list_suites.cmake). The tests that match the filter run once more, as
-# one ctest test, on a browser's SwiftShader where there is one. Five sources are compiled as one, so each has a
+# one ctest test, on a browser's SwiftShader where there is one. All sources are compiled as one, so each has a
 # namespace with the name of its file.
 function(gloam_test NAME)
   cmake_parse_arguments(TEST "" "SWIFTSHADER" "SOURCES;USES;LIBRARIES" ${ARGN})
@@ -101,7 +101,7 @@ function(gloam_test NAME)
   target_link_libraries(${NAME} PRIVATE ${TEST_USES} ${TEST_LIBRARIES} gloam_glsl gloam_warnings GTest::gmock)
   target_sources(${NAME} PRIVATE $<TARGET_OBJECTS:gloam_test_seen_files>)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  gloam_compile_together(${NAME} 5)
+  gloam_compile_together(${NAME} ALL)
   gloam_precompile(${NAME} gloam_test_headers)
   # Newer layers of Vulkan check what shaders access by the last word alone.
   string(CONCAT environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;"

@@ -80,7 +80,7 @@ std::vector<fs::path> driver_manifests() {
     return manifests;
 }
 
-std::string text_of(const BrokenDriver& driver) {
+std::string cause_of(const BrokenDriver& driver) {
     return fmt::format("Vulkan driver {}: {}", driver.manifest.string(), driver.error);
 }
 
@@ -123,7 +123,7 @@ int validation_status(backend::vulkan::Device& device) {
 }
 
 void say_skipped(const BrokenDriver& driver) {
-    fmt::print(stderr, "gloam: {}; it is skipped\n", text_of(driver));
+    fmt::print(stderr, "gloam: {}; it is skipped\n", cause_of(driver));
 }
 
 std::vector<std::pair<std::string, Listing>> list_opengl() {
@@ -154,7 +154,7 @@ Drivers load_drivers() {
         else
             found.broken.push_back({alone, manifest});
     }
-    found.error = found.broken.empty() ? "the Vulkan drivers: " + found.error : text_of(found.broken.front());
+    found.error = found.broken.empty() ? "the Vulkan drivers: " + found.error : cause_of(found.broken.front());
     found.devices = listed("vulkan", only(others)).devices;
     if (found.devices.empty()) return found;
     for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
