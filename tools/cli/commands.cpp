@@ -11,14 +11,9 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "base/version.hpp"
-#include "module/compile.hpp"
+#include "cli/environment.hpp"
 
 namespace gloam::cli {
-
-std::string versions() {
-    return "gloam " + base::version() + ", " + base::one_line(module::compiler_version());
-}
 
 namespace {
 

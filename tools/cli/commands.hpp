@@ -97,10 +97,6 @@ using EquationsNamed = std::vector<judge::Question>(const std::vector<std::strin
 using FrameOf = PresetFrame(const std::string& preset, const std::vector<std::string>& set,
                             std::optional<double> tiles);
 
-// "gloam 0.3.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": the versions on which
-// a result depends, besides the device and its driver.
-[[nodiscard]] std::string versions();
-
 // The commands. Their help says what they do.
 [[nodiscard]] Command demo_command();
 [[nodiscard]] Command devices_command();

@@ -9,6 +9,10 @@
 #include <string>
 #include <system_error>
 
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "module/compile.hpp"
+
 namespace gloam::cli {
 namespace {
 
@@ -74,6 +78,10 @@ fs::path truth_cache_directory() {
 
 bool on_terminal() {
     return isatty(STDERR_FILENO) != 0;
+}
+
+std::string versions() {
+    return "gloam " + base::version() + ", " + base::one_line(module::compiler_version());
 }
 
 }  // namespace gloam::cli

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/text.hpp"
+#include "cli/environment.hpp"
 #include "cli/framework/check/check_run.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/progress.hpp"

@@ -154,7 +154,8 @@ Drivers load_drivers() {
         else
             found.broken.push_back({alone, manifest});
     }
-    found.error = found.broken.empty() ? "the Vulkan drivers: " + found.error : cause_of(found.broken.front());
+    found.error =
+        found.broken.empty() ? "the Vulkan drivers: " + found.error : cause_of(found.broken.front());
     found.devices = listed("vulkan", only(others)).devices;
     if (found.devices.empty()) return found;
     for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})

@@ -61,11 +61,7 @@ std::vector<Shown> demo_scenes() {
 }
 
 void render_scene(Shown& scene, const DemoOptions& demo, const backend::vulkan::Device& device) {
-    const RenderOptions options{.shown = {.source = scene.name == "bunny" ? bunny : scene.name,
-                                          .frames = 8,
-                                          .truth = "",
-                                          .traced = {.rays = {.rays = 128}}},
-                                .quiet = demo.quiet};
+    const RenderOptions options = demo_options(scene.name == "bunny" ? bunny : scene.name, demo.quiet);
     scene.run = std::move(render(options, open_input(options), device, nullptr).front());
 }
 

@@ -120,6 +120,9 @@ struct RenderInput {
     std::vector<RenderCandidate> candidates;
 };
 
+// What the demo shows of a scene or mesh: eight frames beside traced truth.
+[[nodiscard]] RenderOptions demo_options(const std::string& source, bool quiet);
+
 // Checks the names and files of the options, as far as that is possible without a device. Throws
 // std::invalid_argument or std::runtime_error with the error in one line.
 [[nodiscard]] RenderInput open_input(const RenderOptions& options);

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "base/number.hpp"
-#include "cli/commands.hpp"
 #include "cli/environment.hpp"
 #include "cli/occlusion/settings.hpp"
 #include "cli/progress.hpp"
@@ -256,6 +255,11 @@ std::vector<RenderCandidate> candidates_of(const RenderOptions& options) {
 }
 
 }  // namespace
+
+RenderOptions demo_options(const std::string& source, bool quiet) {
+    return {.shown = {.source = source, .frames = 8, .truth = "", .traced = {.rays = {.rays = 128}}},
+            .quiet = quiet};
+}
 
 RenderInput open_input(const RenderOptions& options) {
     std::vector<RenderCandidate> candidates = candidates_of(options);

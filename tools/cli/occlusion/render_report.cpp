@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/version.hpp"
-#include "cli/commands.hpp"
+#include "cli/environment.hpp"
 #include "cli/occlusion/settings.hpp"
 
 namespace gloam::cli {

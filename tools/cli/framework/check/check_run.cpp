@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/threads.hpp"
+#include "cli/environment.hpp"
 #include "cli/framework/check/worker.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/progress.hpp"
