@@ -33,15 +33,15 @@ TEST_F(ConfigurationStudyTest, FastAndBalancedErrLessThanASingleFrameOfNineSlice
         const BenchmarkFrames shown{.extent = {192, 108}, .frames = 16, .scored = 8, .every = 4, .rays = 64};
         BenchmarkViews views(scene::make_scene(name), shown);
         const Settings balanced = settings_for(views, "preset=balanced");
-        PlainRun loop(device_, passes_, shown.extent, {.slices = 9, .steps = 3}, 1);
-        const double nine_slices = loop.visit(views, 0).quality->geometry;
+        effect::PlainSlices loop(device_, passes_, shown.extent, {.slices = 9, .steps = 3});
+        const double nine_slices = plain_visit(loop, views, 0).quality->geometry;
         EXPECT_LT(study_.visit(views, settings_for(views, "preset=fast"), true, 0).quality->geometry,
                   nine_slices)
             << name;
         const FrameQuality run = *study_.visit(views, balanced, true, 0).quality;
         EXPECT_LT(run.geometry, nine_slices) << name;
         EXPECT_EQ(study_.visit(views, balanced, true, 1).readings.size(), 2U);
-        EXPECT_EQ(loop.visit(views, 1).readings.size(), 2U);
+        EXPECT_EQ(plain_visit(loop, views, 1).readings.size(), 2U);
     }
 }
 
@@ -71,12 +71,10 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
 double value_of(const ConfigurationVisit& visit, const std::string& quantity, const std::string& pixels) {
     Record record({});
     record.add({.shown = {.name = "run"}, .candidate = "run", .quality = visit.quality});
-    const Value value = Database(record)
-                            .select("SELECT " + quantity + " FROM class_errors WHERE pixels = '" + pixels +
-                                    "' AND against = 'geometry'")
-                            .all.at(0)
-                            .at(0);
-    return std::get<double>(value);
+    return std::stod(Database(record)
+                         .texts("SELECT " + quantity + " FROM class_errors WHERE pixels = '" + pixels +
+                                "' AND against = 'geometry'")
+                         .at(0));
 }
 
 // The second is a mean over 128 samples instead of 500, always as many a frame, always rotated.

@@ -188,13 +188,10 @@ TEST(ExperimentComparison, ATimeChangesBeyondItsSpread) {
 
 TEST(ExperimentComparison, WarnsOfOtherCircumstancesAndStillCompares) {
     const Record before = make_record({{"a", "m/4", 10, 0.05}, {"a", "old/4", 1, 1}});
-    Record after({.experiment = "mine",
-                  .device = "another",
-                  .driver = "x",
-                  .frames = 16,
-                  .scored = 8,
-                  .repeat = 1,
-                  .rays = 64});
+    Conditions others = before.conditions();
+    others.device = "another";
+    others.rays = 64;
+    Record after(others);
     for (const int round : {0, 1}) {
         for (const char* name : {"m/4", "new/4"}) {
             Visit visit = make_visit("a", name, round, 20, 0.05);

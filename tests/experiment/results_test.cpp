@@ -57,7 +57,6 @@ TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
     expect_refused("", "no JSON");
     expect_refused("[]", "expected an object");
     expect_refused("{}", "line 1: frames: expected this field, found none");
-    expect_refused(std::string(1'000'000, '['), "nested more than 64 deep");
     expect_refused(text + "{}\n", "line 9: ");
     const std::string bad = R"("a\nsystem('id')\n")";
     const std::tuple<std::string, std::string, std::string> faults[] = {
@@ -73,11 +72,6 @@ TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
          "line 8: quality.converged.own.rmse: expected a number"},
         {R"("standard_error":0.0,)", "", "standard_error: expected this field"}};
     for (const auto& [part, other, named] : faults) expect_refused(with(text, part, other), named);
-    try {
-        (void)read_record("", "{\"" + std::string(100'000, 'x'));
-    } catch (const std::runtime_error& error) {
-        EXPECT_LT(std::string(error.what()).size(), 400U);
-    }
 }
 
 TEST(ExperimentRecord, PartsOfOneRunAreJoined) {
@@ -89,7 +83,6 @@ TEST(ExperimentRecord, PartsOfOneRunAreJoined) {
     };
     refusal({one, one}, "a/m/4: in two results");
     refusal({one, Record({.experiment = "mine", .device = "another"})}, "expected the same");
-    refusal({}, "expected one or more");
 }
 
 TEST(ExperimentResults, TimesAreMedians) {

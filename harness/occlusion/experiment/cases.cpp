@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -30,8 +29,7 @@ std::vector<Case> views_of(const CaseQuery& query) {
     std::vector<Case> cases;
     for (const scene::ViewInfo& info : scene::all_views())
         if (!info.half.empty() && (info.kind == "motion") == (query.all == "motion"))
-            cases.push_back(
-                {.name = info.name, .kind = info.kind, .half = info.half, .scene = info.name, .view = true});
+            cases.push_back({.name = info.name, .kind = info.kind, .half = info.half, .scene = info.name});
     return cases;
 }
 
@@ -103,33 +101,70 @@ std::vector<std::string> candidates_in(const Table& table) {
     return names;
 }
 
-// Columns, and tables, with the quantities that they need.
-const std::multimap<std::string, Quantity> quantity_of{{"rmse_depth", Quantity::depth},
-                                                       {"rmse_depth_raw", Quantity::depth},
-                                                       {"converged_depth", Quantity::converged},
-                                                       {"converged_depth", Quantity::depth},
-                                                       {"converged_rmse", Quantity::converged},
-                                                       {"converged_bias", Quantity::converged},
-                                                       {"converged_remapped", Quantity::converged},
-                                                       {"converged_similarity", Quantity::converged},
-                                                       {"converged_own", Quantity::converged},
-                                                       {"rmse_remapped", Quantity::remapped},
-                                                       {"rmse_fit", Quantity::fit},
-                                                       {"rmse_own_radius", Quantity::own_radius},
-                                                       {"class_errors", Quantity::by_class},
-                                                       {"class_frames", Quantity::by_class}};
+// The columns, and tables, that need a quantity.
+const std::pair<Quantity, std::vector<std::string>> columns[] = {
+    {Quantity::depth, {"rmse_depth", "rmse_depth_raw", "converged_depth"}},
+    {Quantity::converged,
+     {"converged_rmse", "converged_bias", "converged_remapped", "converged_similarity", "converged_depth",
+      "converged_own"}},
+    {Quantity::remapped, {"rmse_remapped"}},
+    {Quantity::fit, {"rmse_fit"}},
+    {Quantity::own_radius, {"rmse_own_radius"}},
+    {Quantity::by_class, {"class_errors", "class_frames"}}};
 
 // A SELECT of a table finds the columns alone that it measures.
 void require_measured(const Table& table) {
     std::set<std::string> without;
-    for (const auto& [name, quantity] : quantity_of)
-        if (std::ranges::find(table.measures, quantity) == table.measures.end()) without.insert(name);
+    for (const auto& [quantity, names] : columns)
+        if (std::ranges::count(table.measures, quantity) == 0) without.insert(names.begin(), names.end());
     try {
         (void)Database(Record({}), nullptr, without).select(fmt::format("{}", fmt::join(table.select, "\n")));
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("a table: {}, expected in its \"measures\" what it reads: {}",
                                              error.what(), fmt::join(quantities(), ", ")));
     }
+}
+
+// The text of a value, where "x2" means twice the number that the setting has.
+std::string value_text(const effect::Settings& settings, const std::string& name, const std::string& text) {
+    if (!text.starts_with('x')) return text;
+    const auto value = effect::setting_named(name).get(settings);
+    const auto factor = base::number_from<double>(std::string_view(text).substr(1));
+    if (!std::holds_alternative<double>(value) || !factor) return text;
+    return effect::text_of(*factor * std::get<double>(value));
+}
+
+void apply(effect::Settings& settings, const Layer& layer) {
+    for (const auto& [name, value] : layer.set) {
+        if (name == "method" || name == "radius")
+            throw std::invalid_argument(
+                fmt::format("set {}: expected a setting other than method and radius", name));
+        effect::set(settings, name, value_text(settings, name, value));
+    }
+}
+
+Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) {
+    Subject subject;
+    std::string preset;
+    std::string method;
+    for (const Layer* layer : layers) {
+        if (!layer->preset.empty()) preset = layer->preset;
+        if (!layer->method.empty()) method = layer->method;
+        subject.sequence = layer->sequence.value_or(subject.sequence);
+        subject.hoisted = layer->hoisted.value_or(subject.hoisted);
+        subject.radius = layer->radius.value_or(subject.radius);
+        subject.enough_samples |= layer->enough_samples;
+        if (!layer->pictures.empty()) subject.pictures = layer->pictures;
+        if (!layer->kind) continue;
+        subject.kind = *layer->kind;
+        subject.plain = layer->plain;
+    }
+    if (!preset.empty()) subject.settings = place.preset_of(preset);
+    if (!method.empty() && method != subject.settings.method)
+        subject.settings = with_method(subject.settings, method);
+    for (const Layer* layer : layers) apply(subject.settings, *layer);
+    validate(subject.settings);
+    return subject;
 }
 
 }  // namespace
@@ -181,22 +216,19 @@ void choose_candidates(Experiment& experiment) {
 }
 
 PlainLoop plain_loop(std::string_view text) {
-    const auto number = [&](std::size_t from, std::size_t until, std::uint32_t least, std::uint32_t most) {
-        std::uint32_t value = 0;
-        for (std::size_t i = from; i < std::min(until, text.size()) && value <= most; ++i)
-            value = text[i] >= '0' && text[i] <= '9' ? 10 * value + static_cast<std::uint32_t>(text[i] - '0')
-                                                     : most + 1;
-        if (from >= until || value < least || value > most)
-            throw std::invalid_argument(fmt::format(
-                "{}: expected SLICESxSTEPS+BLURS, at most {} slices and steps and 9 blurs, such as 3x3+2",
-                text, most_taps));
-        return value;
+    const auto number = [&](std::string_view part, std::uint32_t least, std::uint32_t most) {
+        const auto value = base::number_from<std::uint32_t>(part);
+        if (value && *value >= least && *value <= most) return *value;
+        throw std::invalid_argument(fmt::format(
+            "{}: expected SLICESxSTEPS+BLURS, at most {} slices and steps and 9 blurs, such as 3x3+2", text,
+            most_taps));
     };
-    const std::size_t times = std::min(text.find('x'), text.size());
-    const std::size_t plus = std::min(text.find('+'), text.size());
-    const std::uint32_t blurs = plus == text.size() ? 0 : number(plus + 1, text.size(), 0, 9);
-    return {{.slices = number(0, times, 1, most_taps), .steps = number(times + 1, plus, 1, most_taps)},
-            static_cast<int>(blurs)};
+    const std::string_view taps = text.substr(0, text.find('+'));
+    const std::size_t times = std::min(taps.find('x'), taps.size());
+    const std::string_view steps = taps.substr(std::min(times + 1, taps.size()));
+    const std::string_view blurs = taps == text ? "0" : text.substr(taps.size() + 1);
+    return {{.slices = number(taps.substr(0, times), 1, most_taps), .steps = number(steps, 1, most_taps)},
+            static_cast<int>(number(blurs, 0, 9))};
 }
 
 void choose_cases(Experiment& experiment, const std::vector<std::string>& names, const std::string& half,
@@ -234,7 +266,6 @@ BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, backend
                            .scored = one.scored.value_or(experiment.scored),
                            .every = one.every.value_or(experiment.every),
                            .rays = experiment.rays,
-                           .depth_truth = false,
                            .depth_thickness = experiment.depth_thickness,
                            .repeat = experiment.repeat,
                            .motion = one.motion,
@@ -243,52 +274,6 @@ BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, backend
     if (!one.shown.empty()) frames.frames = std::accumulate(one.shown.begin(), one.shown.end(), 0);
     return frames;
 }
-
-namespace {
-
-// The text of a value, where "x2" means twice the number that the setting has.
-std::string value_text(const effect::Settings& settings, const std::string& name, const std::string& text) {
-    if (!text.starts_with('x')) return text;
-    const auto value = effect::setting_named(name).get(settings);
-    const auto factor = base::number_from<double>(std::string_view(text).substr(1));
-    if (!std::holds_alternative<double>(value) || !factor) return text;
-    return effect::text_of(*factor * std::get<double>(value));
-}
-
-void apply(effect::Settings& settings, const Layer& layer) {
-    for (const auto& [name, value] : layer.set) {
-        if (name == "method" || name == "radius")
-            throw std::invalid_argument(
-                fmt::format("set {}: expected a setting other than method and radius", name));
-        effect::set(settings, name, value_text(settings, name, value));
-    }
-}
-
-Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) {
-    Subject subject;
-    std::string preset;
-    std::string method;
-    for (const Layer* layer : layers) {
-        if (!layer->preset.empty()) preset = layer->preset;
-        if (!layer->method.empty()) method = layer->method;
-        subject.sequence = layer->sequence.value_or(subject.sequence);
-        subject.hoisted = layer->hoisted.value_or(subject.hoisted);
-        subject.radius = layer->radius.value_or(subject.radius);
-        subject.enough_samples |= layer->enough_samples;
-        if (!layer->pictures.empty()) subject.pictures = layer->pictures;
-        if (!layer->kind) continue;
-        subject.kind = *layer->kind;
-        subject.plain = layer->plain;
-    }
-    if (!preset.empty()) subject.settings = place.preset_of(preset);
-    if (!method.empty() && method != subject.settings.method)
-        subject.settings = with_method(subject.settings, method);
-    for (const Layer* layer : layers) apply(subject.settings, *layer);
-    validate(subject.settings);
-    return subject;
-}
-
-}  // namespace
 
 bool takes_part(const Case& one, const Candidate& candidate) {
     return one.candidates.empty() || std::ranges::count(one.candidates, candidate.name) > 0;
@@ -312,8 +297,8 @@ void require_possible(const Experiment& experiment, const Place& place) {
             if (experiment.frames < 2)
                 throw std::invalid_argument(
                     fmt::format("{}: {} frames, expected 2 or more", one.name, experiment.frames));
-        } else if (!one.view) {
-            (void)scene::make_scene(one.scene, place.meshes);  // a view's meshes are read when it is measured
+        } else if (std::ranges::count(scene::all_views(), one.scene, &scene::ViewInfo::name) == 0) {
+            (void)scene::make_scene(one.scene);  // lists the names
         }
         const BenchmarkFrames frames = frames_of(experiment, one, {});
         if (frames.scored > frames.frames)

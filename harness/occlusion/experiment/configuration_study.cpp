@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/configuration_study.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "effect/errors.hpp"
@@ -19,9 +17,6 @@ effect::Remap remap_of(const effect::Settings& settings) {
 BenchmarkViews::BenchmarkViews(scene::Scene scene, const BenchmarkFrames& frames,
                                const std::function<void(double)>& progress)
     : scene_(std::move(scene)), frames_(frames) {
-    if (frames.scored < 1 || frames.scored > frames.frames)
-        throw std::invalid_argument(fmt::format("{} scored frames of {}: expected 1 to {}", frames.scored,
-                                                frames.frames, frames.frames));
     for (std::size_t i = 0; i < frames.shown.size(); ++i)
         numbers_.insert(numbers_.end(), static_cast<std::size_t>(frames.shown[i]), static_cast<int>(i));
     for (int i = 0; frames.shown.empty() && i < frames.frames; ++i) numbers_.push_back(i);
@@ -331,16 +326,12 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const eff
     return visit;
 }
 
-PlainRun::PlainRun(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
-                   backend::Extent extent, effect::SliceTaps taps, int blurs)
-    : slices_(device, passes, extent, taps, blurs) {}
-
-ConfigurationVisit PlainRun::visit(BenchmarkViews& views, int round) {
+ConfigurationVisit plain_visit(effect::PlainSlices& loop, BenchmarkViews& views, int round) {
     const BenchmarkFrames& frames = views.frames();
     const auto radius = static_cast<float>(views.scene().ao_radius);
     const auto next = [&](int i) {
-        slices_.take(views.view(i, {}), radius);
-        return slices_.next(round > 0 ? frames.repeat : 1);
+        loop.take(views.view(i, {}), radius);
+        return loop.next(round > 0 ? frames.repeat : 1);
     };
     if (round == 0)
         return judged(views, false, [&](int i) -> effect::Frame {

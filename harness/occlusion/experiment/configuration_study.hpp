@@ -36,12 +36,12 @@ struct BenchmarkFrames {
     int rays = 256;   // of the truth, for each pixel; 0: there is no truth, and nothing is scored
     std::filesystem::path truth_cache{};  // scene::TruthSettings::cache
     bool depth_truth = true;              // false: only the geometry is traced
-    double depth_thickness =
-        std::numeric_limits<double>::infinity();  // of the surface of (D), in radii; as in depth_field()
-    int repeat = 1;                               // runs of a timed frame, whose median time counts
-    std::optional<bool>
-        motion{};        // views know how surfaces moved, not only the camera; nullopt: if objects do
-    bool still = false;  // every view is the first frame's, and has not moved since the one before
+    // Of the surface of (D), in radii; as in depth_field().
+    double depth_thickness = std::numeric_limits<double>::infinity();
+    int repeat = 1;  // runs of a timed frame, whose median time counts
+    // Views know how surfaces moved, not only the camera; nullopt: if objects do.
+    std::optional<bool> motion{};
+    bool still = false;             // every view is the first frame's, and has not moved since the one before
     std::set<Quantity> measures{};  // what is measured besides errors and times
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each
 };
@@ -62,8 +62,7 @@ struct ScoredView {
 // configurations.
 class BenchmarkViews {
   public:
-    // Throws std::invalid_argument for frames out of range, and like scene::draw() and
-    // scene::trace_geometry().
+    // Throws like scene::draw() and scene::trace_geometry().
     BenchmarkViews(scene::Scene scene, const BenchmarkFrames& frames,
                    const std::function<void(double)>& progress = {});
 
@@ -206,20 +205,10 @@ class ConfigurationStudy {
         effects_;  // by size of the view
 };
 
-// Single frames of the plain loop, measured like the configurations of a ConfigurationStudy.
-class PlainRun {
-  public:
-    // `blurs`: times that the plain blur is applied, >= 0. Throws like PlainSlices.
-    PlainRun(const backend::vulkan::Device& device, const scene::PassLibrary& passes, backend::Extent extent,
-             effect::SliceTaps taps, int blurs);
-
-    // Round 0 judges all scored frames. Each later round times them. Throws like
-    // PlainSlices::take(), which refuses orthographic cameras.
-    [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, int round);
-
-  private:
-    effect::PlainSlices slices_;
-};
+// Single frames of the plain loop, measured like the configurations of a ConfigurationStudy. Round 0 judges
+// all scored frames. Each later round times them. Throws like PlainSlices::take(), which refuses orthographic
+// cameras.
+[[nodiscard]] ConfigurationVisit plain_visit(effect::PlainSlices& loop, BenchmarkViews& views, int round);
 
 // (D) as a candidate: its error against (G). Nothing is timed.
 [[nodiscard]] ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round);

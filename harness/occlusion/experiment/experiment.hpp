@@ -59,11 +59,10 @@ struct Candidate {
 // What is shown: frames of a scene or of a view, or a point with known occlusion.
 struct Case {
     std::string name;
-    std::string what{};  // in a few words
+    std::string what{};  // in a few words; of a description without: its method or preset
     std::string kind{};  // rows of tables are chosen and grouped by it
     std::string half{};  // of a view: "tuning" or "unseen"
     std::string scene{};
-    bool view = false;            // `scene` is looked for when it is measured
     std::vector<int> shown{};     // for how many frames each view is shown; empty: the experiment's frames
     std::optional<int> scored{};  // the last ones of these, instead of the experiment's
     std::optional<int> every{};   // instead of the experiment's

@@ -144,12 +144,9 @@ Case case_from(const JsonReader& value) {
     Members members(value);
     Case made;
     members.read("scene", made.scene);
-    for (const auto& [name, is] : {std::pair("view", &Case::view), {"closed_form", &Case::closed_form}}) {
-        const JsonReader* found = members.find(name);
-        if (found == nullptr) continue;
-        experiment::read(*found, made.scene);
-        made.*is = true;
-    }
+    members.read("view", made.scene);
+    made.closed_form = members.find("closed_form") != nullptr;
+    members.read("closed_form", made.scene);
     members.require("scene", !made.scene.empty());
     made.name = made.scene;
     members.read("name", made.name);
@@ -163,6 +160,7 @@ Case case_from(const JsonReader& value) {
     members.read("target", made.target, 0.0, 1e9);
     members.read("candidates", made.candidates);
     read_layer(members, made.layer);
+    if (made.what.empty()) made.what = made.layer.method.empty() ? made.layer.preset : made.layer.method;
     members.require_known();
     return made;
 }

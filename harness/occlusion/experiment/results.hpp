@@ -38,7 +38,7 @@ struct PointQuality {
 // What one visit to a candidate in a case gave.
 struct Visit {
     backend::Extent size;  // of the experiment
-    Case shown;            // its name, and what tables say of it; all else is empty
+    Case shown;            // its name, and what tables say of it; its line has nothing else
     std::string candidate;
     std::string group;                       // of the candidate
     int round = 0;                           // 0: errors
@@ -79,8 +79,8 @@ class Record {
 // Reads a journal, or the document of to_json(). Throws like Record::add_line(), with the name.
 [[nodiscard]] Record read_record(const std::string& name, std::string_view text);
 
-// The visits of all parts. Throws std::invalid_argument if there is no part, if conditions differ, and for a
-// visit in two parts.
+// The visits of all parts, of which there is one at least. Throws std::invalid_argument if conditions differ,
+// and for a visit in two parts.
 [[nodiscard]] Record joined(std::span<const Record> parts);
 
 }  // namespace gloam::experiment

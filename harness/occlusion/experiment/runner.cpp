@@ -66,14 +66,10 @@ class SizeRun {
         return fmt::format("{}, {} x {}", one.name, extent_.width, extent_.height);
     }
 
-    // What tables say of the case, and nothing measured yet.
+    // With nothing measured yet.
     [[nodiscard]] Visit empty_visit(const Case& one, const Candidate& candidate, int round) const {
         return {.size = extent_,
-                .shown = {.name = one.name,
-                          .what = one.what,
-                          .kind = one.kind,
-                          .half = one.half,
-                          .target = one.target},
+                .shown = one,
                 .candidate = candidate.name,
                 .group = candidate.group,
                 .round = round};
@@ -116,9 +112,9 @@ class SizeRun {
         frames.truth_cache = place_.truth_cache;
         frames.depth_truth = depth_truth;
         frames.measures = measures_;
-        const std::string key = fmt::format(
-            "{} {} {} {} {} {} {} {}", one.scene, one.view, one.motion ? static_cast<int>(*one.motion) : -1,
-            fmt::join(one.shown, "+"), frames.scored, frames.every, one.still, radius);
+        const std::string key =
+            fmt::format("{} {} {} {} {} {} {}", one.scene, one.motion ? static_cast<int>(*one.motion) : -1,
+                        fmt::join(one.shown, "+"), frames.scored, frames.every, one.still, radius);
         std::shared_ptr<BenchmarkViews>& views = views_[key];
         if (views) return views;
         scene::Scene scene = scene::make_scene(one.scene, place_.meshes);
@@ -244,15 +240,14 @@ class SizeRun {
     // radius: in the world; that of the views where it is not given.
     [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round,
                                            std::optional<double> radius = {}) {
-        const backend::Extent extent = views.frames().extent;
         switch (subject.kind) {
-            case Kind::plain:
-                return loops_
-                    .try_emplace({extent.width, extent.height, subject.plain.taps.slices,
-                                  subject.plain.taps.steps, static_cast<std::uint32_t>(subject.plain.blurs)},
-                                 place_.device, place_.passes, extent, subject.plain.taps,
-                                 subject.plain.blurs)
-                    .first->second.visit(views, round);
+            case Kind::plain: {
+                const auto& [taps, blurs] = subject.plain;
+                const auto [loop, is_new] =
+                    loops_.try_emplace({taps.slices, taps.steps, static_cast<std::uint32_t>(blurs)},
+                                       place_.device, place_.passes, extent_, taps, blurs);
+                return plain_visit(loop->second, views, round);
+            }
             case Kind::depth_truth:
                 return depth_truth_of(views, round);
             case Kind::truth:
@@ -279,7 +274,7 @@ class SizeRun {
     std::map<std::string, std::shared_ptr<BenchmarkViews>> views_;
     std::optional<effect::AmbientOcclusion> closed_form_;  // of their images
     std::map<bool, ConfigurationStudy> studies_;           // by Subject::hoisted
-    std::map<std::array<std::uint32_t, 5>, PlainRun> loops_;
+    std::map<std::array<std::uint32_t, 3>, effect::PlainSlices> loops_;
     std::set<Quantity> measures_;  // of its tables
 };
 
@@ -288,7 +283,6 @@ class SizeRun {
 void run(const Experiment& experiment, const std::vector<backend::Extent>& sizes, const Place& place,
          Record& record) {
     for (const backend::Extent extent : sizes) {
-        require_possible(experiment, place);
         if (experiment.rounds > 0) effect::require_timestamps(place.device.info());
         SizeRun(experiment, extent, place, record).run();
     }

@@ -38,9 +38,9 @@ void require_possible(const Experiment& experiment, const Place& place);
 
 // Measures every candidate of every case at every size, in rounds, but for the visits that the record has,
 // and adds them to it. Round 0 gives the errors and compiles, the others give times. Every other round visits
-// the candidates in reverse, so that the machine's drift affects all alike. Throws like require_possible(),
-// BenchmarkViews and effect::AmbientOcclusion, and std::runtime_error for a device without timestamps if
-// there are rounds.
+// the candidates in reverse, so that the machine's drift affects all alike. Requires what require_possible()
+// does. Throws like BenchmarkViews and effect::AmbientOcclusion, and std::runtime_error for a device without
+// timestamps if there are rounds.
 void run(const Experiment& experiment, const std::vector<backend::Extent>& sizes, const Place& place,
          Record& record);
 

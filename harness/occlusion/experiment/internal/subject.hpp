@@ -31,7 +31,7 @@ struct Subject {
 // The view of a case in closed form. Throws std::invalid_argument that lists the names.
 [[nodiscard]] scene::ClosedFormView closed_form_of(const Case& one);
 
-// The frames of a case at a size of the experiment, without the truth of the depth buffer.
+// The frames of a case at a size of the experiment.
 [[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one,
                                         backend::Extent extent);
 
