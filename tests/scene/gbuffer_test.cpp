@@ -27,17 +27,11 @@ GBuffer example(const Camera& camera = {}) {
 }
 
 void expect_same(const GBuffer& got, const GBuffer& want) {
-    EXPECT_EQ(got.extent, want.extent);
+    EXPECT_EQ(frame_json(got, 0), frame_json(want, 0));
     EXPECT_EQ(got.depth, want.depth);
     EXPECT_EQ(got.normal, want.normal);
     EXPECT_EQ(got.motion, want.motion);
-    EXPECT_EQ(got.previous_depth, want.previous_depth);
     EXPECT_EQ(got.layers, want.layers);
-    EXPECT_EQ(got.camera.view, want.camera.view);
-    EXPECT_EQ(got.camera.proj_vk, want.camera.proj_vk);
-    EXPECT_EQ(got.camera.previous_view, want.camera.previous_view);
-    EXPECT_EQ(got.ao_radius, want.ao_radius);
-    EXPECT_EQ(got.border, want.border);
 }
 
 using GBufferTest = InFolder;
@@ -51,9 +45,8 @@ TEST_F(GBufferTest, WhatIsWrittenIsRead) {
             projection == Projection::perspective ? Border(backend::Extent{1, 0}) : Border(0, 0, 2, 1);
         frames.back().camera.previous_view = make_frame({.eye = {1, 2, 3.5}}, 1.5).view;
     }
-    constexpr double endless = std::numeric_limits<double>::infinity();
     for (const bool reversed : {false, true})
-        frames.push_back(example({.far = endless, .reversed_z = reversed}));
+        frames.push_back(example({.far = double{infinity}, .reversed_z = reversed}));
     frames.push_back({.extent = {3, 2}, .depth = example().depth, .camera = make_frame({}, 1.5)});
     frames.push_back(example());
     frames.back().layers = {{-2, 3, infinity, 4, 5, 6}, {5, 6, 7, 8, 9, 10}};
@@ -68,14 +61,13 @@ TEST_F(GBufferTest, WhatIsWrittenIsRead) {
     EXPECT_EQ(frames_of(folder.path()), numbers);
 }
 
-// A frame of one pixel, with what `change` does to its description.
-template <class Change>
-GBuffer one_pixel(Change change) {
+// A frame of one pixel by that camera, with a change of its description, in which null removes a key.
+GBuffer one_pixel(const Camera& camera, const char* change) {
     const TemporaryDirectory folder;
-    const GBuffer view{.extent = {1, 1}, .depth = {2.5F}, .camera = make_frame({}, 1.0)};
+    const GBuffer view{.extent = {1, 1}, .depth = {2.5F}, .camera = make_frame(camera, 1.0)};
     write_frame(folder, 0, view);
     json description = json::parse(frame_json(view, 0));
-    change(description);
+    description.merge_patch(json::parse(change));
     folder.write("f0000.json", description.dump());
     return read_gbuffer(folder.path(), 0);
 }
@@ -86,28 +78,16 @@ void expect_close(const glm::mat4& got, const glm::mat4& want) {
 
 TEST_F(GBufferTest, EitherProjectionWillDoOrPlanesAndAngle) {
     for (const Camera& camera :
-         {Camera{}, Camera{.reversed_z = true}, Camera{.projection = Projection::orthographic}}) {
-        const CameraFrame want = make_frame(camera, 1.0);
-        const auto gbuffer = one_pixel([&](json& description) {
-            description["camera"] = {{"view", description["camera"]["view"]}, {"proj_gl", json::array()}};
-            const glm::dmat4 gl = gl_from_vk(want.proj_vk);
-            for (int i = 0; i < 16; ++i) description["camera"]["proj_gl"].push_back(gl[i / 4][i % 4]);
-        });
-        expect_close(gbuffer.camera.proj_vk, want.proj_vk);
-    }
-    const auto lens = one_pixel([](json& description) {
-        json& camera = description["camera"];
-        camera = {
-            {"view", camera["view"]}, {"near", 0.25}, {"far", 40.0}, {"fovy_rad", 1.1}, {"aspect", 1.0}};
-    });
+         {Camera{}, Camera{.reversed_z = true}, Camera{.projection = Projection::orthographic}})
+        expect_close(one_pixel(camera, R"({"camera": {"proj_vk": null}})").camera.proj_vk,
+                     make_frame(camera, 1.0).proj_vk);
+    const GBuffer lens =
+        one_pixel({}, R"({"camera": {"proj_vk": null, "proj_gl": null, "near": 0.25, "far": 40,
+                                                      "fovy_rad": 1.1, "aspect": 1}})");
     expect_close(lens.camera.proj_vk, make_frame({.fovy_rad = 1.1, .near = 0.25, .far = 40.0}, 1.0).proj_vk);
     // Beside a projection they are not looked at, nor are keys that are not known.
-    const auto unused = one_pixel([](json& description) {
-        description["camera"]["near"] = -5;
-        description["camera"]["prev_view"] = nullptr;
-        description["unknown"] = {{"key", "is ignored"}};
-        description.erase("frame");
-    });
+    const GBuffer unused =
+        one_pixel({}, R"({"camera": {"near": -5}, "unknown": {"key": "is ignored"}, "frame": null})");
     expect_close(unused.camera.proj_vk, make_frame({}, 1.0).proj_vk);
     EXPECT_FALSE(unused.camera.previous_view || unused.ao_radius);
 }
@@ -178,7 +158,6 @@ class GBufferError : public InFolder {
 
 TEST_F(GBufferError, Folders) {
     expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 1); }, {"f0001.json"});
-    expect_error<std::runtime_error>([&] { (void)frames_of(folder.path() / "none"); }, {"none"});
     const TemporaryDirectory empty;
     expect_error<std::runtime_error>([&] { (void)frames_of(empty.path()); },
                                      {empty.path().c_str(), "f0000.json"});
@@ -203,13 +182,11 @@ TEST_F(GBufferError, Files) {
                                 {"f0000_normal.pfm", good, {"1 channel", "3 channels"}},
                                 {"f0000_previous_depth.pfm", good, {"motion"}},
                                 {"f0000_layer2.pfm", good, {"the layer before it"}},
-                                {"f0000_layer1.pfm", pfm_text({1, 2}, {5, 6}), {"1x2", "expected 2x1"}},
                                 {"f0000.json", ""},
                                 {"f0000.json", "{"},
                                 {"f0000.json", "[1, 2]"},
                                 {"f0000.json", "null"},
                                 {"f0000.json", R"({"width": 2, "height": 1})"},
-                                {"f0000.json", R"({"width": })"},
                                 {"f0000.json", "\x01\xff"}};
     for (const Row& row : rows) {
         SCOPED_TRACE(row.file + (": " + row.text));
@@ -310,9 +287,7 @@ TEST_F(Exr, AreReadToTheBit) {
         SCOPED_TRACE(row.names.front());
         write_exr(path("a.exr"), row.width, row.height, row.names, row.texels, row.type, row.origin);
         const auto image = read_exr(path("a.exr"), static_cast<int>(row.names.size()));
-        EXPECT_EQ(image.width, static_cast<std::uint32_t>(row.width));
-        EXPECT_EQ(image.height, static_cast<std::uint32_t>(row.height));
-        EXPECT_EQ(image.channels, static_cast<int>(row.names.size()));
+        EXPECT_EQ((std::pair<int, int>(image.width, image.height)), std::pair(row.width, row.height));
         EXPECT_EQ(bits(image.texels), bits(row.texels));
     }
     write_exr(path("a.exr"), 1, 1, {"A", "R", "G", "B"}, {9, 1, 2, 3});
