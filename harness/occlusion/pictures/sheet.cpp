@@ -18,24 +18,6 @@ std::uint8_t visibility_byte(float occlusion) {
     return static_cast<std::uint8_t>(std::lround(255.0F * (1.0F - std::fmin(occlusion, 1.0F))));
 }
 
-}  // namespace
-
-base::RgbBytes visibility_rgb(std::span<const float> occlusion) {
-    base::RgbBytes rgb;
-    rgb.reserve(3 * occlusion.size());
-    for (const float value : occlusion) rgb.insert(rgb.end(), 3, visibility_byte(value));
-    return rgb;
-}
-
-std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t width, std::uint32_t height) {
-    std::vector<std::uint8_t> grey;
-    grey.reserve(occlusion.size());
-    for (const float value : occlusion) grey.push_back(visibility_byte(value));
-    return base::to_png(grey, width, height, 1);
-}
-
-namespace {
-
 constexpr std::uint8_t paper = 228;       // light grey: pictures of open surfaces are white
 constexpr std::uint32_t least_text = 13;  // pixels from line to line
 constexpr std::size_t most_lines = 3;     // of a caption
@@ -161,6 +143,20 @@ std::vector<std::string_view> lines_of(const Font& font, std::string_view captio
 }
 
 }  // namespace
+
+base::RgbBytes visibility_rgb(std::span<const float> occlusion) {
+    base::RgbBytes rgb;
+    rgb.reserve(3 * occlusion.size());
+    for (const float value : occlusion) rgb.insert(rgb.end(), 3, visibility_byte(value));
+    return rgb;
+}
+
+std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t width, std::uint32_t height) {
+    std::vector<std::uint8_t> grey;
+    grey.reserve(occlusion.size());
+    for (const float value : occlusion) grey.push_back(visibility_byte(value));
+    return base::to_png(grey, width, height, 1);
+}
 
 std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t width, std::uint32_t height,
                          std::size_t columns) {
