@@ -133,8 +133,8 @@ class OnDevice : public Base {
     // A view of a built-in scene, drawn once for all tests of a suite.
     [[nodiscard]] const scene::GBuffer& drawn(const std::string& scene, backend::Extent extent,
                                               const scene::DrawOptions& options = {}) const {
-        const auto& [frame, motion, ids, color, layers, guard] = options;
-        const Drawing drawing{scene, extent.width, extent.height, frame, motion, ids, color, layers, guard};
+        const auto& [frame, motion, color, layers, guard] = options;
+        const Drawing drawing{scene, extent.width, extent.height, frame, motion, color, layers, guard};
         const auto known = shared_->drawn.find(drawing);
         if (known != shared_->drawn.end()) return known->second;
         return shared_->drawn.emplace(drawing, drawn(scene::make_scene(scene), extent, options))
@@ -164,7 +164,7 @@ class OnDevice : public Base {
 
   private:
     // What is drawn: scene, extent and options.
-    using Drawing = std::tuple<std::string, std::uint32_t, std::uint32_t, int, bool, bool, bool, int, double>;
+    using Drawing = std::tuple<std::string, std::uint32_t, std::uint32_t, int, bool, bool, int, double>;
 
     struct Shared {
         scene::PassLibrary passes{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};

@@ -21,7 +21,7 @@ class Pictures : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame,
                                       backend::Extent size = extent) const {
-        return drawn(scene, size, {.frame = frame, .motion = true, .ids = true});
+        return drawn(scene, size, {.frame = frame, .motion = true});
     }
 
     [[nodiscard]] static Truth truth(const scene::Scene& scene, int frame, const scene::GBuffer& view) {
@@ -178,7 +178,7 @@ TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "glmark2-data is not installed";
     constexpr backend::Extent size{640, 360};
     const scene::Scene scene =
-        scene::mesh_scene(scene::standing(scene::load_mesh(file), {0, 1, 0}, 1.0), "horse",
+        scene::mesh_scene(scene::standing(scene::read_mesh(file), {0, 1, 0}, 1.0), "horse",
                           {.aspect = double{size.width} / double{size.height}});
     const scene::GBuffer now = view(scene, 0, size);
     const Truth traced = truth(scene, 0, now);

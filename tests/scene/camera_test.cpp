@@ -4,7 +4,7 @@
 
 namespace gloam::scene::test::camera_test {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double endless{infinity};
 constexpr double aspect = 1.5;
 
 TEST(Camera, ViewTakesTheEyeToTheOriginAndLooksAlongMinusZ) {
@@ -37,11 +37,7 @@ void expect_projection(const Camera& camera, double middle) {
     // A unit in the last place of an element near 1, over the slope 1 / (far - near) or steeper.
     const Planes planes = planes_of(frame.proj_vk);
     EXPECT_NEAR(planes.near, camera.near, 0x1p-23 * 20.0);
-    if (std::isinf(camera.far)) {
-        EXPECT_EQ(planes.far, endless);
-    } else {
-        EXPECT_NEAR(planes.far, camera.far, 0x1p-23 * 20.0 * 20.0 / 0.5);
-    }
+    EXPECT_NEAR(1.0 / planes.far, 1.0 / camera.far, 0x1p-23 / 0.5);
     EXPECT_EQ(planes.reversed_z, camera.reversed_z);
 }
 
@@ -59,7 +55,6 @@ TEST(Camera, ProjectsItsCornersAndPlanes) {
 }
 
 TEST(Camera, Impossible) {
-    constexpr auto orthographic = Projection::orthographic;
     const std::vector<Camera> cameras{
         {.eye = {1, 1, 1}, .target = {1, 1, 1}},
         {.eye = {nan, 0, 0}},
@@ -74,9 +69,6 @@ TEST(Camera, Impossible) {
         {.near = 5.0, .far = 5.0},
         {.far = nan},
         {.near = endless, .far = endless},
-        {.projection = orthographic, .far = endless},
-        {.projection = orthographic, .view_height = 0.0},
-        {.projection = orthographic, .view_height = endless},
     };
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         SCOPED_TRACE(i);

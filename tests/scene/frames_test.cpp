@@ -5,10 +5,10 @@
 namespace gloam::scene::test::frames_test {
 
 GBuffer shot(const Scene& scene, int number) {
-    return draw(scene, {96, 54}, {.frame = number, .motion = true, .ids = true});
+    return draw(scene, {96, 54}, {.frame = number, .motion = true});
 }
 
-// tests/tools/render_test.cpp has the cuts of files, tests/effect a pass that finds what link() finds.
+// tests/tools/stories has the cuts of files, tests/effect a pass that finds what link() finds.
 TEST(FrameLink, WithoutMotionTheMatricesTell) {
     const Scene scene = make_scene("far");  // 128 km from the origin
     GBuffer drawn = shot(scene, 5);
@@ -43,12 +43,10 @@ glm::vec3 earlier(const glm::vec3& motion, std::vector<float> previous_depth, fl
 TEST(FrameLink, MotionThatIsNotValid) {
     const glm::vec3 none(0);
     EXPECT_EQ(earlier({0, 0, 0}, {}), none) << "it leads into the image, so nothing is known";
-    EXPECT_EQ(earlier({-1, 0, 0}, {}), none);
     EXPECT_LT(earlier({1, 0, 0}, {}).x, earlier({0, 0, 1}, {}).x) << "outside: that is where it was";
     EXPECT_EQ(earlier({0, 0, 1}, {3, 3}).z, -3.0F);
     for (const float bad : {nan, infinity, 0.0F, -1.0F}) EXPECT_EQ(earlier({0, 0, 1}, {bad, 1}), none) << bad;
     EXPECT_EQ(earlier({0, 0, 1}, {}, infinity), none) << "background";
-    EXPECT_EQ(earlier({0, 0, 1}, {}, nan), none);
 }
 
 TEST(GuardBand, IsWholePixelsOfEachSide) {
@@ -57,10 +55,6 @@ TEST(GuardBand, IsWholePixelsOfEachSide) {
     EXPECT_EQ(guard_border({5, 4}, 0.1), (backend::Extent{1, 0}));     // one half is rounded up
     EXPECT_EQ(guard_border({640, 360}, 0.0), backend::Extent{});
     EXPECT_EQ(with_border({640, 360}, backend::Extent{64, 36}), (backend::Extent{768, 432}));
-    for (const backend::Extent border :
-         {backend::Extent{4, 0}, backend::Extent{0, 3}, backend::Extent{0xFFFFFFFF, 0}})
-        expect_error<std::invalid_argument>([&] { (void)frame_of({.extent = {8, 6}, .border = border}); },
-                                            {"guard band", "no frame"});
 }
 
 TEST(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
@@ -110,27 +104,25 @@ TEST(OrthographicViews, BehindTheEyesPlaneAreReadAsTheSameView) {
             glm::dmat4 projection =
                 make_frame({.projection = Projection::orthographic, .reversed_z = reversed}, 1.0).proj_vk;
             for (const int axis : {0, 1}) projection[axis][axis] = view.camera.proj_vk[axis][axis];
+            constexpr double ahead = 50.0;  // the eye stands there
+            const glm::dmat4 shift{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -ahead, 1}};
+            GBuffer moved = view;
+            moved.camera.proj_vk = glm::mat4(projection * shift);
+            moved.camera.view = glm::mat4(glm::inverse(shift) * glm::dmat4(view.camera.view));
+            const CameraFrame unmoved{.proj_vk = glm::mat4(projection)};
+            for (float& d : moved.depth)
+                d = static_cast<float>(buffer ? stored_depth(double{d}, encoding, unmoved)
+                                              : double{d} - ahead);
             const TemporaryDirectory folder;
-            std::vector<GBuffer> read;
-            for (const double by : {0.0, 50.0}) {  // that the eye stands ahead
-                GBuffer moved = view;
-                const glm::dmat4 shift{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -by, 1}};
-                moved.camera.proj_vk = glm::mat4(projection * shift);
-                moved.camera.view = glm::mat4(glm::inverse(shift) * glm::dmat4(view.camera.view));
-                const CameraFrame unmoved{.proj_vk = glm::mat4(projection)};
-                for (float& d : moved.depth)
-                    d = static_cast<float>(buffer ? stored_depth(double{d}, encoding, unmoved)
-                                                  : double{d} - by);
-                write_frame(folder, 0, moved);
-                read.push_back(read_gbuffer(folder.path(), 0, encoding));
-            }
-            EXPECT_GT(planes_of(read[1].camera.proj_vk).near, 0.0);
+            write_frame(folder, 0, moved);
+            const GBuffer read = read_gbuffer(folder.path(), 0, encoding);
+            EXPECT_GT(planes_of(read.camera.proj_vk).near, 0.0);
             for (std::size_t i = 0; i < view.depth.size(); ++i) {
                 const auto world = [&](const GBuffer& one) {
                     return glm::inverse(glm::dmat4(one.camera.view)) *
                            glm::dvec4(PixelPositions(one).at(i, double{one.depth[i]}), 1.0);
                 };
-                ASSERT_LT(glm::distance(world(read[0]), world(read[1])), 1e-4) << i;
+                ASSERT_LT(glm::distance(world(view), world(read)), 1e-4) << i;
             }
         }
     }

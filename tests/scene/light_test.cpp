@@ -25,7 +25,7 @@ constexpr backend::Extent size{33, 33};
 // A floor, and a ball above its middle; seen from right above, so that no pixel sees what is below the ball.
 Scene ball_on_floor() {
     Scene scene{.name = "ball", .mesh = make_parallelogram({-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, 40.0)};
-    append(scene.mesh, make_sphere({0, 2, 0}, 0.5, 32, 64));
+    append(scene.mesh, make_sphere({0, 2, 0}, 0.5, 32));
     scene.camera = {.eye = {0, 8, 0}, .target = {0, 0, 0}, .up = {0, 0, -1}, .fovy_rad = 1.2};
     return scene;
 }
@@ -46,38 +46,33 @@ struct Known {
 };
 
 constexpr std::size_t middle = 33 * 16 + 16;
+constexpr std::size_t aside = middle + 12;
 constexpr glm::vec3 none(0.0F);
 constexpr glm::vec3 ambient_light{0.35F, 0.385F, 0.434F};
+constexpr glm::vec3 sunlight{0.3049F, 0.2795F, 0.2337F};
+constexpr glm::vec3 lamplight{0.35F, 0.3208F, 0.2683F};
+constexpr glm::vec3 sky{0.62F, 0.67F, 0.73F};
+void red(Scene&, GBuffer& view) {
+    view.color.assign(view.depth.size(), {default_color.x, 0.0F, 0.0F});
+}
 const Known known[] = {
-    {"open", middle + 12, {0.3049F, 0.2795F, 0.2337F}, ambient_light},
+    {"open", aside, sunlight, ambient_light},
     {"in the ball's shadow, away from the sun", middle - 4 * 33 + 4, none, ambient_light},
-    {"sky", 0, {0.62F, 0.67F, 0.73F}, none, [](Scene&, GBuffer& view) { view.depth[0] = infinity; }},
-    {"no depth", 0, {0.62F, 0.67F, 0.73F}, none, [](Scene&, GBuffer& view) { view.depth[0] = nan; }},
-    {"red",
-     middle + 12,
-     {0.3049F, 0, 0},
-     {0.35F, 0, 0},
-     [](Scene&, GBuffer& view) { view.color.assign(view.depth.size(), {default_color.x, 0.0F, 0.0F}); }},
-    {"normals from depth",
-     middle + 12,
-     {0.3049F, 0.2795F, 0.2337F},
-     ambient_light,
+    {"sky", 0, sky, none, [](Scene&, GBuffer& view) { view.depth[0] = infinity; }},
+    {"no depth", 0, sky, none, [](Scene&, GBuffer& view) { view.depth[0] = nan; }},
+    {"red", aside, {sunlight.x, 0, 0}, {ambient_light.x, 0, 0}, red},
+    {"normals from depth", aside, sunlight, ambient_light,
      [](Scene&, GBuffer& view) { view.normal.clear(); }},
-    {"beside the ball below a lamp",
-     middle + 12,
-     {0.35F, 0.3208F, 0.2683F},
-     ambient_light,
-     [](Scene& scene, GBuffer&) { scene.lamp = {0, 6, 0}; }},
+    {"under a lamp", aside, lamplight, ambient_light, [](Scene& scene, GBuffer&) { scene.lamp = {0, 6, 0}; }},
     {"below the ball", middle, none, ambient_light, [](Scene& scene, GBuffer&) { scene.lamp = {0, 6, 0}; }},
-    {"a lamp under the floor", middle + 12, none, ambient_light,
-     [](Scene& scene, GBuffer&) { scene.lamp = {0, -6, 0}; }}};
+    {"over a lamp", aside, none, ambient_light, [](Scene& scene, GBuffer&) { scene.lamp = {0, -6, 0}; }}};
 
 TEST(Lighting, OfKnownPixels) {
     for (const auto& [what, pixel, direct, ambient, change] : known) {
         Scene scene = ball_on_floor();
         GBuffer view = floor_view(scene);
         change(scene, view);
-        const SplitLight light = light_of(view, &scene);
+        const SplitLight light = picture_light(view, view, 1, &scene).light;
         EXPECT_LT(glm::distance(light.direct[pixel], direct), 1e-3F) << what;
         EXPECT_LT(glm::distance(light.ambient[pixel], ambient), 1e-3F) << what;
     }

@@ -6,7 +6,7 @@
 
 namespace gloam::scene::test::mesh_test {
 
-using LoadMesh = InFolder;
+using ReadMesh = InFolder;
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
@@ -18,7 +18,7 @@ std::string roof(double slope) {
 
 // Faces that meet at 90 degrees keep their own normals. Polygons become triangles with a common diagonal,
 // lines are left out.
-TEST_F(LoadMesh, FlatFaces) {
+TEST_F(ReadMesh, FlatFaces) {
     struct Row {
         const char* name;
         std::string text;
@@ -31,7 +31,7 @@ TEST_F(LoadMesh, FlatFaces) {
           Row{"line.obj", "v 9 9 9\nv 8 8 8\nl 1 2\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 4 5\n", 1, 3},
           Row{"roof.obj", roof(1.0), 4, 8}}) {
         SCOPED_TRACE(name);
-        const Mesh mesh = load_mesh(folder.write(name, text));
+        const Mesh mesh = read_mesh(folder.write(name, text));
         EXPECT_EQ(mesh.triangle_count(), triangles);
         EXPECT_EQ(mesh.positions.size(), vertices);
         for (std::size_t i = 0; i < mesh.indices.size(); ++i)
@@ -42,9 +42,9 @@ TEST_F(LoadMesh, FlatFaces) {
 }
 
 // At 23 degrees: the ridge's normals are the mean, the eaves' their face's.
-TEST_F(LoadMesh, SmoothNormalsWhereFacesMeetAtASmallAngle) {
+TEST_F(ReadMesh, SmoothNormalsWhereFacesMeetAtASmallAngle) {
     constexpr float slope = 0.2F;
-    const Mesh mesh = load_mesh(folder.write("a.obj", roof(slope)));
+    const Mesh mesh = read_mesh(folder.write("a.obj", roof(slope)));
     EXPECT_EQ(mesh.triangle_count(), 4U);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const float x = mesh.positions[i].x;
@@ -52,40 +52,19 @@ TEST_F(LoadMesh, SmoothNormalsWhereFacesMeetAtASmallAngle) {
     }
 }
 
-TEST_F(LoadMesh, DegenerateTrianglesHaveUnitNormals) {
-    const Mesh mesh = load_mesh(folder.write("a.obj", triangle + "v 5 5 5\nf 4 4 4\n"));
+TEST_F(ReadMesh, DegenerateTrianglesHaveUnitNormals) {
+    const Mesh mesh = read_mesh(folder.write("a.obj", triangle + "v 5 5 5\nf 4 4 4\n"));
     for (const glm::vec3& normal : mesh.normals) EXPECT_NEAR(glm::length(normal), 1.0F, 1e-6F);
 }
 
-TEST_F(LoadMesh, Bunny) {
-    const std::filesystem::path file = installed_meshes() / "bunny.obj";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "glmark2-data is not installed";
-    const Mesh mesh = load_mesh(file);
-    EXPECT_GT(mesh.triangle_count(), 1000U);
-    EXPECT_LT(mesh.positions.size(), mesh.triangle_count());  // vertices are shared
-    expect_whole(mesh);
-    const Mesh apart = read_mesh(file);
-    EXPECT_EQ(bits(components(apart.positions)), bits(components(mesh.positions)));
-    EXPECT_EQ(bits(components(apart.normals)), bits(components(mesh.normals)));
-    EXPECT_EQ(apart.indices, mesh.indices);
-}
-
-TEST_F(LoadMesh, Unreadable) {
-    const auto expect = [](const std::filesystem::path& file, std::initializer_list<std::string> parts) {
-        expect_error<std::runtime_error>([&] { (void)load_mesh(file); }, parts);
-        expect_error<std::runtime_error>([&] { (void)read_mesh(file); }, parts);
-    };
-    expect(path("none.obj"), {"none.obj", "no such file"});
-    expect(folder.path(), {folder.path().c_str(), "not a file"});
-    for (const auto& [name, text] : {std::pair{"empty.obj", ""},
-                                     {"a.unknown", "what"},
-                                     {"text.ply", "not a mesh\n"},
-                                     {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
-                                     {"lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"}})
-        expect(folder.write(name, text), {name});
-    for (const char* bad : {"nan", "inf", "-inf", "1e39"})
-        expect(folder.write("bad.obj", fmt::format("v 0 0 0\nv 1 {} 0\nv 0 1 0\nf 1 2 3\n", bad)),
-               {"bad.obj", "vertex 1", "finite"});
+// tests/tools/stories has files that are no meshes.
+TEST_F(ReadMesh, Unreadable) {
+    for (const auto& [name, text, why] :
+         {std::tuple{"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no triangle"},
+          {"lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "no triangle"},
+          {"large.obj", "v 0 0 0\nv 1 1e39 0\nv 0 1 0\nf 1 2 3\n",
+           "vertex 1 is (1, inf, 0), expected finite"}})
+        expect_error<std::runtime_error>([&] { (void)read_mesh(folder.write(name, text)); }, {name, why});
 }
 
 // All of the first vertices are inside the view; the largest part of half an image's side that they reach.

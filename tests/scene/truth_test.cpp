@@ -7,7 +7,7 @@
 namespace gloam::scene::test::truth_test {
 
 GBuffer shot(const Scene& scene, backend::Extent extent, int frame = 0) {
-    return draw(scene, extent, {.frame = frame, .ids = true});
+    return draw(scene, extent, {.frame = frame});
 }
 
 TruthSettings settings(double radius, int rays) {

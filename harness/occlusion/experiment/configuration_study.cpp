@@ -112,7 +112,6 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
         views.push_back(scene::draw(scene_, frames_.extent,
                                     {.frame = frames_.still ? 0 : i,
                                      .motion = frames_.motion.value_or(!scene_.objects.empty()),
-                                     .ids = !scene_.objects.empty(),
                                      .layers = layers,
                                      .guard = guard}));
         if (frames_.still && i > 0) views.back().camera.previous_from_current = glm::mat4(1.0F);

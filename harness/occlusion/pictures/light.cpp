@@ -119,24 +119,18 @@ class Lighting {
     std::optional<scene::RayScene> blockers_;
 };
 
-}  // namespace
-
 SplitLight light_of(const scene::GBuffer& view, const scene::Scene* scene, const LightingOptions& options) {
     const std::size_t pixels = view.depth.size();
     SplitLight light{.ambient = std::vector<glm::vec3>(pixels, glm::vec3(0)),
                      .direct = std::vector<glm::vec3>(pixels, glm::vec3(0))};
     const Lighting lighting(view, scene, options);
-    base::for_each_index(
-        view.extent.height, 0,
-        [&](std::size_t row) {
-            for (std::size_t x = 0; x < view.extent.width; ++x)
-                lighting.light(row * view.extent.width + x, light);
-        },
-        options.progress);
+    const auto light_row = [&](std::size_t row) {
+        for (std::size_t x = 0; x < view.extent.width; ++x)
+            lighting.light(row * view.extent.width + x, light);
+    };
+    base::for_each_index(view.extent.height, 0, light_row, options.progress);
     return light;
 }
-
-namespace {
 
 constexpr double same_surface = 0.006;  // of the depth
 

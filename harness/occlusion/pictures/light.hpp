@@ -24,12 +24,6 @@ struct LightingOptions {
     std::function<void(double)> progress{};  // called with the completed part, in [0, 1]
 };
 
-// The light of a view without its guard band: diffuse surfaces with GBuffer::color, or default_color.
-// `scene`: the scene that casts shadows, in the frame that the view shows; nullptr: no shadows, light of the
-// sun. Missing normals are reconstructed from depth. Bit-identical for any number of threads.
-[[nodiscard]] SplitLight light_of(const scene::GBuffer& view, const scene::Scene* scene,
-                                  const LightingOptions& options = {});
-
 // The light of a picture at several samples of each pixel, so that its edges are smooth. The occlusion stays
 // that of the pixels: a sample shows the pixel of `pixel`.
 struct PictureLight {
@@ -53,7 +47,10 @@ struct PictureLight {
 
 // The light of a view without its guard band, at the samples of `fine`: the same view with `samples` times as
 // many pixels on each side. A sample shows its own pixel, unless it is off the plane of that pixel's surface
-// by more than 0.6 % of its depth; then that of the 3 x 3 pixels around it whose plane is nearest.
+// by more than 0.6 % of its depth; then that of the 3 x 3 pixels around it whose plane is nearest. Surfaces
+// are diffuse, with GBuffer::color, or default_color. `scene`: the scene that casts shadows, in the frame
+// that the view shows; nullptr: no shadows, light of the sun. Missing normals are reconstructed from depth.
+// Bit-identical for any number of threads.
 [[nodiscard]] PictureLight picture_light(const scene::GBuffer& view, const scene::GBuffer& fine, int samples,
                                          const scene::Scene* scene, const LightingOptions& options = {});
 

@@ -28,10 +28,6 @@ double wall_integral(double c, double end) {
     return antiderivative(std::clamp(end, -reach, reach)) - antiderivative(-reach);
 }
 
-double wall_occlusion(double c) {
-    return corner_occlusion(c, 1.0, 1.0);
-}
-
 constexpr double far = 64.0;  // half a side of a plane
 
 // A rectangle around the y axis: from `from` to `to`, 2 far wide.
@@ -118,7 +114,7 @@ std::vector<ClosedFormView> closed_form_views(Projection projection) {
     for (const double degrees : {0.0, 30.0, 60.0})
         add(fmt::format("plane {:g}", degrees), {floor()}, tilted(degrees * pi / 180.0), 0.0);
     for (const double x : {0.25, 0.5, 0.75})
-        add(fmt::format("wall {:g}", x), {floor(), wall(x)}, tilted(quarter), wall_occlusion(x));
+        add(fmt::format("wall {:g}", x), {floor(), wall(x)}, tilted(quarter), corner_occlusion(x, 1.0, 1.0));
     // A floor under a ceiling at 0.5 R, seen from between them, 2 R away, where the floor is seen at an angle
     // of 7 degrees.
     const double between = std::hypot(2.0, 0.25);
@@ -135,7 +131,7 @@ std::vector<ClosedFormView> closed_form_views(Projection projection) {
     add("sphere", {sphere()}, looking(projection, 0.0, orthographic ? 1.0 : 1.9), 1.0 / 12.0);
     // A floor 0.5 R before a block 1.5 R high, seen from straight above; a floor under the edge of a plate
     // without thickness at 0.5 R.
-    add("step", {floor(), wall(0.5, 1.5), roof(1.5, 0.5)}, tilted(0.0), wall_occlusion(0.5));
+    add("step", {floor(), wall(0.5, 1.5), roof(1.5, 0.5)}, tilted(0.0), corner_occlusion(0.5, 1.0, 1.0));
     add("plate", {floor(), roof(0.5, 0.0)}, tilted(pi / 6.0), 0.125);
     return all;
 }

@@ -63,8 +63,8 @@ struct Planes {
 
 // How an engine stores depth and normals.
 struct Encoding {
-    bool depth_buffer =
-        false;                // depth-buffer values in [0, 1] of the frame's projection; otherwise eye-linear
+    // Depth-buffer values in [0, 1] of the frame's projection; otherwise eye-linear.
+    bool depth_buffer = false;
     bool world = false;       // normals in world space; otherwise in view space
     bool octahedral = false;  // normals as two octahedral coordinates; otherwise three components
     bool unorm = false;       // of normals, 0 to 1 stands for -1 to 1; otherwise numbers as they are

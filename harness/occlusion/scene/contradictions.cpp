@@ -23,20 +23,29 @@ struct Surface {
             depths.push_back(double{view.depth[i]});
         }
         std::ranges::sort(depths);
-    }
-
-    // The share of the pixels that satisfy a condition.
-    template <class Condition>
-    [[nodiscard]] double share(Condition condition) const {
-        return static_cast<double>(std::ranges::count_if(pixels, condition)) /
-               static_cast<double>(pixels.size());
+        std::ranges::copy_if(pixels, std::back_inserter(inner), [&](std::size_t i) {
+            const std::size_t width = view.extent.width;
+            const std::size_t x = i % width;
+            const std::size_t y = i / width;
+            return x > 0 && y > 0 && x + 1 < width && y + 1 < view.extent.height &&
+                   is_surface(view.depth[i - 1]) && is_surface(view.depth[i + 1]) &&
+                   is_surface(view.depth[i - width]) && is_surface(view.depth[i + width]);
+        });
     }
 
     const GBuffer& view;
     PixelPositions positions;
     std::vector<std::size_t> pixels;
+    std::vector<std::size_t> inner;  // those between four that show surfaces, too
     std::vector<double> depths;
 };
+
+// The share of the pixels that satisfy a condition; 0 of none.
+template <class Condition>
+double share(const std::vector<std::size_t>& pixels, Condition condition) {
+    return static_cast<double>(std::ranges::count_if(pixels, condition)) /
+           static_cast<double>(std::max<std::size_t>(pixels.size(), 1));
+}
 
 std::string percent(double share) {
     return fmt::format("{:.0f} %", 100.0 * share);
@@ -73,7 +82,7 @@ std::string values_of_no_linear_depth(const Surface& surface) {
                "--depth buffer reads; expected eye-linear depth";
     constexpr double rounding = 1e-3;
     const Planes planes = planes_of(view.camera.proj_vk);
-    const double outside = surface.share([&](std::size_t i) {
+    const double outside = share(surface.pixels, [&](std::size_t i) {
         return view.depth[i] < (1.0 - rounding) * planes.near ||
                view.depth[i] > (1.0 + rounding) * planes.far;
     });
@@ -92,7 +101,7 @@ std::string lengths_that_differ(const Surface& surface, const StoredInputs& as_s
     };
     constexpr float tolerance = 0.05F;
     const auto differs = [&](std::size_t i) { return !(std::abs(length(i) - 1.0F) <= tolerance); };
-    const double wrong = encoding.octahedral ? 0.0 : surface.share(differs);
+    const double wrong = encoding.octahedral ? 0.0 : share(surface.pixels, differs);
     if (wrong <= most) return "";
     const std::size_t first = *std::ranges::find_if(surface.pixels, differs);
     return fmt::format(
@@ -122,15 +131,6 @@ glm::dvec3 normal_by_depth(const Surface& surface, std::size_t i, bool radial = 
     return (away ? -1.0 : 1.0) / glm::length(across) * across;
 }
 
-bool has_neighbours(const GBuffer& view, std::size_t i) {
-    const std::size_t width = view.extent.width;
-    const std::size_t x = i % width;
-    const std::size_t y = i / width;
-    if (x == 0 || y == 0 || x + 1 == width || y + 1 == view.extent.height) return false;
-    return is_surface(view.depth[i - 1]) && is_surface(view.depth[i + 1]) &&
-           is_surface(view.depth[i - width]) && is_surface(view.depth[i + width]);
-}
-
 // Depth that is the distance to the eye bends every surface, at the sides of an image by degrees. Pixels
 // where the two meanings of depth are so far apart are judged: a normal tells one of them that is near to it,
 // and half as far as from the other.
@@ -141,9 +141,9 @@ std::string distances_to_the_eye(const Surface& surface) {
     std::size_t judged = 0;
     std::size_t linear = 0;
     std::size_t radial = 0;
-    for (const std::size_t i : surface.pixels) {
+    for (const std::size_t i : surface.inner) {
         const glm::dvec3 normal(surface.view.normal[i]);
-        if (!has_neighbours(surface.view, i) || normal == glm::dvec3(0)) continue;
+        if (normal == glm::dvec3(0)) continue;
         const glm::dvec3 first = normal_by_depth(surface, i);
         const glm::dvec3 second = normal_by_depth(surface, i, true);
         if (!(glm::distance(first, second) > apart)) continue;
@@ -153,46 +153,37 @@ std::string distances_to_the_eye(const Surface& surface) {
         if (to_first < near && to_first < 0.5 * to_second) ++linear;
         if (to_second < near && to_second < 0.5 * to_first) ++radial;
     }
-    const double share = static_cast<double>(radial) / static_cast<double>(std::max<std::size_t>(judged, 1));
+    const double told = static_cast<double>(radial) / static_cast<double>(std::max<std::size_t>(judged, 1));
     constexpr double least = 0.25;
-    if (judged < too_few_pixels || share < least || radial < 4 * linear) return "";
+    if (judged < too_few_pixels || told < least || radial < 4 * linear) return "";
     return fmt::format(
         "by {} of the normals the depth is the distance to the eye: expected eye-linear depth, the distance "
         "along -z",
-        percent(share));
+        percent(told));
 }
 
 std::string directions_that_differ(const Surface& surface) {
-    const GBuffer& view = surface.view;
-    const PixelPositions& positions = surface.positions;
-    const auto to_eye = [&](std::size_t i) {
-        return positions.orthographic() ? glm::dvec3(0, 0, 1)
-                                        : -glm::normalize(positions.at(i, double{view.depth[i]}));
-    };
-    constexpr double grazing = -0.05;
-    const double away = surface.share(
-        [&](std::size_t i) { return glm::dot(glm::dvec3(view.normal[i]), to_eye(i)) < grazing; });
+    const auto normal = [&](std::size_t i) { return glm::dvec3(surface.view.normal[i]); };
+    constexpr double grazing = 0.05;
+    const double away = share(surface.pixels, [&](std::size_t i) {
+        return glm::dot(normal(i), glm::normalize(surface.positions.ray(i).direction)) > grazing;
+    });
     if (away > most) {
         return fmt::format(
             "{} of the normals face away from the eye: expected normals in view space, which looks down -z, "
             "or in the space that --normals names",
             percent(away));
     }
-    std::size_t judged = 0;
-    std::size_t agree = 0;
-    for (const std::size_t i : surface.pixels) {
-        if (!has_neighbours(view, i)) continue;
-        constexpr double same = 0.866;  // within 30 degrees: bump maps stay within it on most of a surface
-        ++judged;
-        if (glm::dot(normal_by_depth(surface, i), glm::dvec3(view.normal[i])) > same) ++agree;
-    }
+    constexpr double same = 0.866;  // within 30 degrees: bump maps stay within it on most of a surface
     constexpr double least = 0.25;
-    const double share = static_cast<double>(agree) / static_cast<double>(std::max<std::size_t>(judged, 1));
-    if (judged < too_few_pixels || share >= least) return "";
+    const double agree = share(surface.inner, [&](std::size_t i) {
+        return glm::dot(normal_by_depth(surface, i), normal(i)) > same;
+    });
+    if (surface.inner.size() < too_few_pixels || agree >= least) return "";
     return fmt::format(
         "only {} of the normals are within 30 degrees of the surface that the depth shows: expected depth "
         "and normals of one camera, in the spaces and encodings that --depth and --normals name",
-        percent(share));
+        percent(agree));
 }
 
 // From one value that an engine can store as depth to the next: of floats, or where all values are halves or,
@@ -255,7 +246,7 @@ std::string too_coarse_steps(const GBuffer& view, double radius) {
                                                          : depth * depth / projection[3][2];
         return spacing.at(stored[i]) * std::abs(rise) > 0.1 * radius;
     };
-    const double coarse = surface.share(is_coarse);
+    const double coarse = share(surface.pixels, is_coarse);
     if (coarse <= most) return "";
     const Planes planes = planes_of(view.camera.proj_vk);
     return fmt::format(

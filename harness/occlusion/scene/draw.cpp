@@ -85,7 +85,7 @@ class Shot {
         view_.layers.assign(static_cast<std::size_t>(options_.layers - 1), std::vector(pixels, background));
         if (options_.motion) view_.motion = view_.previous_position = view_.normal;
         if (options_.color) view_.color = view_.normal;
-        if (options_.ids) view_.object.assign(pixels, 0);
+        view_.object.assign(pixels, 0);
         base::for_each_index(view_.extent.height, 0, [&](std::size_t row) {
             for (std::size_t x = 0; x < view_.extent.width; ++x) trace(row * view_.extent.width + x);
         });
@@ -96,12 +96,9 @@ class Shot {
     // The value at a surface of what is given for each vertex.
     [[nodiscard]] glm::dvec3 interpolated(const std::vector<glm::vec3>& values,
                                           const RaySurface& surface) const {
+        const std::uint32_t* corner = &mesh_.indices[3 * std::size_t{surface.triangle}];
         glm::dvec3 sum(0);
-        for (int k = 0; k < 3; ++k)
-            sum +=
-                surface.weights[k] *
-                glm::dvec3(
-                    values[mesh_.indices[3 * std::size_t{surface.triangle} + static_cast<std::size_t>(k)]]);
+        for (int k = 0; k < 3; ++k) sum += surface.weights[k] * glm::dvec3(values[corner[k]]);
         return sum;
     }
 
@@ -132,7 +129,7 @@ class Shot {
         view_.normal[pixel] = shading_normal(interpolated(mesh_.normals, surface), surface.facet, away);
         if (options_.color)
             view_.color[pixel] = mesh_.colors.empty() ? default_color : mesh_.colors[surface.triangle];
-        if (options_.ids) view_.object[pixel] = objects_[surface.triangle];
+        view_.object[pixel] = objects_[surface.triangle];
         if (!options_.motion) return;
         view_.previous_position[pixel] = interpolated(earlier_, surface);
         if (options_.frame > 0)

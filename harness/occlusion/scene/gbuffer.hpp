@@ -50,12 +50,12 @@ struct Border {
 // * height elements, or is empty.
 struct GBuffer {
     backend::Extent extent;
-    std::vector<float> depth;  // eye-linear, world units; background +infinity
-    std::vector<glm::vec3>
-        normal;  // view space, unit, facing the viewer; background 0. Empty: from the depth
-    std::vector<glm::vec3> motion;      // dx, dy in pixels (y down), valid. Empty: from the cameras alone
-    std::vector<float> previous_depth;  // with motion: eye-linear depth of the surface point in the camera of
-                                        // the frame before. Empty: from the cameras
+    std::vector<float> depth;       // eye-linear, world units; background +infinity
+    std::vector<glm::vec3> normal;  // view space, unit, to the viewer; background 0. Empty: from the depth
+    std::vector<glm::vec3> motion;  // dx, dy in pixels (y down), valid. Empty: from the cameras alone
+    // With motion: eye-linear depth of the surface point in the camera of the frame before. Empty: from the
+    // cameras.
+    std::vector<float> previous_depth;
     // Surfaces behind depth, nearest first, at most most_further_layers of them: eye-linear depth, negative
     // for a surface seen from behind, which ends the solid in front of it. Not finite: no further surface.
     std::vector<std::vector<float>> layers;
@@ -71,9 +71,8 @@ struct GBuffer {
     // Depth and normals again, as the engine stores them: the effect converts these on the device.
     std::optional<StoredInputs> stored;
 
-    // Only from draw(), on request; previous_position also from link().
-    std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame
-                                               // before; background 0
+    // From draw(); previous_position on request, and from link().
+    std::vector<glm::vec3> previous_position;  // in the view space of the frame before; background 0
     std::vector<std::uint32_t> object;         // 0: static, k: the k-th moving object; background 0
 };
 
@@ -83,8 +82,7 @@ struct GBuffer {
 // band.
 
 // The band in pixels, on the left and right (width) and at top and bottom (height): guard times each side of
-// the frame, rounded to the nearest pixel, halves up. guard: 0 to 0.5; usual values are 0.05 to 0.1. Throws
-// std::invalid_argument for other values.
+// the frame, rounded to the nearest pixel, halves up. guard: 0 to 0.5; usual values are 0.05 to 0.1.
 [[nodiscard]] backend::Extent guard_border(backend::Extent frame, double guard);
 
 // The size of the frame with its band.

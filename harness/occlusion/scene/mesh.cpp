@@ -35,13 +35,8 @@ void append(Mesh& mesh, const Mesh& other) {
     for (const std::uint32_t index : other.indices) mesh.indices.push_back(first + index);
 }
 
-Mesh placed(Mesh mesh, double scale, const glm::dvec3& translation) {
-    for (glm::vec3& position : mesh.positions) position = glm::dvec3(position) * scale + translation;
-    return mesh;
-}
-
-Mesh turned(Mesh mesh, const glm::dmat3& rotation, const glm::dvec3& translation) {
-    for (glm::vec3& p : mesh.positions) p = rotation * glm::dvec3(p) + translation;
+Mesh placed(Mesh mesh, const glm::dmat3& rotation, const glm::dvec3& translation, double scale) {
+    for (glm::vec3& p : mesh.positions) p = rotation * glm::dvec3(p) * scale + translation;
     for (glm::vec3& n : mesh.normals) n = rotation * glm::dvec3(n);
     return mesh;
 }
@@ -104,9 +99,9 @@ Mesh make_cylinder(const glm::dvec3& base_center, double radius, double height, 
     });
 }
 
-Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments) {
-    return make_grid(segments, rings, [&](int x, int y) -> Vertex {
-        const double around = 2.0 * std::numbers::pi * x / segments;
+Mesh make_sphere(const glm::dvec3& center, double radius, int rings) {
+    return make_grid(2 * rings, rings, [&](int x, int y) -> Vertex {
+        const double around = 2.0 * std::numbers::pi * x / (2 * rings);
         const double polar = std::numbers::pi * y / rings;
         const glm::dvec3 out{std::sin(around) * std::sin(polar), -std::cos(polar),
                              std::cos(around) * std::sin(polar)};
@@ -138,7 +133,7 @@ Mesh make_rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int s
     const glm::dvec3 axis = glm::normalize(to - from);
     const glm::dvec3 helper = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 across = glm::normalize(glm::cross(axis, helper));
-    Mesh rod = turned(make_cylinder({0, 0, 0}, radius, glm::distance(from, to), segments),
+    Mesh rod = placed(make_cylinder({0, 0, 0}, radius, glm::distance(from, to), segments),
                       glm::dmat3(across, axis, glm::cross(across, axis)), from);
     append(rod, make_end(from, -axis, across, radius, segments));
     append(rod, make_end(to, axis, across, radius, segments));

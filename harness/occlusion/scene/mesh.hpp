@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -39,23 +38,12 @@ struct Bounds {
 // Appends the triangles of `other`, with their colours.
 void append(Mesh& mesh, const Mesh& other);
 
-// The mesh scaled about the origin, then moved.
-[[nodiscard]] Mesh placed(Mesh mesh, double scale, const glm::dvec3& translation);
-
-// The mesh rotated about the origin, then moved.
-[[nodiscard]] Mesh turned(Mesh mesh, const glm::dmat3& rotation, const glm::dvec3& translation = {0, 0, 0});
+// The mesh rotated and scaled about the origin, then moved.
+[[nodiscard]] Mesh placed(Mesh mesh, const glm::dmat3& rotation, const glm::dvec3& translation,
+                          double scale = 1.0);
 
 // The mesh seen from inside: triangles and normals reversed.
 [[nodiscard]] Mesh inside_out(Mesh mesh);
-
-// Reads any file format that assimp supports; all meshes of the file become one. A mesh without normals gets
-// those of its faces, averaged where the angle between faces is at most 45 degrees. Lines and points are
-// ignored. Throws std::runtime_error with the file's name if it is unreadable or has no triangle, if a vertex
-// is NaN or infinite, or if a face is invalid. A face is invalid without corners, with too many corners, or
-// with vertices that do not exist.
-// Only for trusted files: a malformed file can still crash assimp, or make it run for a long time. For other
-// files see mesh_scene.hpp.
-[[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
 // A parallelogram from `corner` along `u` and `v`, cut into cells of at most `cell` world units a side (large
 // triangles cost depth precision). Its normal is u x v.
@@ -69,8 +57,8 @@ void append(Mesh& mesh, const Mesh& other);
 // least 3.
 [[nodiscard]] Mesh make_cylinder(const glm::dvec3& base_center, double radius, double height, int segments);
 
-// A sphere with smooth normals outwards. rings: of latitude, at least 2. segments: around, at least 3.
-[[nodiscard]] Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments);
+// A sphere with smooth normals outwards. rings: of latitude, at least 2; twice as many segments are around.
+[[nodiscard]] Mesh make_sphere(const glm::dvec3& center, double radius, int rings);
 
 // A straight rod between two different points, with smooth sides and flat ends.
 [[nodiscard]] Mesh make_rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int segments);

@@ -23,15 +23,14 @@ namespace fs = std::filesystem;
 
 // Limits of memory and time for a file: a constant part, and a part that grows with its size.
 base::ProcessLimits limits_for(const fs::path& file) {
-    std::error_code none;
-    const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;
+    const std::uint64_t bytes = fs::file_size(file);
     constexpr std::uint64_t memory = std::uint64_t{1} << 30;
     constexpr std::uint64_t memory_for_byte = 64;
     const auto cpu = std::chrono::seconds(3 + 2 * (bytes >> 20));
     return {.memory_bytes = memory + memory_for_byte * bytes, .cpu = cpu, .patience = 20 * cpu};
 }
 
-// Throws without the file's name; load_mesh() adds it.
+// Throws without the file's name; read_mesh() adds it.
 template <class... Values>
 [[noreturn]] void refuse(fmt::format_string<Values...> what, Values&&... values) {
     throw std::runtime_error(fmt::format(what, std::forward<Values>(values)...));
@@ -91,19 +90,21 @@ void check_finite(const aiMesh& mesh) {
     }
 }
 
+// By the normal of a triangle; its length is twice the area.
+glm::vec3 area_of(const Mesh& mesh, std::size_t triangle) {
+    const std::uint32_t* corner = &mesh.indices[3 * triangle];
+    const glm::vec3 origin = mesh.positions[corner[0]];
+    return glm::cross(mesh.positions[corner[1]] - origin, mesh.positions[corner[2]] - origin);
+}
+
 // Replaces unusable normals (of vertices of triangles without area, and invalid ones of the file) by that of
 // one of the vertex' triangles, or by up.
 void mend_normals(Mesh& mesh) {
     const auto usable = [](const glm::vec3& n) { return is_finite(n) && glm::dot(n, n) > 1e-12F; };
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const std::uint32_t* corner = &mesh.indices[i];
-        const glm::vec3 origin = mesh.positions[corner[0]];
-        const glm::vec3 normal =
-            glm::cross(mesh.positions[corner[1]] - origin, mesh.positions[corner[2]] - origin);
-        if (!usable(normal)) continue;
-        for (int k = 0; k < 3; ++k) {
-            if (!usable(mesh.normals[corner[k]])) mesh.normals[corner[k]] = normal;
-        }
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const glm::vec3 across = area_of(mesh, i / 3);
+        glm::vec3& normal = mesh.normals[mesh.indices[i]];
+        if (usable(across) && !usable(normal)) normal = across;
     }
     for (glm::vec3& normal : mesh.normals)
         normal = usable(normal) ? glm::normalize(normal) : glm::vec3(0, 1, 0);
@@ -123,17 +124,6 @@ void check_scene(const aiScene& scene) {
 glm::vec3 unit_or_zero(const glm::vec3& v) {
     const float length = glm::length(v);
     return length > 0.0F && std::isfinite(length) ? v / length : glm::vec3(0);
-}
-
-// The unit normal of each triangle, 0 for a triangle without area.
-std::vector<glm::vec3> face_normals(const Mesh& mesh) {
-    std::vector<glm::vec3> normals;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const glm::vec3 origin = mesh.positions[mesh.indices[i]];
-        normals.push_back(unit_or_zero(glm::cross(mesh.positions[mesh.indices[i + 1]] - origin,
-                                                  mesh.positions[mesh.indices[i + 2]] - origin)));
-    }
-    return normals;
 }
 
 // The angle of a triangle at a corner (an index of mesh.indices), in radians.
@@ -156,7 +146,8 @@ constexpr float crease_degrees = 45.0F;
 // at most crease_degrees. A vertex where faces meet at a larger angle is split. Triangles without area get
 // the normal 0.
 Mesh with_crease_normals(const Mesh& mesh) {
-    const std::vector<glm::vec3> normals = face_normals(mesh);
+    std::vector<glm::vec3> normals;  // of the triangles
+    for (std::size_t i = 0; i < mesh.triangle_count(); ++i) normals.push_back(unit_or_zero(area_of(mesh, i)));
     std::map<std::array<float, 3>, std::vector<std::size_t>> corners;  // by position, over all vertices there
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         const glm::vec3& p = mesh.positions[mesh.indices[i]];
@@ -185,9 +176,6 @@ Mesh with_crease_normals(const Mesh& mesh) {
 }
 
 Mesh loaded(const fs::path& file) {
-    std::error_code none;
-    if (!fs::exists(file, none)) refuse("no such file");
-    if (!fs::is_regular_file(file, none)) refuse("not a file");
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
@@ -213,7 +201,7 @@ Mesh loaded(const fs::path& file) {
 
 Mesh read_mesh(const fs::path& file) {
     const auto read = [&] {
-        const Mesh mesh = load_mesh(file);
+        const Mesh mesh = loaded(file);
         return bytes_of(mesh.positions, mesh.normals, mesh.indices);
     };
     try {
@@ -223,12 +211,6 @@ Mesh read_mesh(const fs::path& file) {
     } catch (const base::LimitError& error) {
         throw std::runtime_error(
             fmt::format("mesh {}: cannot be read: its reader {}", file.string(), error.what()));
-    }
-}
-
-Mesh load_mesh(const fs::path& file) {
-    try {
-        return loaded(file);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("mesh {}: {}", file.string(), error.what()));
     }

@@ -22,10 +22,8 @@ void check(const MeshView& view) {
     const auto refuse = [](const std::string& what) { throw std::invalid_argument("mesh view: " + what); };
     if (!(std::abs(view.elevation_deg) <= 89.0))
         refuse(fmt::format("elevation of {} degrees, expected -89 to 89", view.elevation_deg));
-    if (!std::isfinite(view.azimuth_deg)) refuse("the azimuth is not finite");
     if (!(view.fovy_deg >= 1.0 && view.fovy_deg <= 170.0))
         refuse(fmt::format("angle of view of {} degrees, expected 1 to 170", view.fovy_deg));
-    if (!(view.aspect > 0.0)) refuse(fmt::format("aspect {}, expected > 0", view.aspect));
 }
 
 // Rows of the rotation that turns the file's up axis into +y and maps axes to axes.
@@ -96,12 +94,12 @@ std::optional<glm::dvec3> axis_named(std::string_view name) {
 }
 
 Mesh standing(Mesh mesh, const glm::dvec3& up, std::optional<double> height) {
-    mesh = turned(std::move(mesh), upright(up));
+    mesh = placed(std::move(mesh), upright(up), {0, 0, 0});
     const Bounds bounds = bounds_of(mesh);
     const double scale = height ? *height / height_of(bounds) : 1.0;
     const glm::dvec3 foot{0.5 * (bounds.low.x + bounds.high.x), bounds.low.y,
                           0.5 * (bounds.low.z + bounds.high.z)};
-    return placed(std::move(mesh), scale, -scale * foot);
+    return placed(std::move(mesh), glm::dmat3(1), -scale * foot, scale);
 }
 
 Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view) {

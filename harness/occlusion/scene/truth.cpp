@@ -113,19 +113,18 @@ TracedTruth open(const GBuffer& view) {
 template <class ReceiverOf>
 TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const TruthSettings& settings,
                   const ReceiverOf& receiver_of) {
-    const std::size_t pixels = view.depth.size();
     TracedTruth truth = open(view);
     truth.rays = tracer.rays();
-    constexpr std::size_t batch = 64;  // pixels of one work item of a thread
-    const auto work = [&](std::size_t index) {
-        for (std::size_t i = index * batch; i < std::min(pixels, (index + 1) * batch); ++i) {
+    const std::size_t width = view.extent.width;
+    const auto trace_row = [&](std::size_t row) {
+        for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
             if (!is_surface(view.depth[i])) continue;
             const OcclusionEstimate estimate = tracer.occlusion(receiver_of(i), i);
             truth.occlusion[i] = static_cast<float>(estimate.occlusion);
             truth.standard_error[i] = static_cast<float>(estimate.standard_error);
         }
     };
-    base::for_each_index((pixels + batch - 1) / batch, settings.threads, work, settings.progress);
+    base::for_each_index(view.extent.height, 0, trace_row, settings.progress);
     return truth;
 }
 
@@ -153,30 +152,22 @@ base::Fingerprint hash_of(char kind, const GBuffer& view, const TruthSettings& s
     return hash;
 }
 
-// The truth in the cache; nothing where it is not there, or not whole.
-std::optional<TracedTruth> read(const fs::path& path, const base::Hash& key, std::size_t pixels) {
-    TracedTruth truth;
-    std::vector<std::uint64_t> counts;
-    try {
-        read_bytes(base::read_cached(path, key).value_or(""), counts, truth.occlusion, truth.standard_error);
-    } catch (const std::runtime_error&) {
-        return std::nullopt;
-    }
-    if (counts.size() != 3 || truth.occlusion.size() != pixels || truth.standard_error.size() != pixels)
-        return std::nullopt;
-    truth.rays = counts[0];
-    truth.pixels = counts[1];
-    truth.unmatched = counts[2];
-    return truth;
-}
-
+// The truth that is in the cache by this hash, or else is traced.
 template <class Trace>
-TracedTruth kept(const fs::path& folder, const base::Hash& hash, std::size_t pixels, const Trace& trace) {
+TracedTruth kept(const fs::path& folder, const base::Hash& hash, const Trace& trace) {
     if (folder.empty()) return trace();
     const fs::path path = folder / (base::to_hex(hash) + ".truth");
-    if (auto truth = read(path, hash, pixels)) return *std::move(truth);
-    TracedTruth truth = trace();
-    const std::vector counts{truth.rays, truth.pixels, truth.unmatched};
+    TracedTruth truth;
+    std::vector<std::uint64_t> counts;
+    if (const auto bytes = base::read_cached(path, hash)) {
+        read_bytes(*bytes, counts, truth.occlusion, truth.standard_error);
+        truth.rays = counts.at(0);
+        truth.pixels = counts.at(1);
+        truth.unmatched = counts.at(2);
+        return truth;
+    }
+    truth = trace();
+    counts = {truth.rays, truth.pixels, truth.unmatched};
     base::write_cached(path, hash, bytes_of(counts, truth.occlusion, truth.standard_error));  // optional
     return truth;
 }
@@ -236,7 +227,7 @@ TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
     base::Fingerprint hash = hash_of('G', view, settings);
     hash.add_all(mesh.positions);
     hash.add_all(mesh.indices);
-    return kept(settings.cache, hash.hash(), view.depth.size(), [&] {
+    return kept(settings.cache, hash.hash(), [&] {
         const OcclusionTracer tracer(mesh, settings.rays);
         const PixelPositions positions(view);
         std::atomic<std::uint64_t> unmatched = 0;
@@ -255,7 +246,7 @@ TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
 TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings) {
     base::Fingerprint hash = hash_of('D', view, settings);
     hash.add(settings.thickness);
-    return kept(settings.cache, hash.hash(), view.depth.size(), [&] {
+    return kept(settings.cache, hash.hash(), [&] {
         const Mesh field = depth_field(view, settings.thickness);
         if (field.indices.empty()) return open(view);  // no four pixels form a surface: nothing blocks
         const OcclusionTracer tracer(field, settings.rays);

@@ -56,7 +56,6 @@ void validate(const RaySettings& settings);
 struct TruthSettings {
     RaySettings rays;
     double thickness = std::numeric_limits<double>::infinity();  // trace_depth(): as in depth_field()
-    unsigned threads = 0;                                        // 0: one for each processor
     std::function<void(double)> progress;                        // called with the completed part, in [0, 1]
     // Folder of traced truth, by a hash of everything that the truth depends on: triangles as the frame's
     // camera sees them, depth, normals, projection, settings. It is created if it is missing. A damaged or

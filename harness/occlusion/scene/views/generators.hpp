@@ -17,8 +17,6 @@ using Row = nlohmann::json;
 
 // All views and built-in scenes.
 [[nodiscard]] const Row& rows();
-// The one of that name, which exists.
-[[nodiscard]] const Row& row_named(std::string_view name);
 
 inline constexpr double full_turn = 2.0 * std::numbers::pi;  // radians
 
@@ -34,15 +32,6 @@ struct Parts {
 
     void add(const Mesh& part) { append(mesh, part); }
     void box(const glm::dvec3& low, const glm::dvec3& high) { add(make_box(low, high, cell)); }
-    void rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int segments) {
-        add(make_rod(from, to, radius, segments));
-    }
-    void cylinder(const glm::dvec3& base_center, double radius, double height, int segments) {
-        add(make_cylinder(base_center, radius, height, segments));
-    }
-    void sphere(const glm::dvec3& center, double radius, int rings) {
-        add(make_sphere(center, radius, rings, 2 * rings));
-    }
 };
 
 // Books in a row along x. least, most: how thick, tall and deep they are. gap: between two of them. share: of

@@ -49,15 +49,15 @@ Parts make_shelf(numeric::Random& random, double width, double height) {
 // A lamp on a stand: a foot, a rod, a shade that is open above and below.
 Parts make_lamp() {
     Parts lamp;
-    lamp.rod({0, 0, 0}, {0, 0.03, 0}, 0.15, 24);
-    lamp.rod({0, 0.03, 0}, {0, 1.4, 0}, 0.012, 8);
-    lamp.cylinder({0, 1.3, 0}, 0.2, 0.25, 32);
+    lamp.add(make_rod({0, 0, 0}, {0, 0.03, 0}, 0.15, 24));
+    lamp.add(make_rod({0, 0.03, 0}, {0, 1.4, 0}, 0.012, 8));
+    lamp.add(make_cylinder({0, 1.3, 0}, 0.2, 0.25, 32));
     return lamp;
 }
 
 // A box on the floor, or at a height, turned and moved.
 Mesh turned_box(double half_side, double low, double high, double turn, const glm::dvec3& at) {
-    return turned(make_box({-half_side, low, -half_side}, {half_side, high, half_side}, 1.0),
+    return placed(make_box({-half_side, low, -half_side}, {half_side, high, half_side}, 1.0),
                   upright_turn(turn), at);
 }
 
@@ -94,9 +94,9 @@ void add_clutter(Parts& room, numeric::Random& random, const glm::dvec3& low, co
         const glm::dvec3 at{random.uniform(low.x, high.x), low.y, random.uniform(low.z, high.z)};
         const double size = random.uniform(0.03, 0.09);
         if (i % 3 == 0)
-            room.sphere(at + glm::dvec3(0, size, 0), size, 16);
+            room.add(make_sphere(at + glm::dvec3(0, size, 0), size, 16));
         else if (i % 3 == 1)
-            room.rod(at, at + glm::dvec3(0, 2.5 * size, 0), 0.6 * size, 24);
+            room.add(make_rod(at, at + glm::dvec3(0, 2.5 * size, 0), 0.6 * size, 24));
         else
             room.add(turned_box(size, 0, 0.8 * size, random.uniform(0.0, 1.5), at));
     }
@@ -105,7 +105,7 @@ void add_clutter(Parts& room, numeric::Random& random, const glm::dvec3& low, co
 // A pillar with a base and a capital.
 void add_pillar(Parts& hall, const glm::dvec3& foot, double height) {
     hall.box(foot - glm::dvec3(0.4, 0, 0.4), foot + glm::dvec3(0.4, 0.3, 0.4));
-    hall.cylinder(foot + glm::dvec3(0, 0.3, 0), 0.28, height - 0.6, 32);
+    hall.add(make_cylinder(foot + glm::dvec3(0, 0.3, 0), 0.28, height - 0.6, 32));
     hall.box(foot + glm::dvec3(-0.4, height - 0.3, -0.4), foot + glm::dvec3(0.4, height, 0.4));
 }
 
@@ -119,10 +119,10 @@ void add_stairs(Parts& hall, const glm::dvec3& foot, double width, int steps) {
 
 // A railing: posts and a rail.
 void add_railing(Parts& hall, const glm::dvec3& from, const glm::dvec3& to, int posts) {
-    hall.rod(from + glm::dvec3(0, 0.9, 0), to + glm::dvec3(0, 0.9, 0), 0.03, 12);
+    hall.add(make_rod(from + glm::dvec3(0, 0.9, 0), to + glm::dvec3(0, 0.9, 0), 0.03, 12));
     for (int i = 0; i < posts; ++i) {
         const glm::dvec3 at = from + (to - from) * (static_cast<double>(i) / (posts - 1));
-        hall.rod(at, at + glm::dvec3(0, 0.9, 0), 0.015, 8);
+        hall.add(make_rod(at, at + glm::dvec3(0, 0.9, 0), 0.015, 8));
     }
 }
 
@@ -136,24 +136,24 @@ void add_niches(Parts& hall, double side, double length, double height) {
 // A toothed wheel that stands upright, its axis along z.
 void add_gear(Parts& parts, const glm::dvec3& center, double radius, int teeth) {
     constexpr double thick = 0.08;
-    parts.rod(center - glm::dvec3(0, 0, thick), center + glm::dvec3(0, 0, thick), radius, 48);
-    parts.rod(center - glm::dvec3(0, 0, 0.3), center + glm::dvec3(0, 0, 0.2), 0.2 * radius, 24);
+    parts.add(make_rod(center - glm::dvec3(0, 0, thick), center + glm::dvec3(0, 0, thick), radius, 48));
+    parts.add(make_rod(center - glm::dvec3(0, 0, 0.3), center + glm::dvec3(0, 0, 0.2), 0.2 * radius, 24));
     const double tooth = 0.2 * full_turn * radius / teeth;
     for (int i = 0; i < teeth; ++i) {
         const double angle = full_turn * i / teeth;
         const glm::dvec3 out{std::cos(angle), std::sin(angle), 0};
-        parts.rod(center + 0.95 * radius * out, center + (radius + 2.0 * tooth) * out, tooth, 6);
+        parts.add(make_rod(center + 0.95 * radius * out, center + (radius + 2.0 * tooth) * out, tooth, 6));
     }
 }
 
 // A pipe through corners, with a flange at each.
 void add_pipe(Parts& parts, const std::vector<glm::dvec3>& corners, double radius) {
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        parts.rod(corners[i], corners[i + 1], radius, 20);
-        parts.sphere(corners[i + 1], 1.05 * radius, 12);
+        parts.add(make_rod(corners[i], corners[i + 1], radius, 20));
+        parts.add(make_sphere(corners[i + 1], 1.05 * radius, 12));
         const glm::dvec3 way = glm::normalize(corners[i + 1] - corners[i]);
         const glm::dvec3 middle = 0.5 * (corners[i] + corners[i + 1]);
-        parts.rod(middle - 0.04 * way, middle + 0.04 * way, 1.4 * radius, 20);
+        parts.add(make_rod(middle - 0.04 * way, middle + 0.04 * way, 1.4 * radius, 20));
     }
 }
 
@@ -164,14 +164,11 @@ void add_housing(Parts& parts, numeric::Random& random, const glm::dvec3& low, c
         parts.box(low + glm::dvec3(x, size.y, 0.1), low + glm::dvec3(x + 0.03, size.y + 0.12, size.z - 0.1));
     for (const double x : {0.08, size.x - 0.08})
         for (const double y : {0.08, size.y - 0.08})
-            parts.rod(low + glm::dvec3(x, y, size.z), low + glm::dvec3(x, y, size.z + 0.04), 0.04, 6);
+            parts.add(
+                make_rod(low + glm::dvec3(x, y, size.z), low + glm::dvec3(x, y, size.z + 0.04), 0.04, 6));
     const double dial = random.uniform(0.1, 0.2);
     const glm::dvec3 middle = low + glm::dvec3(0.5 * size.x, 0.5 * size.y, size.z);
-    parts.rod(middle, middle + glm::dvec3(0, 0, 0.08), dial, 32);
-}
-
-glm::dvec3 scattered(numeric::Random& random, double x, double y, double z) {
-    return {x + random.uniform(-0.1, 0.1), y + random.uniform(-0.05, 0.05), z};
+    parts.add(make_rod(middle, middle + glm::dvec3(0, 0, 0.08), dial, 32));
 }
 
 }  // namespace
@@ -189,13 +186,14 @@ Scene make_interior(const Row& row) {
         add_box(room, {0, 1.3, -d}, {2 * w, 2.6, 0.1});
     }
     for (double x = -w + 0.7; x < w - 0.6; x += 1.25)
-        room.add(placed(make_shelf(random, 1.1, random.uniform(1.3, 2.1)).mesh, 1.0, {x, 0, -d + 0.21}));
+        room.add(
+            placed(make_shelf(random, 1.1, random.uniform(1.3, 2.1)).mesh, glm::dmat3(1), {x, 0, -d + 0.21}));
     for (double x = -w + 0.7; x < w - 0.5; x += 1.3) {
         for (double z = -d + 1.1; z < d - 0.5; z += 1.3) {
             if (random.unit() > row.value("fullness", 0.6)) continue;
             const double turn = random.uniform(0.0, full_turn);
             const double dx = random.uniform(-0.15, 0.15);
-            room.add(turned(make_furniture(random).mesh, upright_turn(turn), {x + dx, 0, z}));
+            room.add(placed(make_furniture(random).mesh, upright_turn(turn), {x + dx, 0, z}));
         }
     }
     room.add(make_table(1.4, 0.8, 0.74).mesh);
@@ -223,9 +221,9 @@ Scene make_hall(const Row& row) {
     numeric::Random random = random_of(row);
     for (int i = 0; i < 12; ++i) {
         const double radius = random.uniform(0.1, 0.35);
-        const double x = random.uniform(-w + 0.9, w - 0.9);
-        const double z = random.uniform(-length + 1.0, -0.5);
-        parts.sphere({x, radius, z}, radius, 24);
+        const glm::dvec3 center{random.uniform(-w + 0.9, w - 0.9), radius,
+                                random.uniform(-length + 1.0, -0.5)};
+        parts.add(make_sphere(center, radius, 24));
     }
     return {.mesh = std::move(parts.mesh), .lamp = glm::dvec3(0.2, height - 0.8, -1.5)};
 }
@@ -242,8 +240,9 @@ Scene make_machine(const Row& row) {
         add_housing(parts, random, {x - 0.35, 0, -1.2},
                     {random.uniform(0.5, 0.75), tall, random.uniform(0.5, 0.9)});
         const double radius = random.uniform(0.2, 0.4);
-        add_gear(parts, scattered(random, x, 0.5 + tall, -1.5), radius,
-                 10 + static_cast<int>(random.below(8)));
+        const int teeth = 10 + static_cast<int>(random.below(8));
+        add_gear(parts, {x + random.uniform(-0.1, 0.1), 0.5 + tall + random.uniform(-0.05, 0.05), -1.5},
+                 radius, teeth);
     }
     for (int i = 0; i < pipes; ++i) {
         const double y = 0.3 + 2.0 * (i + 0.5) / pipes;

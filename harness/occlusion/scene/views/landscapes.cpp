@@ -69,12 +69,12 @@ void add_crown(Parts& parts, numeric::Random& random, const glm::dvec3& center, 
 void add_tree(Parts& parts, numeric::Random& random, const glm::dvec3& foot, int leaves, double leaf) {
     const double height = random.uniform(0.8, 1.2) * 1.6;
     const glm::dvec3 top = foot + glm::dvec3(0.05 * height, height, 0.03 * height);
-    parts.rod(foot, top, 0.06 * height, 12);
+    parts.add(make_rod(foot, top, 0.06 * height, 12));
     for (int i = 0; i < 6; ++i) {
         const glm::dvec3 from = foot + random.uniform(0.5, 0.95) * (top - foot);
         const glm::dvec3 aside = any_direction(random) * glm::dvec3(1, 0.3, 1);
         const glm::dvec3 to = from + height * (0.25 * aside + glm::dvec3(0, 0.2, 0));
-        parts.rod(from, to, 0.015 * height, 8);
+        parts.add(make_rod(from, to, 0.015 * height, 8));
         add_crown(parts, random, to, 0.25 * height, leaves / 8, leaf);
     }
     add_crown(parts, random, top + glm::dvec3(0, 0.15 * height, 0), 0.35 * height, leaves / 4, leaf);
@@ -144,7 +144,7 @@ double fractal_noise(double x, double z, int octaves, std::uint64_t seed) {
 
 // A stone: a sphere whose radius varies smoothly.
 Mesh make_stone(const glm::dvec3& center, double radius, std::uint64_t seed) {
-    Mesh mesh = make_sphere({0, 0, 0}, 1.0, 20, 40);
+    Mesh mesh = make_sphere({0, 0, 0}, 1.0, 20);
     for (glm::vec3& p : mesh.positions) {
         const double rough = fractal_noise(1.5 * p.x + 7.0 + p.y, 1.5 * p.z + 7.0 - p.y, 3, seed);
         p = center + radius * (1.0 + 0.3 * rough) * glm::dvec3(p);
@@ -181,8 +181,7 @@ Scene make_foliage(const Row& row) {
     const double blade = row.value("blade", 0.2);
     Parts parts{.mesh = make_parallelogram({-30, 0, -30}, {0, 0, 60}, {60, 0, 0}, 2.0)};
     const auto anywhere = [&](double y = 0.0) {
-        const double x = random.uniform(-half, half);
-        return glm::dvec3(x, y, random.uniform(-half, half));
+        return glm::dvec3{random.uniform(-half, half), y, random.uniform(-half, half)};
     };
     for (int i = 0; i < row.value("trees", 0); ++i) add_tree(parts, random, anywhere(), leaves, leaf);
     for (int i = 0; i < row.value("bushes", 0); ++i) {
@@ -201,17 +200,11 @@ Scene make_foliage(const Row& row) {
 Scene make_grass(const Row& row) {
     numeric::Random random = random_of(row);
     Scene scene{.mesh = make_parallelogram({-20, 0, -36}, {0, 0, 40}, {40, 0, 0}, 1.0)};
-    const auto anywhere = [&] {
-        const double x = random.uniform(-2.0, 2.0);
-        return glm::dvec3(x, 0, random.uniform(-4.0, 0.0));
-    };
+    const auto anywhere = [&] { return glm::dvec3{random.uniform(-2.0, 2.0), 0, random.uniform(-4.0, 0.0)}; };
     for (int i = 0; i < 5000; ++i) {
         const glm::dvec3 foot = anywhere();
-        Blade blade{.heading = random.uniform(0.0, full_turn), .width = 0.007};
-        blade.length = random.uniform(0.12, 0.3);
-        blade.lean = random.uniform(0.0, 0.3);
-        blade.bend = random.uniform(0.1, 1.1);
-        append(scene.mesh, make_blade(foot, blade));
+        append(scene.mesh, make_blade(foot, {random.uniform(0.0, full_turn), random.uniform(0.12, 0.3), 0.007,
+                                             random.uniform(0.0, 0.3), random.uniform(0.1, 1.1), 0.0}));
     }
     for (int i = 0; i < 40; ++i) {
         const glm::dvec3 foot = anywhere();

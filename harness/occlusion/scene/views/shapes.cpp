@@ -28,7 +28,7 @@ Mesh make_knot(double scale) {
         return {curve(t) + radius * out, out};
     });
     const double low = bounds_of(knot).low.y;
-    return placed(std::move(knot), scale, {0, -scale * low, 0});
+    return placed(std::move(knot), glm::dmat3(1), {0, -scale * low, 0}, scale);
 }
 
 // Adds the shapes of a row, see shapes_of().
@@ -56,16 +56,17 @@ struct Shapes {
                 make_parallelogram(point(1), vector_of(shape, 4), vector_of(shape, 7), parts.cell);
             parts.add(shape.size() > 10 ? colored(plane, vector_of(shape, 10)) : plane);
         } else if (name == "sphere") {
-            parts.sphere(point(1), number(4), count(5));
+            parts.add(make_sphere(point(1), number(4), count(5)));
         } else if (name == "cylinder") {
-            parts.cylinder(point(1), number(4), number(5), count(6));
+            parts.add(make_cylinder(point(1), number(4), number(5), count(6)));
         } else if (name == "knot") {
             parts.add(make_knot(number(1)));
         } else if (name == "books") {
             add_books(parts, random, {{0.015, 0.16, 0.13}, {0.05, 0.27, 0.2}, 0.001, 0.87}, point(1),
                       number(4));
         } else if (name == "all of") {
-            parts.add(shapes_of(row_named(shape[1].get<std::string>())));
+            parts.add(shapes_of(*std::ranges::find(
+                rows(), shape[1], [](const Row& row) -> const Row& { return row["name"]; })));
         } else {
             for (int i = 0; i < count(1); ++i) {
                 const double angle = full_turn * i / count(1);
@@ -79,10 +80,6 @@ struct Shapes {
 };
 
 }  // namespace
-
-const Row& row_named(std::string_view name) {
-    return *std::ranges::find_if(rows(), [&](const Row& row) { return row["name"] == name; });
-}
 
 void add_books(Parts& parts, numeric::Random& random, const Books& books, const glm::dvec3& first,
                double end) {

@@ -66,14 +66,14 @@ Scene displayed(const Row& row, const std::filesystem::path& folder) {
     if (!std::filesystem::is_regular_file(file, none))
         throw std::runtime_error(
             fmt::format("mesh {}: no such file; the package glmark2-data has it", file.string()));
-    const Mesh mesh = standing(load_mesh(file), axis_named(row.value("up", "y")).value(), 1.0);
+    const Mesh mesh = standing(read_mesh(file), axis_named(row.value("up", "y")).value(), 1.0);
     Scene scene{.mesh = make_parallelogram({-40, 0, 40}, {80, 0, 0}, {0, 0, -80}, 1.0)};
     const int copies = row.value("copies", 1);
     const double spacing = row.value("spacing", 1.2);
     for (int line = 0; line < row.value("rows", 1); ++line) {
         for (int copy = 0; copy < copies; ++copy) {
             const double x = spacing * (copy - 0.5 * (copies - 1));
-            append(scene.mesh, turned(mesh, upright_turn(0.9 * copy + 2.1 * line), {x, 0, -spacing * line}));
+            append(scene.mesh, placed(mesh, upright_turn(0.9 * copy + 2.1 * line), {x, 0, -spacing * line}));
         }
     }
     return scene;
@@ -91,8 +91,7 @@ MovingObject moving_object(const Row& mover) {
                             : rolls && way != glm::dvec3(0) ? glm::cross(up, way)
                                                             : up;
     const double turn = rolls ? glm::length(way) / radius : mover.value("turn", 0.0);
-    const int rings = mover.value("rings", 32);
-    return {rolls ? make_sphere({0, 0, 0}, radius, rings, 2 * rings)
+    return {rolls ? make_sphere({0, 0, 0}, radius, mover.value("rings", 32))
                   : make_box(vector_of(mover["box"]), vector_of(mover["box"], 3), 1.0),
             [=, rate = mover.value("rate", 0.02), start = mover.value("start", 0.0),
              spin = mover.value("spin", 0.0)](int frame) {
