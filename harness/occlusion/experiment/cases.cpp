@@ -134,15 +134,6 @@ std::string value_text(const effect::Settings& settings, const std::string& name
     return effect::text_of(*factor * std::get<double>(value));
 }
 
-void apply(effect::Settings& settings, const Layer& layer) {
-    for (const auto& [name, value] : layer.set) {
-        if (name == "method" || name == "radius")
-            throw std::invalid_argument(
-                fmt::format("set {}: expected a setting other than method and radius", name));
-        effect::set(settings, name, value_text(settings, name, value));
-    }
-}
-
 Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) {
     Subject subject;
     std::string preset;
@@ -162,7 +153,14 @@ Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) 
     if (!preset.empty()) subject.settings = place.preset_of(preset);
     if (!method.empty() && method != subject.settings.method)
         subject.settings = with_method(subject.settings, method);
-    for (const Layer* layer : layers) apply(subject.settings, *layer);
+    for (const Layer* layer : layers) {
+        for (const auto& [name, value] : layer->set) {
+            if (name == "method" || name == "radius")
+                throw std::invalid_argument(
+                    fmt::format("set {}: expected a setting other than method and radius", name));
+            effect::set(subject.settings, name, value_text(subject.settings, name, value));
+        }
+    }
     validate(subject.settings);
     return subject;
 }

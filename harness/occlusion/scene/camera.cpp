@@ -21,14 +21,6 @@ void check_direction(const Camera& camera) {
     require(glm::length(side) > 0.0, "the eye and its target coincide, or `up` points along the view");
 }
 
-void check(const Camera& camera, double aspect) {
-    check_direction(camera);
-    require(aspect > 0.0 && std::isfinite(aspect), "expected a positive aspect ratio");
-    require(camera.near > 0.0 && camera.near < camera.far, "expected 0 < near < far");
-    require(camera.fovy_rad > 0.0 && camera.fovy_rad < std::numbers::pi,
-            "expected a field of view in (0, pi)");
-}
-
 // Elements [2][2] and [3][2]: depth-buffer value 0 at the depth `zero`, 1 at `one`.
 glm::dvec2 depth_elements(bool perspective, double zero, double one) {
     if (!perspective) return {1.0 / (zero - one), zero / (zero - one)};
@@ -82,7 +74,11 @@ glm::dvec2 folded(const glm::dvec2& v) {
 }  // namespace
 
 CameraFrame make_frame(const Camera& camera, double aspect) {
-    check(camera, aspect);
+    check_direction(camera);
+    require(aspect > 0.0 && std::isfinite(aspect), "expected a positive aspect ratio");
+    require(camera.near > 0.0 && camera.near < camera.far, "expected 0 < near < far");
+    require(camera.fovy_rad > 0.0 && camera.fovy_rad < std::numbers::pi,
+            "expected a field of view in (0, pi)");
     return {.view = glm::mat4(glm::lookAt(camera.eye, camera.target, camera.up)),
             .proj_vk = glm::mat4(projection_of(camera, aspect))};
 }

@@ -36,14 +36,6 @@ glm::dvec3 shading_normal(const glm::dvec3& interpolated, const glm::dvec3& face
     return beyond < 0.0 ? n : unit_or(n - (beyond + 1e-4) * away, facet);
 }
 
-// The object of each triangle, in the order of view_space_mesh().
-std::vector<std::uint32_t> objects_of_triangles(const Scene& scene) {
-    std::vector<std::uint32_t> objects(scene.mesh.triangle_count(), 0);
-    for (std::uint32_t k = 0; k < scene.objects.size(); ++k)
-        objects.insert(objects.end(), scene.objects[k].mesh.triangle_count(), k + 1);
-    return objects;
-}
-
 // Motion of a pixel from the position of its surface point in the frame before: dx, dy in pixels, and whether
 // the point was in the previous image. before: that frame's view.
 glm::vec3 motion_of(std::size_t pixel, const glm::vec3& previous_position, const GBuffer& before) {
@@ -60,7 +52,9 @@ class Shot {
         : options_(options),
           mesh_(view_space_mesh(scene, options.frame)),
           rays_(mesh_),
-          objects_(objects_of_triangles(scene)) {
+          objects_(scene.mesh.triangle_count(), 0) {
+        for (std::uint32_t k = 0; k < scene.objects.size(); ++k)
+            objects_.insert(objects_.end(), scene.objects[k].mesh.triangle_count(), k + 1);
         const backend::Extent border = guard_border(frame, options.guard);
         const backend::Extent wide = with_border(frame, border);
         const double aspect = static_cast<double>(wide.width) / wide.height;
@@ -139,8 +133,8 @@ class Shot {
     DrawOptions options_;
     Mesh mesh_;
     RayScene rays_;
-    std::vector<std::uint32_t> objects_;
-    std::vector<glm::vec3> earlier_;  // positions of the frame before
+    std::vector<std::uint32_t> objects_;  // of each triangle
+    std::vector<glm::vec3> earlier_;      // positions of the frame before
     double near_ = 0.0;
     double far_ = 0.0;
     GBuffer before_;  // the frame before, without images

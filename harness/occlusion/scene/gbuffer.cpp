@@ -8,14 +8,6 @@
 namespace gloam::scene {
 namespace {
 
-// Motion from within the band is invalid for the frame.
-void keep_motion_inside(GBuffer& frame) {
-    const PixelPositions positions(frame);
-    for (std::size_t i = 0; i < frame.motion.size(); ++i)
-        if (!positions.contains(glm::vec2(positions.center(i)) - glm::vec2(frame.motion[i])))
-            frame.motion[i].z = 0.0F;
-}
-
 // The view in a window that is larger by these pixels on the left, at the top, on the right and at the
 // bottom, with background in them; smaller where they are negative.
 GBuffer in_window(GBuffer view, const glm::ivec4& more) {
@@ -122,7 +114,10 @@ GBuffer cropped(const GBuffer& view) {
     const Border& band = view.border;
     GBuffer inner = in_window(view, -glm::ivec4(band.left, band.top, band.right, band.bottom));
     inner.stored.reset();
-    keep_motion_inside(inner);
+    const PixelPositions positions(inner);
+    for (std::size_t i = 0; i < inner.motion.size(); ++i)  // none from within the band is valid
+        if (!positions.contains(glm::vec2(positions.center(i)) - glm::vec2(inner.motion[i])))
+            inner.motion[i].z = 0.0F;
     return inner;
 }
 

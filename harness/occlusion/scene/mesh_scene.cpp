@@ -18,14 +18,6 @@ namespace {
 constexpr double margin = 0.08;  // of the image, on each side
 constexpr glm::vec3 ground_color(0.42F, 0.41F, 0.4F);
 
-void check(const MeshView& view) {
-    const auto refuse = [](const std::string& what) { throw std::invalid_argument("mesh view: " + what); };
-    if (!(std::abs(view.elevation_deg) <= 89.0))
-        refuse(fmt::format("elevation of {} degrees, expected -89 to 89", view.elevation_deg));
-    if (!(view.fovy_deg >= 1.0 && view.fovy_deg <= 170.0))
-        refuse(fmt::format("angle of view of {} degrees, expected 1 to 170", view.fovy_deg));
-}
-
 // Rows of the rotation that turns the file's up axis into +y and maps axes to axes.
 glm::dmat3 upright(const glm::dvec3& up) {
     const glm::dvec3 side = std::abs(up.x) > 0.5 ? glm::dvec3(0, -up.x, 0) : glm::dvec3(1, 0, 0);
@@ -103,7 +95,12 @@ Mesh standing(Mesh mesh, const glm::dvec3& up, std::optional<double> height) {
 }
 
 Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view) {
-    check(view);
+    if (!(std::abs(view.elevation_deg) <= 89.0))
+        throw std::invalid_argument(
+            fmt::format("mesh view: elevation of {} degrees, expected -89 to 89", view.elevation_deg));
+    if (!(view.fovy_deg >= 1.0 && view.fovy_deg <= 170.0))
+        throw std::invalid_argument(
+            fmt::format("mesh view: angle of view of {} degrees, expected 1 to 170", view.fovy_deg));
     if (!(height_of(bounds_of(mesh)) > 0.0))
         throw std::invalid_argument("mesh " + name + ": all its vertices are one point");
     Scene scene{.name = std::move(name), .mesh = standing(std::move(mesh), view.up)};

@@ -22,24 +22,19 @@ glm::dvec3 vector_in(const Row& row, const char* key) {
     return row.contains(key) ? vector_of(row[key]) : glm::dvec3(0);
 }
 
-Camera start_of(const Row& row) {
-    Camera start{.eye = vector_in(row, "eye"),
-                 .target = vector_in(row, "target"),
-                 .fovy_rad = row.value("fovy_rad", 0.9),
-                 .near = row.value("near", 0.05),
-                 .far = row.value("far", 200.0),
-                 .reversed_z = true};
+Camera camera_in(const Row& row, int frame) {
+    Camera camera{.eye = vector_in(row, "eye"),
+                  .target = vector_in(row, "target"),
+                  .fovy_rad = row.value("fovy_rad", 0.9),
+                  .near = row.value("near", 0.05),
+                  .far = row.value("far", 200.0),
+                  .reversed_z = true};
     if (row.contains("view_height")) {
-        start.projection = Projection::orthographic;
-        start.view_height = row["view_height"];
+        camera.projection = Projection::orthographic;
+        camera.view_height = row["view_height"];
     }
     if (row["kind"] == "terrain" && !row.contains("of"))
-        for (glm::dvec3* point : {&start.eye, &start.target}) point->y += height_of(row)(point->x, point->z);
-    return start;
-}
-
-Camera camera_in(const Row& row, int frame) {
-    Camera camera = start_of(row);
+        for (glm::dvec3* at : {&camera.eye, &camera.target}) at->y += height_of(row)(at->x, at->z);
     const auto moved = [&](const char* way) { return static_cast<double>(frame) * vector_in(row, way); };
     const glm::dvec3 swayed = glm::sin(vector_in(row, "rate") * static_cast<double>(frame));
     camera.eye += moved("gliding") + moved("passing") + vector_in(row, "swaying") * swayed;
