@@ -8,14 +8,10 @@
 #include "numeric/random.hpp"
 #include "support/test.hpp"
 
-namespace gloam::numeric {
+namespace gloam::numeric::interval_test {
 
-namespace interval_test {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<float>::max();
 constexpr double smallest = std::numeric_limits<float>::min();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 Interval at(double x) {
     return Interval::input(static_cast<float>(x));
@@ -216,11 +212,7 @@ TEST(IntervalRules, NotKeptSpecialsLeaveAComparisonOpen) {
     EXPECT_THAT(answers(Paths::Specials::dropped, 3.0), testing::ElementsAre(true));
 }
 
-}  // namespace interval_test
-
 // What holds for every operation on intervals: nothing that a value inside can lead to is lost.
-
-namespace interval_property_test {
 
 // A float of any size; often a usual one.
 float any_number() {
@@ -352,6 +344,4 @@ TEST(IntervalProperties, BinaryFunctionsContainTheirMembers) {
     }));
 }
 
-}  // namespace interval_property_test
-
-}  // namespace gloam::numeric
+}  // namespace gloam::numeric::interval_test

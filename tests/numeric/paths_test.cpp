@@ -5,9 +5,7 @@
 #include "numeric/rearranged.hpp"
 #include "support/test.hpp"
 
-namespace gloam::numeric {
-
-namespace paths_test {
+namespace gloam::numeric::paths_test {
 
 std::vector<std::string> all_paths(std::size_t most, Paths::Outcome& outcome, const auto& body) {
     std::vector<std::string> paths;
@@ -100,11 +98,7 @@ TEST(Paths, ConversionsToIntegersTakeEachInReach) {
     }
 }
 
-}  // namespace paths_test
-
 // The bounds contain every order of evaluation; a single operation has one order.
-
-namespace rearranged_test {
 
 Rearranged leaf(float x) {
     return Rearranged(Interval::input(x));
@@ -182,6 +176,4 @@ TEST(Paths, EndWithTheFirstThatIsEnough) {
     EXPECT_EQ(runs, 4);
 }
 
-}  // namespace rearranged_test
-
-}  // namespace gloam::numeric
+}  // namespace gloam::numeric::paths_test

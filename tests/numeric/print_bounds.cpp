@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <string>
@@ -37,31 +36,25 @@ const std::map<std::string, Operation> operations{
     {"cos", [](const Interval& x, const Interval&) { return cos(x); }},
     {"atan", [](const Interval& x, const Interval&) { return atan(x); }}};
 
-std::uint32_t bits_of(double end) {
-    return std::bit_cast<std::uint32_t>(static_cast<float>(end));
-}
-
 Interval number_of(const std::string& text) {
     return Interval::input(std::strtof(text.c_str(), nullptr));
-}
-
-void print_all() {
-    std::string name;
-    int bits = 0;
-    std::string x;
-    std::string y;
-    while (std::cin >> name >> bits >> x >> y) {
-        Bounds bounds{};
-        Paths::explore(bits == 16 ? float16 : float32, 1,
-                       [&] { bounds = operations.at(name)(number_of(x), number_of(y)).bounds(); });
-        std::cout << std::hex << bits_of(bounds.low) << ' ' << bits_of(bounds.high) << '\n';
-    }
 }
 
 }  // namespace
 }  // namespace gloam::numeric
 
 int main() {
-    gloam::numeric::print_all();
+    using namespace gloam::numeric;
+    std::string name;
+    int bits = 0;
+    std::string x;
+    std::string y;
+    while (std::cin >> name >> bits >> x >> y)
+        Paths::explore(bits == 16 ? float16 : float32, 1, [&] {
+            const Bounds bounds = operations.at(name)(number_of(x), number_of(y)).bounds();
+            for (const double end : {bounds.low, bounds.high})
+                std::cout << std::hex << std::bit_cast<std::uint32_t>(static_cast<float>(end)) << ' ';
+            std::cout << '\n';
+        });
     return 0;
 }

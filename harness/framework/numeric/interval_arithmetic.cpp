@@ -155,25 +155,17 @@ bool decide(bool may_be_true, bool may_be_false) {
     return Paths::choose(2) == 0;
 }
 
-bool has_nan(const Interval& a, const Interval& b) {
-    return a.may_be_nan() || b.may_be_nan();
-}
-
-bool is_nowhere(const Interval& a, const Interval& b) {
-    return a.bounds().empty() || b.bounds().empty();
-}
-
 // The answer for NaN or infinity that a device need not keep; empty if it must, or there are none.
 std::optional<bool> answer_of_specials(const Interval& a, const Interval& b) {
     if (Paths::specials() == Paths::Specials::kept || !(is_special(a) || is_special(b))) return std::nullopt;
     return decide(true, true);
 }
 
-// Counts float32 values from zero.
-std::int64_t ordinal_of(float x) {
-    const auto bits = std::bit_cast<std::uint32_t>(x);
-    const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffU);
-    return (bits >> 31U) != 0 ? -magnitude : magnitude;
+// The answer to a comparison, from what it may be for their numbers.
+bool compared(const Interval& a, const Interval& b, bool may_be_true, bool may_be_false) {
+    if (const auto answer = answer_of_specials(a, b)) return *answer;
+    if (is_nowhere(a.bounds(), b.bounds())) return false;
+    return decide(may_be_true, may_be_false || a.may_be_nan() || b.may_be_nan());
 }
 
 }  // namespace
@@ -255,23 +247,17 @@ bool is_special(const Interval& x) {
 }
 
 bool operator<(const Interval& a, const Interval& b) {
-    if (const auto answer = answer_of_specials(a, b)) return *answer;
-    if (is_nowhere(a, b)) return false;
-    return decide(a.low() < b.high(), has_nan(a, b) || a.high() >= b.low());
+    return compared(a, b, a.low() < b.high(), a.high() >= b.low());
 }
 
 bool operator<=(const Interval& a, const Interval& b) {
-    if (const auto answer = answer_of_specials(a, b)) return *answer;
-    if (is_nowhere(a, b)) return false;
-    return decide(a.low() <= b.high(), has_nan(a, b) || a.high() > b.low());
+    return compared(a, b, a.low() <= b.high(), a.high() > b.low());
 }
 
 bool operator==(const Interval& a, const Interval& b) {
-    if (const auto answer = answer_of_specials(a, b)) return *answer;
-    if (is_nowhere(a, b)) return false;
     const bool meet = a.low() <= b.high() && b.low() <= a.high();
     const bool same = a.low() == a.high() && b.low() == b.high() && a.low() == b.low();
-    return decide(meet, has_nan(a, b) || !same);
+    return compared(a, b, meet, !same);
 }
 
 bool is_nan(const Interval& x) {
@@ -310,9 +296,7 @@ std::uint32_t to_bits(const Interval& x) {
     const auto count = static_cast<std::size_t>(high - low) + (has_zero ? 2U : 1U);
     const std::size_t chosen = Paths::choose(count);
     if (has_zero && chosen + 1 == count) return 0x80000000U;
-    const std::int64_t ordinal = low + static_cast<std::int64_t>(chosen);
-    return ordinal < 0 ? static_cast<std::uint32_t>(-ordinal) | 0x80000000U
-                       : static_cast<std::uint32_t>(ordinal);
+    return std::bit_cast<std::uint32_t>(float_at(low + static_cast<std::int64_t>(chosen)));
 }
 
 }  // namespace gloam::numeric

@@ -118,10 +118,6 @@ std::vector<double> special_values(const FloatFormat& format) {
             std::numeric_limits<double>::quiet_NaN()};
 }
 
-double ulp_size(double x) {
-    return std::isfinite(x) ? float32.ulp(x) : std::numeric_limits<double>::quiet_NaN();
-}
-
 double ulp_error(double got, double want, const FloatFormat& format) {
     const double settled = settled_error(got, want, format);
     return settled >= 0.0 ? settled : std::abs(got - want) / format.ulp(want);
@@ -132,16 +128,20 @@ double absolute_error(double got, double want, const FloatFormat& format) {
     return settled >= 0.0 ? settled : std::abs(got - want);
 }
 
+std::int64_t ordinal_of(float x) {
+    const auto magnitude = std::int64_t{std::bit_cast<std::uint32_t>(x) & 0x7fffffffU};
+    return std::signbit(x) ? -magnitude : magnitude;
+}
+
+float float_at(std::int64_t ordinal) {
+    const auto magnitude = std::bit_cast<float>(static_cast<std::uint32_t>(std::abs(ordinal)));
+    return ordinal < 0 ? -magnitude : magnitude;
+}
+
 float step(float x, int steps) {
     if (std::isnan(x)) return x;
-    // Maps floats to integers that count representable values from zero.
-    const auto bits = std::bit_cast<std::uint32_t>(x);
-    const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffU);
-    const std::int64_t ordinal = (bits >> 31) != 0 ? -magnitude : magnitude;
-    constexpr std::int64_t last = 0x7f800000;  // infinity
-    const std::int64_t moved = std::clamp(ordinal + steps, -last, last);
-    const auto absolute = static_cast<std::uint32_t>(std::abs(moved));
-    return std::bit_cast<float>(moved < 0 ? absolute | 0x80000000U : absolute);
+    const std::int64_t last = ordinal_of(std::numeric_limits<float>::infinity());
+    return float_at(std::clamp(ordinal_of(x) + steps, -last, last));
 }
 
 std::string to_text(float x) {

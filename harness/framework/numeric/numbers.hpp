@@ -64,11 +64,6 @@ enum class FloatClass { ordinary, zero, subnormal, huge, infinite, nan };
 // ones, the limit of exact integers, squares that overflow or underflow, infinities, NaN.
 [[nodiscard]] std::vector<double> special_values(const FloatFormat& format);
 
-// One unit in the last place of float32 at the real number x, by Harrison's definition: the distance of the
-// two float32 neighbours that enclose x; at a power of two the smaller gap; below the smallest normal 2^-149;
-// beyond the largest finite value 2^104. x = +-infinity or NaN: NaN.
-[[nodiscard]] double ulp_size(double x);
-
 // Distance of `got` from the exact result `want`, in ULP of `want` in a format.
 //   both NaN, or the same infinity: 0. Exactly one NaN: infinity. Infinity against a finite `want`: infinity,
 //   unless |want| exceeds the format's largest, where both that value and infinity of the right sign are
@@ -78,6 +73,10 @@ enum class FloatClass { ordinary, zero, subnormal, huge, infinite, nan };
 
 // |got - want| with the same special cases: 0 where ulp_error is 0, infinity where it is infinity.
 [[nodiscard]] double absolute_error(double got, double want, const FloatFormat& format = float32);
+
+// The float32 values counted from zero: -1 is the largest below it; +0 and -0 are one value. x is not NaN.
+[[nodiscard]] std::int64_t ordinal_of(float x);
+[[nodiscard]] float float_at(std::int64_t ordinal);
 
 // The float32 `steps` representable values above x (below, when negative), crossing zero once (+0 and -0 are
 // one value), stopping at +-infinity. NaN stays NaN.

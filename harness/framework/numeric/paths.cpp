@@ -17,21 +17,18 @@ constexpr std::size_t most_choices = 4096;
 constexpr std::size_t most_split_ways = 16;
 constexpr double most_wholes = 4.0;  // of one operation
 
-// Sets a pointer during its lifetime.
-template <class T>
-class Guard {
-  public:
-    Guard(T*& pointer, T* value) : pointer_(pointer), before_(std::exchange(pointer, value)) {}
-    ~Guard() { pointer_ = before_; }
-    Guard(const Guard&) = delete;
-    Guard& operator=(const Guard&) = delete;
-
-  private:
-    T*& pointer_;
-    T* before_;
-};
-
 }  // namespace
+
+Paths::Paths(const FloatFormat& format, Gaps gaps, Rounding rounding, Specials specials)
+    : before_(std::exchange(current_, this)),
+      format_(format),
+      gaps_(gaps),
+      rounding_(rounding),
+      specials_(specials) {}
+
+Paths::~Paths() {
+    current_ = before_;
+}
 
 // The next path in depth-first order: the last choice with an untried possibility takes it.
 bool Paths::advance() {
@@ -44,7 +41,6 @@ bool Paths::advance() {
 Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run,
                               Gaps gaps, Rounding rounding, Specials specials) {
     Paths paths(format, gaps, rounding, specials);
-    const Guard guard(current_, &paths);
     paths.most_ways_ = static_cast<double>(std::min(most, most_split_ways));
     const Outcome outcome = paths.run_all(most, run);
     if (outcome == Outcome::complete || outcome == Outcome::enough || !paths.has_split_) return outcome;

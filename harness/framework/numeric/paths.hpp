@@ -91,13 +91,16 @@ class Paths {
         std::size_t count;
     };
 
-    Paths(const FloatFormat& format, Gaps gaps, Rounding rounding, Specials specials)
-        : format_(format), gaps_(gaps), rounding_(rounding), specials_(specials) {}
+    Paths(const FloatFormat& format, Gaps gaps, Rounding rounding, Specials specials);
+    ~Paths();
+    Paths(const Paths&) = delete;
+    Paths& operator=(const Paths&) = delete;
     Outcome run_all(std::size_t most, const std::function<void()>& run);
     std::size_t take(std::size_t count);
     bool advance();
 
     static thread_local Paths* current_;
+    Paths* before_;  // the exploration around this one
     FloatFormat format_;
     Gaps gaps_;
     Rounding rounding_;
