@@ -80,15 +80,6 @@ std::string new_word() {
     return fmt::format("{:08x}{:08x}", entropy(), entropy());
 }
 
-// Creates a file with an unpredictable name.
-std::pair<fs::path, FileDescriptor> new_neighbour_of(const fs::path& path) {
-    // Not derived from `path`, because its name may already have the maximal length.
-    fs::path name = path.parent_path() / fmt::format(".gloam-{}.part", new_word());
-    FileDescriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-    if (!file.is_open()) fail_to_write(path, errno);
-    return {std::move(name), beyond_standard(std::move(file))};
-}
-
 // A folder, and those around it that are missing.
 std::vector<fs::path> with_missing(fs::path folder) {
     std::vector<fs::path> all{std::move(folder)};
@@ -133,8 +124,11 @@ int write_all(FileDescriptor file, std::string_view bytes) {
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {
-    auto [name, file] = new_neighbour_of(path);
-    int error = write_all(std::move(file), bytes);
+    // Not derived from the name of `path`, which may already have the maximal length.
+    const fs::path name = path.parent_path() / fmt::format(".gloam-{}.part", new_word());
+    FileDescriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!file.is_open()) fail_to_write(path, errno);
+    int error = write_all(beyond_standard(std::move(file)), bytes);
     if (error == 0 && rename(name.c_str(), path.c_str()) != 0) error = errno;
     if (error == 0) return;
     unlink(name.c_str());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/image_files.hpp"
 
+#include <byteswap.h>
 #include <stb_image_write.h>
 #include <algorithm>
 #include <array>
@@ -37,10 +38,6 @@ Triple linear_from_oklab(double lightness, double a, double b) {
             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
 }
 
-bool displayable(const Triple& rgb) {
-    return std::ranges::all_of(rgb, [](double x) { return x >= 0.0 && x <= 1.0; });
-}
-
 std::uint8_t encoded(double linear) {
     const double x = std::clamp(linear, 0.0, 1.0);
     const double srgb = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
@@ -56,7 +53,7 @@ Color heat_color(double value) {
     Triple rgb{};
     for (double chroma = 0.18; chroma > -0.005; chroma -= 0.005) {
         rgb = linear_from_oklab(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
-        if (displayable(rgb)) break;
+        if (std::ranges::all_of(rgb, [](double x) { return x >= 0.0 && x <= 1.0; })) break;
     }
     return {encoded(rgb[0]), encoded(rgb[1]), encoded(rgb[2])};
 }
@@ -107,13 +104,6 @@ void require_bytes(std::ifstream& stream, const fs::path& file, std::size_t want
         fail_with_file(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
                                  std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
     stream.seekg(here);
-}
-
-void swap_bytes(std::vector<float>& texels) {
-    for (float& texel : texels) {
-        const auto bits = std::bit_cast<std::uint32_t>(texel);
-        texel = std::bit_cast<float>(bits << 24 | (bits & 0xFF00U) << 8 | (bits >> 8 & 0xFF00U) | bits >> 24);
-    }
 }
 
 }  // namespace
@@ -181,7 +171,8 @@ FloatImage read_pfm(const fs::path& file) {
         stream.read(reinterpret_cast<char*>(image.texels.data() + y * row),
                     static_cast<std::streamsize>(row * sizeof(float)));
     if (!stream) fail_with_file(file, "cannot be read to its end");
-    if (!little_endian) swap_bytes(image.texels);
+    for (float& texel : image.texels)
+        if (!little_endian) texel = std::bit_cast<float>(bswap_32(std::bit_cast<std::uint32_t>(texel)));
     return std::move(image);
 }
 

@@ -33,13 +33,6 @@ std::size_t character_size(std::string_view text) {
     return first == 0xc2U && byte(1) < 0xa0U ? 0 : size;
 }
 
-// The end of a string that begins at `at` with its quote: behind the quote that ends it.
-std::size_t end_of_string(std::string_view text, std::size_t at) {
-    for (++at; at < text.size() && text[at] != '"'; ++at)
-        if (text[at] == '\\') ++at;
-    return at + 1;
-}
-
 [[noreturn]] void exceed(std::string_view text, std::size_t at, const std::string& what) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
     throw std::runtime_error(fmt::format("line {}: {}", line, what));
@@ -129,7 +122,8 @@ void require_bounded_json(std::string_view text) {
     for (std::size_t at = 0; at < text.size(); ++at) {
         const char c = text[at];
         if (c == '"') {
-            at = end_of_string(text, at) - 1;
+            for (++at; at < text.size() && text[at] != '"'; ++at)
+                if (text[at] == '\\') ++at;
         } else if (c == '[' || c == '{') {
             if (names.size() == deepest) exceed(text, at, fmt::format("nested more than {} deep", deepest));
             names.push_back(0);
