@@ -2,7 +2,7 @@
 // Every include compiles alone, unchanged and packed, in every GLSL version that the library supports.
 #include "audit/audit.hpp"
 #include "backend/gl/program.hpp"
-#include "module/compile.hpp"
+#include "module/texts.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
 #include "support/library_files.hpp"

@@ -10,8 +10,7 @@ using namespace gloam;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(fuzz::text_of(data, size));
     const auto& file = fuzz::file_of(text, ".glsl");
-    const std::vector<std::filesystem::path> roots{file.parent_path()};
-    fuzz::read_or_refuse([&] { (void)module::include_closure(text, roots, file.parent_path()); });
-    fuzz::read_or_refuse([&] { (void)source::internal::outline(source::internal::whole_text(text)); });
+    fuzz::read_or_refuse([&] { (void)module::include_closure({file.string(), text}, {file.parent_path()}); });
+    fuzz::read_or_refuse([&] { (void)source::outline(source::whole_text(text)); });
     return 0;
 }

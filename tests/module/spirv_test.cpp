@@ -62,11 +62,6 @@ float all_of(float x, vec3 v, mat3 m) {
 })",
            "all_of(uintBitsToFloat(words[0]), vec3(words[1]), mat3(float(words[2])))");
 
-const source::Source integers{"integers",
-                              "#version 450\nlayout(local_size_x = 1) in;\n"
-                              "layout(std430, binding = 0) buffer Out { uint result[]; };\n"
-                              "void main() { result[0] = result[1] * 3u + result[2]; }\n"};
-
 std::set<std::string> arithmetic_results(const Disassembly& module) {
     std::set<std::string> ids;
     for (const std::string& opcode : arithmetic()) ids.merge(module.results(opcode));
@@ -98,12 +93,6 @@ TEST(NoContraction, KeepsThatOfPreciseAndChangesNothingTwice) {
     EXPECT_EQ(Disassembly(once).decorated("NoContraction"), each_once(arithmetic_results(Disassembly(once))));
     EXPECT_EQ(Disassembly(once).decorated("NoContraction").size(), 4u);
     EXPECT_EQ(with_no_contraction(once), once);
-}
-
-TEST(NoContraction, LeavesAModuleWithoutFloatOperationsAlone) {
-    const Spirv plain = compile(integers, {});
-    EXPECT_EQ(with_no_contraction(plain), plain);
-    EXPECT_EQ(with_relaxed_precision(plain), plain);
 }
 
 TEST(RelaxedPrecision, IsOnEveryFloatResultButConstantsAndBitPatterns) {

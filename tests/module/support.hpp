@@ -35,6 +35,14 @@ inline source::Source kernel(std::string_view head, std::string_view expression)
     return {"kernel", text};
 }
 
+// Functions as GLSL has them; "? " stands before those without a body.
+inline std::vector<std::string> prototypes(const std::vector<Function>& functions) {
+    std::vector<std::string> texts;
+    for (const Function& function : functions)
+        texts.push_back((function.defined ? "" : "? ") + to_glsl(function));
+    return texts;
+}
+
 // What a test asks of a module, as its disassembly has it.
 class Disassembly {
   public:

@@ -53,96 +53,23 @@ TEST(Excerpts, ErrorsNameTheLinesOfTheFile) {
               "own.frag:9: 'missing' : undeclared identifier");
 }
 
-TEST(Excerpts, KeepExtensionsConstantsAndMacros) {
+// Other forms: tests/subject/fixtures/uniforms.glsl.
+TEST(Excerpts, BlocksMayHaveDirectivesAndUniformsStructures) {
     const Excerpts all = excerpts_of(
-        "#extension GL_EXT_shader_explicit_arithmetic_types : enable\n"
-        "layout(constant_id = 3) const int count = int(4e-1 * 10.0) >> 1;\n"
-        "#line 700\n"
-        "#define SCALE float(count)\n"
-        "const float half_of = 0.5;\n"
-        "float unused(float x) { return x * undefined_name; }\n"
-        "float f(float x) { return float(float32_t(x)) * SCALE * half_of; }\n");
-    ASSERT_EQ(all.functions.size(), 2U);
-    EXPECT_THAT(compiled(all.functions[1]), ElementsAre("float f(float x)"));
-    EXPECT_THAT(all.functions[1].text, Not(HasSubstr("unused")));
-    EXPECT_THAT(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[0])); }),
-                HasSubstr("own.frag:6: 'undefined_name'"));
-}
-
-// Its interface as plain variables.
-TEST(Excerpts, UniformsBuffersInputsAndOutputsArePlainVariables) {
-    const Excerpts all = excerpts_of(
-        "layout(std140, binding = 0) uniform Block { layout(offset = 16) vec3 a; float b[2]; };\n"
         "layout(push_constant) uniform Pushed {\n#define COUNT 3\n    float c[COUNT]; } pushed;\n"
-        "layout(std430) readonly buffer Values { float values[]; } all;\n"
-        "layout(std430) buffer Sums { int sums[]; };\n"
-        "uniform highp float e = float(1), f = max(1.0, 2.0);\n"
-        "flat in int g; out vec4 h; uniform struct S { float x; } i;\n"
-        "uniform sampler2DMS j;\nuniform writeonly image2D k;\n"
-        "float use() { imageStore(k, ivec2(0), vec4(0)); h.x = texelFetch(j, ivec2(0), 0).x;\n"
-        "    sums[0] = g; return a.x + b[0] + pushed.c[2] + all.values[1] + e + f + i.x; }\n");
-    ASSERT_EQ(all.functions.size(), 1U);
-    const Excerpt& excerpt = all.functions[0];
-    EXPECT_THAT(excerpt.interface, ElementsAre("j"));
-    ASSERT_EQ(excerpt.bound.size(), 1U);
-    EXPECT_EQ(excerpt.bound[0].name + " " + excerpt.bound[0].format, "k rgba32f");
-    EXPECT_TRUE(excerpt.bound[0].written);
-    EXPECT_THAT(excerpt.text,
-                HasSubstr("layout(binding = GLOAM_BINDING_0, rgba32f) uniform highp image2DArray k;"));
-    std::string written;
-    std::string read;
-    for (const auto& [name, access] : excerpt.globals)
-        (access == Access::any || access == Access::buffer ? written : read).append(" ").append(name);
-    EXPECT_EQ(written, " h sums");
-    EXPECT_EQ(read, " a all b e f g i pushed");
-    EXPECT_EQ(excerpt.globals.at("sums"), Access::buffer) << "all invocations share it";
-    EXPECT_EQ(excerpt.globals.at("all"), Access::uniform);
-    EXPECT_EQ(excerpt.globals.at("g"), Access::reads);
-    for (const char* line :
-         {"vec3 a ; float b [ 2 ] ;", "struct Pushed { float c [ COUNT ] ; } pushed ;", "#define COUNT 3\n",
-          "struct Values { float values [ 16 ] ; } all ;", "int sums [ 16 ] ;", "highp float e , f ;",
-          "int g ;", "vec4 h ;", "struct S { float x ; } i ;"})
-        EXPECT_THAT(excerpt.text, HasSubstr(line));
+        "uniform struct S { float x; } s;\nfloat f() { return pushed.c[2] + s.x; }\n");
+    EXPECT_THAT(compiled(all.functions.at(0)), ElementsAre("float f()"));
+    EXPECT_THAT(all.functions[0].globals,
+                ElementsAre(Pair("pushed", Access::uniform), Pair("s", Access::uniform)));
 }
 
-TEST(Excerpts, FunctionsSayWhichVariablesTheyUse) {
-    const Excerpts all = excerpts_of(
-        "uniform float a, b, c;\nbuffer B { float d[]; };\n"
-        "float inner(float x) { d[0] = a; return x; }\n"
-        "float outer(float x) { float b = x; return inner(x) + b + c; }\n");
-    const std::vector<Function> found = functions({"own.frag", "#version 450\n" + all.functions[1].text}, {});
-    ASSERT_EQ(found.size(), 2U);
-    std::string used;
-    for (const Parameter& global : found[1].globals)
-        used += (global.direction == Direction::inout ? " inout " : " ") + name_of(global.type) + " " +
-                global.name;
-    EXPECT_THAT(used, AllOf(HasSubstr(" float a"), HasSubstr(" float c"), HasSubstr(" inout float[16] d"),
-                            Not(HasSubstr(" float b"))));
-}
-
-// Whom a function needs besides itself.
-TEST(Excerpts, FunctionsSayWhatTheyNeedOthersFor) {
-    const char* const text =
-        "shared float s[4];\nuniform sampler2D image;\n"
-        "float alone(float x) { return x; }\n"
-        "float slope(float x) { return dFdxFine(x); }\n"
-        "float cut(float x) { if (x < 0.0) discard; return x; }\n"
-        "vec4 look(vec2 uv) { return texture(image, uv); }\n"
-        "vec4 level(vec2 uv) { return textureLod(image, uv, 0.0); }\n"
-        "float share(float x) { s[0] = x; return x; }\n"
-        "float meet(float x) { barrier(); return x; }\n"
-        "uint place(float x) { return gl_GlobalInvocationID.x + gl_LocalInvocationIndex; }\n";
-    const auto needs = [&](const std::string& file) {
-        std::map<std::string, Needs> all;
-        for (const Excerpt& one : module::excerpts({file, text}, {}).functions) all[one.function] = one.needs;
-        return all;
+TEST(Excerpts, AComputeShaderHasNoDerivativesToSelectALevelBy) {
+    const auto needs = [](const std::string& file) {
+        const std::string text = "uniform sampler2D image;\nvec4 f(vec2 uv) { return texture(image, uv); }\n";
+        return module::excerpts({file, text}, {}).functions.at(0).needs;
     };
-    std::map<std::string, Needs> expected{
-        {"alone", Needs::nobody}, {"slope", Needs::quad},  {"cut", Needs::quad},   {"look", Needs::quad},
-        {"level", Needs::nobody}, {"share", Needs::group}, {"meet", Needs::group}, {"place", Needs::group}};
-    EXPECT_EQ(needs("own.glsl"), expected);
-    expected["look"] = Needs::nobody;
-    EXPECT_EQ(needs("own.comp"), expected) << "a compute shader has no derivatives to select a level by";
+    EXPECT_EQ(needs("own.glsl"), Needs::quad);
+    EXPECT_EQ(needs("own.comp"), Needs::nobody);
 }
 
 TEST(Excerpts, ATextWithoutFunctionsHasNone) {

@@ -4,8 +4,6 @@
 
 namespace gloam::source::lines_test {
 
-using namespace internal;  // lines of a text
-
 std::vector<std::string> includes(std::string_view text) {
     std::vector<std::string> names;
     for (const Line& line : split_lines(text))

@@ -306,22 +306,6 @@ TEST(Pack, WhatHasNoFunctionIsKeptWhole) {
     EXPECT_EQ(pack(Files{dir.write("c.glsl", text)}, {}, {}), std::string("#version 450\n\n") + text);
 }
 
-TEST(Pack, RefusesWhatCannotBeOneText) {
-    const auto error_of = [](const std::string& name) {
-        return message_of<CompileError>([&] { (void)packed_fixture(name); });
-    };
-    EXPECT_THAT(message_of<CompileError>([] { (void)packed("#include \"cycle/a.glsl\"\n"); }),
-                AllOf(HasSubstr("include cycle: "), HasSubstr("cycle/b.glsl -> ")));
-    EXPECT_THAT(error_of("cycle/self.glsl"), HasSubstr("include cycle"));
-    EXPECT_THAT(error_of("broken/missing.glsl"),
-                AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":2: "),
-                      HasSubstr("broken/nowhere.glsl")));
-    EXPECT_THAT(message_of<std::runtime_error>([] { (void)packed_fixture("none.glsl"); }),
-                HasSubstr(fixture("none.glsl").string()));
-    EXPECT_THROW((void)packed("float f() { return 1.0;\n"), CompileError);
-    EXPECT_THROW((void)packed("/* no end\nfloat f() { return 1.0; }\n"), CompileError);
-}
-
 TEST(Pack, CountsLinesOfCode) {
     EXPECT_EQ(code_of("#version 300 es\n\n  // one\nfloat f() { /* of\n two */ return a\n/ b; }  // end"),
               "#version 300 es\nfloat f() {\nreturn a\n/ b; }\n");

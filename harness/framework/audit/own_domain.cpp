@@ -25,7 +25,7 @@ using namespace subject;
 
 using module::Scalar;
 using module::Type;
-using source::internal::Declaration;
+using source::Declaration;
 
 using internal::Kind;
 using internal::Meaning;
@@ -114,14 +114,14 @@ std::pair<std::string, std::size_t> call_with(source::Tokens tokens, std::size_t
 // Whether a function reads single bits of an integer parameter, itself or where it passes it on: by shifts,
 // masks, and functions of bits and packed numbers. A limit of a loop is a count.
 // `asked`: functions and parameters that were asked before.
-bool takes_apart(const std::vector<source::internal::Declaration>& text, const std::string& function,
+bool takes_apart(const std::vector<source::Declaration>& text, const std::string& function,
                  const std::string& name, std::set<std::pair<std::string, std::string>>& asked) {
     if (!asked.emplace(function, name).second) return false;
     static const std::set<std::string, std::less<>> of_bits{
         "uintBitsToFloat", "bitfieldExtract", "bitfieldReverse", "unpackHalf2x16",
         "unpackUnorm2x16", "unpackSnorm2x16", "unpackUnorm4x8",  "unpackSnorm4x8"};
     bool found = false;
-    for (const source::internal::Declaration& declared : text) {
+    for (const source::Declaration& declared : text) {
         if (!declared.defines(function)) continue;
         const source::Tokens body = source::Tokens(declared.tokens).subspan(declared.function->body);
         for (std::size_t i = 1; i + 1 < body.size(); ++i) {
@@ -133,7 +133,7 @@ bool takes_apart(const std::vector<source::internal::Declaration>& text, const s
                 found || after == ">>" || after == "&" || after == ">>=" || after == "&=" || before == "&";
             const auto [called, argument] = call_with(body, i);
             found = found || of_bits.contains(called);
-            for (const source::internal::Declaration& other : text)
+            for (const source::Declaration& other : text)
                 found =
                     found || (other.defines(called) && argument < other.function->parameters.size() &&
                               takes_apart(text, called, other.function->parameters[argument].name, asked));
@@ -165,7 +165,7 @@ class Ordinary {
     Ordinary(const OwnFunction& own, const Ranges& ranges)
         : own_(own),
           ranges_(ranges),
-          text_(outline(source::internal::whole_text(own.text)).declarations),
+          text_(outline(source::whole_text(own.text)).declarations),
           tokens_(source::tokens_of(own.text)) {
         for (const module::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
     }
@@ -227,7 +227,7 @@ class Ordinary {
 
     const OwnFunction& own_;
     const Ranges& ranges_;
-    std::vector<source::internal::Declaration> text_;
+    std::vector<source::Declaration> text_;
     std::vector<source::Token> tokens_;
     std::set<std::string> names_;
 };

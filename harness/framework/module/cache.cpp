@@ -53,8 +53,7 @@ base::Hash key_of(std::string_view kind, const source::Source& source, const Com
         fingerprint.add(std::uint64_t{step});
     fingerprint.add(source.name);
     fingerprint.add(source.text);
-    const auto folder = std::filesystem::path(source.name).parent_path();
-    for (const IncludedFile& file : include_closure(source.text, options.include_roots, folder)) {
+    for (const IncludedFile& file : include_closure(source, options.include_roots)) {
         if (options.lines) fingerprint.add(file.path.string());  // else no module names its files
         fingerprint.add(file.text);
     }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "module/compile.hpp"
 
+#include <fmt/ranges.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/libspirv.h>
+#include <spirv_cross_c.h>
 #include <algorithm>
 #include <array>
 
-#include "module/internal/cross.hpp"
 #include "module/internal/front_end.hpp"
 #include "module/spirv.hpp"
 #include "module/steps.hpp"
@@ -81,16 +82,6 @@ Spirv varied(Spirv module, const Variant& variant) {
     return module;
 }
 
-// The pieces keep their own line numbers; the last may end without a newline, in a comment.
-void check_pieces(source::Language language, source::Stage stage, std::vector<source::Source> pieces,
-                  bool add_main, const std::vector<std::filesystem::path>& include_roots) {
-    const std::string name = pieces.back().name;
-    const std::string local_size = stage == source::Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
-    if (add_main) pieces.push_back({name + ", behind its end", "\n" + local_size + "void main() {}\n"});
-    internal::Parse parse(stage, internal::client_of(language), name, std::move(pieces), include_roots);
-    static_cast<void>(parse.link(internal::Unreached::dropped));
-}
-
 }  // namespace
 
 bool operator==(const Type& a, const Type& b) {
@@ -99,12 +90,6 @@ bool operator==(const Type& a, const Type& b) {
     if (has_text(a)) return a.name == b.name;
     return std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
                       [](const Member& x, const Member& y) { return x.type == y.type; });
-}
-
-bool is_supported(const Type& type) {
-    return type.scalar != Scalar::unsupported && type.scalar != Scalar::oversized &&
-           std::all_of(type.members.begin(), type.members.end(),
-                       [](const Member& member) { return is_supported(member.type); });
 }
 
 Type element_of(const Type& array) {
@@ -186,7 +171,7 @@ Variant variant(const std::string& name) {
 }
 
 Spirv compile(const source::Source& source, const CompileOptions& options) {
-    source::internal::require_vulkan_version(source);
+    source::require_vulkan_version(source);
     Spirv module = internal::to_spirv(source, options.stage, options.include_roots,
                                       internal::Unreached::dropped, options.lines);
     try {
@@ -199,27 +184,14 @@ Spirv compile(const source::Source& source, const CompileOptions& options) {
 }
 
 std::string compiler_version() {
-    const glslang::Version version = glslang::GetVersion();
-    return "glslang " + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
-           std::to_string(version.patch) + version.flavor + " (generator " +
-           std::to_string(glslang::GetSpirvGeneratorVersion()) + "), " + spvSoftwareVersionDetailsString() +
-           ", " + internal::cross_version();
-}
-
-internal::Client internal::client_of(source::Language language) {
-    return language == source::Language::vulkan450 ? Client::vulkan : Client::none;
-}
-
-void check_program(const source::Source& text, bool add_main, source::Language language,
-                   source::Stage stage) {
-    check_pieces(language, stage, {text}, add_main, {});
-}
-
-void check_compiles(const source::Source& body, source::Language language,
-                    const std::vector<std::filesystem::path>& include_roots) {
-    // The compiler looks for includes beside the first piece.
-    check_pieces(language, usual_stage(language), {{body.name, preamble(language)}, body}, true,
-                 include_roots);
+    const glslang::Version front_end = glslang::GetVersion();
+    std::array<unsigned, 3> cross{};
+    spvc_get_version(&cross[0], &cross[1], &cross[2]);
+    const char* commit = spvc_get_commit_revision_and_timestamp();  // or null
+    return fmt::format("glslang {}.{}.{}{} (generator {}), {}, SPIRV-Cross {}{}{}", front_end.major,
+                       front_end.minor, front_end.patch, front_end.flavor,
+                       glslang::GetSpirvGeneratorVersion(), spvSoftwareVersionDetailsString(),
+                       fmt::join(cross, "."), commit && *commit ? " " : "", commit ? commit : "");
 }
 
 }  // namespace gloam::module

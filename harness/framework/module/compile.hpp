@@ -69,9 +69,6 @@ struct Function {
     std::string other_number = {};  // that it or what it calls has, and that is not judged: "double"
 };
 
-// Whether no part of the type is unsupported or oversized.
-[[nodiscard]] bool is_supported(const Type& type);
-
 // An element of an array: that of float[2][3] is float[3].
 [[nodiscard]] Type element_of(const Type& array);
 
@@ -154,15 +151,6 @@ using Spirv = std::vector<std::uint32_t>;
 // Name and version of the compiler, the optimizer, the validator and the translator back to GLSL; part of
 // every cache key.
 [[nodiscard]] std::string compiler_version();
-
-// Parses a complete text of this stage, including its #version line; adds an empty main if there is none.
-// Throws CompileError.
-void check_program(const source::Source& text, bool add_main, source::Language language, source::Stage stage);
-
-// Parses `body` (no #version line; includes allowed) behind the preamble; adds an empty main. It is a compute
-// shader if the language has them, otherwise a fragment shader. Throws CompileError.
-void check_compiles(const source::Source& body, source::Language language,
-                    const std::vector<std::filesystem::path>& include_roots);
 
 // Compiled modules on disk, keyed by the text, every included file, the options and the compiler. A damaged,
 // truncated or foreign entry is recompiled and replaced silently. Files are written completely or not at all.

@@ -16,7 +16,7 @@
 namespace gloam::module {
 namespace {
 
-using source::internal::FunctionHead;
+using source::FunctionHead;
 using spirv::Id;
 
 // A function as SPIR-V describes it: without the directions of its parameters and the names of opaque types.
@@ -58,35 +58,37 @@ class TypeReader {
             case Kind::vector:
             case Kind::matrix:
                 return composed(type);
-            case Kind::array: {
+            case Kind::array:
+            case Kind::runtime_array: {
+                Type array = type_of(type.element);
                 const auto size =
                     constants_.find(type.length);  // or an operation on specialization constants
-                return array_of(type, size == constants_.end() ? 0 : size->second);
+                array.sizes.insert(array.sizes.begin(), size == constants_.end() ? 0 : size->second);
+                return array;
             }
-            case Kind::runtime_array:
-                return array_of(type, 0);
             case Kind::structure:
                 return structure(id, type);
-            default:
-                return scalar(type);
+            default: {
+                std::string other = spirv::other_number(type);
+                return {.scalar = other.empty() ? scalar_of(type) : Scalar::unsupported,
+                        .members = {},
+                        .name = std::move(other)};
+            }
         }
     }
 
-    static Type scalar(const spirv::Type& type) {
-        const auto of = [](Scalar scalar) { return Type{.scalar = scalar, .members = {}, .name = {}}; };
-        if (const std::string other = spirv::other_number(type); !other.empty())
-            return {.scalar = Scalar::unsupported, .members = {}, .name = other};
+    static Scalar scalar_of(const spirv::Type& type) {
         switch (type.kind) {
             case spirv::Type::Kind::void_:
-                return of(Scalar::void_);
+                return Scalar::void_;
             case spirv::Type::Kind::boolean:
-                return of(Scalar::bool_);
+                return Scalar::bool_;
             case spirv::Type::Kind::integer:
-                return of(type.is_signed ? Scalar::int_ : Scalar::uint_);
+                return type.is_signed ? Scalar::int_ : Scalar::uint_;
             case spirv::Type::Kind::real:
-                return of(type.width == 16 ? Scalar::float16_ : Scalar::float_);
+                return type.width == 16 ? Scalar::float16_ : Scalar::float_;
             default:
-                return of(Scalar::unsupported);
+                return Scalar::unsupported;
         }
     }
 
@@ -96,12 +98,6 @@ class TypeReader {
         const int count = static_cast<int>(type.count);
         (type.kind == spirv::Type::Kind::matrix ? result.columns : result.rows) = count;
         return result;
-    }
-
-    [[nodiscard]] Type array_of(const spirv::Type& type, Id size) const {
-        Type array = type_of(type.element);
-        array.sizes.insert(array.sizes.begin(), size);
-        return array;
     }
 
     [[nodiscard]] Type structure(Id id, const spirv::Type& type) const {
@@ -116,14 +112,6 @@ class TypeReader {
     mutable std::map<Id, Type> known_;
 };
 
-// Index of each function by its id.
-std::map<Id, std::size_t> function_indices(const std::vector<Instruction>& code) {
-    std::map<Id, std::size_t> indices;
-    for (const Instruction& instruction : code)
-        if (instruction.opcode == SpvOpFunction) indices.emplace(instruction.word(2), indices.size());
-    return indices;
-}
-
 void merge(std::vector<Parameter>& used, const Parameter& variable, source::Direction direction) {
     auto found = std::ranges::find(used, variable.name, &Parameter::name);
     if (found == used.end()) found = used.insert(used.end(), variable);
@@ -132,24 +120,22 @@ void merge(std::vector<Parameter>& used, const Parameter& variable, source::Dire
 
 // Private variables, samplers and images at file scope, and what a function does with them.
 class Globals {
-    using Variable = std::pair<Id, Parameter>;
-
   public:
     Globals(const std::vector<Instruction>& code, const TypeReader& types) {
         for (const Instruction& instruction : code)
             if (instruction.opcode == SpvOpVariable &&
                 (instruction.word(3) == SpvStorageClassPrivate ||
                  instruction.word(3) == SpvStorageClassUniformConstant))
-                variables_.push_back({instruction.word(2),
-                                      {types.name_of(instruction.word(2)), types.type_of(instruction.word(1)),
-                                       source::Direction::in, true}});
+                variables_[instruction.word(2)] = {types.name_of(instruction.word(2)),
+                                                   types.type_of(instruction.word(1)), source::Direction::in,
+                                                   true};
     }
 
     void read(const Instruction& instruction, std::vector<Parameter>& used) {
         switch (instruction.opcode) {
             case SpvOpFunction:
                 bases_.clear();
-                for (const auto& variable : variables_) bases_[variable.first] = variable.first;
+                for (const auto& [id, variable] : variables_) bases_[id] = id;
                 break;
             case SpvOpAccessChain:
             case SpvOpInBoundsAccessChain:
@@ -164,12 +150,9 @@ class Globals {
                 use(instruction.word(1), true, used);
                 return use(instruction.word(2), false, used);
             case SpvOpFunctionCall:
-                for (std::size_t i = 4; i < instruction.words.size(); ++i)
-                    use(instruction.words[i], true, used);
-                break;
             case SpvOpExtInst:  // modf, frexp
-                for (std::size_t i = 5; i < instruction.words.size(); ++i)
-                    use(instruction.words[i], true, used);
+                for (const Id pointer : instruction.from(instruction.opcode == SpvOpExtInst ? 5 : 4))
+                    use(pointer, true, used);
                 break;
             default:
                 break;
@@ -180,11 +163,10 @@ class Globals {
     void use(Id pointer, bool writes, std::vector<Parameter>& used) const {
         const auto base = bases_.find(pointer);
         if (base == bases_.end()) return;
-        const Parameter& variable = std::ranges::find(variables_, base->second, &Variable::first)->second;
-        merge(used, variable, writes ? source::Direction::inout : source::Direction::in);
+        merge(used, variables_.at(base->second), writes ? source::Direction::inout : source::Direction::in);
     }
 
-    std::vector<Variable> variables_;
+    std::map<Id, Parameter> variables_;
     std::map<Id, Id> bases_;  // of pointers in the current function
 };
 
@@ -215,7 +197,9 @@ std::vector<Compiled> compiled(const Spirv& module) {
     const std::vector<Instruction> code = instructions(module);
     const TypeReader types(code);
     Globals globals(code, types);
-    const std::map<Id, std::size_t> indices = function_indices(code);
+    std::map<Id, std::size_t> indices;  // of the functions
+    for (const Instruction& instruction : code)
+        if (instruction.opcode == SpvOpFunction) indices.emplace(instruction.word(2), indices.size());
     std::vector<Compiled> found;
     for (const Instruction& instruction : code) {
         const Id type = instruction.word(1);
@@ -240,12 +224,12 @@ std::vector<Compiled> compiled(const Spirv& module) {
 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
-Function function_of(Function function, const source::internal::FunctionHead& declaration) {
+Function function_of(Function function, const source::FunctionHead& declaration) {
     if (function.name.starts_with(source::own_prefix)) function.name.erase(0, source::own_prefix.size());
     function.defined = declaration.defined;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         Parameter& parameter = function.parameters[i];
-        const source::internal::DeclaredParameter& declared = declaration.parameters.at(i);
+        const source::DeclaredParameter& declared = declaration.parameters.at(i);
         parameter.direction = declared.direction;
         if (parameter.type.scalar == Scalar::unsupported && parameter.type.name.empty())
             parameter.type.name = declared.type.substr(0, declared.type.find('['));  // the sizes are known
@@ -259,10 +243,10 @@ Function function_of(Function function, const source::internal::FunctionHead& de
 
 // The declaration of each function of the module; null for an added main. Functions of one name are in the
 // same order on both sides.
-std::vector<const source::internal::FunctionHead*> paired(
-    const std::vector<Compiled>& compiled, const std::vector<source::internal::FunctionHead>& declared) {
-    std::vector<const source::internal::FunctionHead*> pairs(compiled.size(), nullptr);
-    for (const source::internal::FunctionHead& declaration : declared) {
+std::vector<const source::FunctionHead*> paired(const std::vector<Compiled>& compiled,
+                                                const std::vector<source::FunctionHead>& declared) {
+    std::vector<const source::FunctionHead*> pairs(compiled.size(), nullptr);
+    for (const source::FunctionHead& declaration : declared) {
         std::size_t i = 0;
         while (i < pairs.size() && (pairs[i] || compiled[i].name != declaration.name)) ++i;
         if (i == pairs.size())
@@ -274,15 +258,15 @@ std::vector<const source::internal::FunctionHead*> paired(
 
 // In order of definition; a function that is only declared is listed at its first call.
 std::vector<Function> listed(const std::vector<Compiled>& compiled,
-                             const std::vector<source::internal::FunctionHead>& declared) {
-    const std::vector<const source::internal::FunctionHead*> pairs = paired(compiled, declared);
+                             const std::vector<source::FunctionHead>& declared) {
+    const std::vector<const source::FunctionHead*> pairs = paired(compiled, declared);
     std::vector<Function> functions;
     std::vector<bool> taken(pairs.size(), false);
     const auto take = [&](std::size_t i) {
         if (!taken[i]) functions.push_back(function_of(compiled[i], *pairs[i]));
         taken[i] = true;
     };
-    for (const source::internal::FunctionHead& declaration : declared) {
+    for (const source::FunctionHead& declaration : declared) {
         if (!declaration.defined) break;  // those that are only declared come last
         const auto found = static_cast<std::size_t>(std::ranges::find(pairs, &declaration) - pairs.begin());
         take(found);
@@ -308,14 +292,14 @@ void require_no_bias(const Spirv& module, const std::string& name) {
 }  // namespace
 
 std::vector<Function> functions(const source::Source& source, const CompileOptions& options) {
-    source::internal::require_vulkan_version(source);
+    source::require_vulkan_version(source);
     // The unchanged text is parsed first, so that messages have its line numbers.
-    const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
-                                options.include_roots);
-    const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
-    const std::vector<source::internal::FunctionHead> declared =
-        source::internal::each_once(source::internal::function_heads(text));
-    const source::Source whole{source.name, source::internal::completed(text, declared)};
+    internal::check(options.stage, internal::Client::vulkan, source.name, {source}, options.include_roots);
+    const std::string text =
+        internal::preprocessed({source}, options.stage, internal::Client::vulkan,
+                               internal::include_folders(options.include_roots, {source}));
+    const std::vector<source::FunctionHead> declared = source::each_once(source::function_heads(text));
+    const source::Source whole{source.name, source::completed(text, declared)};
     const Spirv module = internal::to_spirv(whole, options.stage, {}, internal::Unreached::kept);
     try {
         if (options.stage != source::Stage::fragment) require_no_bias(module, source.name);

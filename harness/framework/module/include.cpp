@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/files.hpp"
-#include "module/internal/include_folders.hpp"
+#include "module/internal/front_end.hpp"
 #include "source/lines.hpp"
 
 namespace gloam::module {
@@ -57,6 +57,19 @@ bool is_below(const Path& file, const std::vector<Path>& roots) {
     });
 }
 
+// Where a file is read from: read_text().
+Path overlaid(const Path& file) {
+    const char* const copy = std::getenv("GLOAM_SHADERS");
+    const char* const original = std::getenv("GLOAM_SHADERS_OF");
+    if (copy == nullptr || original == nullptr) return file;
+    std::error_code error;
+    const Path folder = std::filesystem::canonical(original, error);
+    const Path real = error ? Path() : std::filesystem::canonical(file, error);
+    if (error || !is_below(real, {folder})) return file;
+    Path found = copy / real.lexically_relative(folder);
+    return is_file(found) ? found : file;
+}
+
 std::optional<Path> first_file(const std::vector<Path>& files, const std::vector<Path>& permitted) {
     for (const Path& file : files)
         if (is_file(file) && is_below(file, permitted)) return file;
@@ -69,77 +82,7 @@ std::string listed(const std::vector<Path>& files) {
     return list;
 }
 
-// Visits includes in the order of first mention. A chain of includes can be as long as their author wants, so
-// that the open files are a list and not calls within calls.
-class Closure {
-  public:
-    explicit Closure(internal::IncludeFolders folders) : folders_(std::move(folders)) {}
-
-    std::vector<IncludedFile> run(std::string_view text, const Path& from) {
-        open(text, from);
-        while (!open_.empty()) {
-            const Name next = std::move(open_.back());
-            open_.pop_back();
-            if (mentioned_.insert(next).second) mention(next);  // a repeated name is the same file
-        }
-        return std::move(files_);
-    }
-
-  private:
-    struct Name {
-        std::string name;
-        Path from;
-        auto operator<=>(const Name&) const = default;
-    };
-
-    // Puts the includes of a text before those that wait, the last one first.
-    void open(std::string_view text, const Path& from) {
-        const auto waiting = static_cast<std::ptrdiff_t>(open_.size());
-        for (const source::internal::Line& line : source::internal::split_lines(text))
-            if (const auto include = source::internal::include_of(line))
-                open_.push_back({include->name, include->system ? Path() : from});
-        std::reverse(open_.begin() + waiting, open_.end());
-    }
-
-    void mention(const Name& name) {
-        const std::optional<Path> file =
-            first_file(candidates(name.name, name.from, folders_.roots), folders_.permitted);
-        if (!file || !seen_.insert(*file).second) return;
-        std::string text;
-        try {
-            text = read_text(*file);
-        } catch (const std::runtime_error&) {
-            return;
-        }
-        bytes_ += text.size();
-        if (bytes_ > base::largest_text)
-            throw std::runtime_error(file->string() + ": the includes together are longer than " +
-                                     std::to_string(base::largest_text) + " bytes");
-        files_.push_back({*file, text});
-        open(text, file->parent_path());
-    }
-
-    internal::IncludeFolders folders_;
-    std::set<Name> mentioned_;
-    std::set<Path> seen_;
-    std::vector<Name> open_;
-    std::size_t bytes_ = 0;
-    std::vector<IncludedFile> files_;
-};
-
 }  // namespace
-
-Path overlaid(const Path& file) {
-    const char* const copy = std::getenv("GLOAM_SHADERS");
-    const char* const original = std::getenv("GLOAM_SHADERS_OF");
-    if (copy == nullptr || original == nullptr) return file;
-    std::error_code error;
-    const Path folder = std::filesystem::canonical(original, error);
-    const Path real = error ? Path() : std::filesystem::canonical(file, error);
-    if (error || !is_below(real, {folder})) return file;
-    Path found = copy / real.lexically_relative(folder);
-    return is_file(found) ? found : file;
-}
 
 std::string read_text(const Path& file) {
     std::error_code error;
@@ -185,11 +128,47 @@ Path resolve_include(std::string_view name, const Path& from, const std::vector<
     return internal::resolved(name, from, {.roots = roots, .permitted = roots});
 }
 
-std::vector<IncludedFile> include_closure(std::string_view text, const std::vector<Path>& roots,
-                                          const Path& from) {
-    std::vector<Path> permitted = roots;
-    if (!from.empty()) permitted.push_back(from);
-    return Closure({.roots = roots, .permitted = std::move(permitted)}).run(text, from);
+// A chain of includes can be as long as their author wants, so that the open files are a list and not calls
+// within calls.
+std::vector<IncludedFile> include_closure(const source::Source& source, const std::vector<Path>& roots) {
+    struct Name {
+        std::string name;
+        Path from;
+        auto operator<=>(const Name&) const = default;
+    };
+    const internal::IncludeFolders folders = internal::include_folders(roots, {source});
+    std::vector<IncludedFile> files;
+    std::vector<Name> waiting;
+    std::set<Name> mentioned;
+    std::set<Path> seen;
+    std::size_t bytes = 0;
+    // Puts the includes of a text before those that wait, the last one first.
+    const auto open = [&waiting](std::string_view text, const Path& from) {
+        const auto before = static_cast<std::ptrdiff_t>(waiting.size());
+        for (const source::Line& line : source::split_lines(text))
+            if (const auto include = source::include_of(line))
+                waiting.push_back({include->name, include->system ? Path() : from});
+        std::reverse(waiting.begin() + before, waiting.end());
+    };
+    open(source.text, Path(source.name).parent_path());
+    while (!waiting.empty()) {
+        const Name next = std::move(waiting.back());
+        waiting.pop_back();
+        if (!mentioned.insert(next).second) continue;  // a repeated name is the same file
+        const auto file = first_file(candidates(next.name, next.from, roots), folders.permitted);
+        if (!file || !seen.insert(*file).second) continue;
+        try {
+            files.push_back({*file, read_text(*file)});
+        } catch (const std::runtime_error&) {
+            continue;
+        }
+        bytes += files.back().text.size();
+        if (bytes > base::largest_text)
+            throw std::runtime_error(file->string() + ": the includes together are longer than " +
+                                     std::to_string(base::largest_text) + " bytes");
+        open(files.back().text, file->parent_path());
+    }
+    return files;
 }
 
 }  // namespace gloam::module

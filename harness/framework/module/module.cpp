@@ -91,7 +91,6 @@ const Type* Declarations::read(const Instruction& i) {
         type->members.push_back(members_[{id, m}]);
         type->members.back().type = i.word(m + 2);
     }
-    type_order.push_back(id);
     return &(types[id] = std::move(*type));
 }
 
@@ -106,28 +105,17 @@ std::string Declarations::name_of(Id id) const {
 }
 
 void Declarations::decorate(const Instruction& i) {
-    using All = Decorations;
-    static const std::map<std::uint32_t, bool All::*> flags{
-        {SpvDecorationNoContraction, &All::no_contraction},
-        {SpvDecorationRelaxedPrecision, &All::relaxed},
-        {SpvDecorationFlat, &All::flat},
-        {SpvDecorationNoPerspective, &All::no_perspective},
-        {SpvDecorationCentroid, &All::special_location},
-        {SpvDecorationSample, &All::special_location}};
-    static const std::map<std::uint32_t, std::optional<std::uint32_t> All::*> numbers{
-        {SpvDecorationSpecId, &All::spec_id},
-        {SpvDecorationBuiltIn, &All::built_in},
-        {SpvDecorationLocation, &All::location}};
-    All& all = decorations_[i.word(1)];
+    Decorations& all = decorations_[i.word(1)];
     const std::uint32_t decoration = i.word(2);
-    if (const auto flag = flags.find(decoration); flag != flags.end()) all.*flag->second = true;
-    if (const auto number = numbers.find(decoration); number != numbers.end())
-        all.*number->second = i.word(3);
+    if (decoration == SpvDecorationNoContraction) all.no_contraction = true;
+    if (decoration == SpvDecorationRelaxedPrecision) all.relaxed = true;
+    if (decoration == SpvDecorationNonReadable) all.not_readable = true;
+    if (decoration == SpvDecorationNonWritable) all.not_writable = true;
+    if (decoration == SpvDecorationSpecId) all.spec_id = i.word(3);
+    if (decoration == SpvDecorationBuiltIn) all.built_in = i.word(3);
     if (decoration == SpvDecorationDescriptorSet) all.set = i.word(3);
     if (decoration == SpvDecorationBinding) all.binding = i.word(3);
     if (decoration == SpvDecorationArrayStride) strides_[i.word(1)] = i.word(3);
-    if (decoration == SpvDecorationComponent || decoration == SpvDecorationIndex)
-        all.special_location = i.word(3) != 0;
 }
 
 void Declarations::decorate_member(const Instruction& i) {
@@ -136,7 +124,8 @@ void Declarations::decorate_member(const Instruction& i) {
     if (decoration == SpvDecorationOffset) member.offset = i.word(4);
     if (decoration == SpvDecorationMatrixStride) member.matrix.stride = i.word(4);
     if (decoration == SpvDecorationRowMajor) member.matrix.row_major = true;
-    if (decoration == SpvDecorationBuiltIn) member.built_in = i.word(4);
+    if (decoration == SpvDecorationNonReadable) member.not_readable = true;
+    if (decoration == SpvDecorationNonWritable) member.not_writable = true;
 }
 
 std::string other_number(const Type& type) {

@@ -35,7 +35,8 @@ struct Member {
     std::string name{};
     std::uint32_t offset = 0;  // bytes
     MatrixLayout matrix{};
-    std::optional<std::uint32_t> built_in{};
+    bool not_readable = false;
+    bool not_writable = false;
 };
 
 struct Type {
@@ -83,14 +84,12 @@ struct Type {
 struct Decorations {
     bool no_contraction = false;
     bool relaxed = false;
+    bool not_readable = false;
+    bool not_writable = false;
     std::optional<std::uint32_t> spec_id{};
     std::optional<std::uint32_t> built_in{};
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
-    std::optional<std::uint32_t> location{};
-    bool flat = false;              // not interpolated
-    bool no_perspective = false;    // interpolated in the window
-    bool special_location = false;  // a component of a location, or interpolated beside the middle
 };
 
 class Declarations {
@@ -105,7 +104,6 @@ class Declarations {
 
     std::map<Id, std::string> names;  // as they stand in the module
     std::map<Id, Type> types;
-    std::vector<Id> type_order;
     std::set<Id> extended_sets;  // GLSL.std.450
 
   private:

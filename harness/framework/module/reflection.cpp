@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "module/reflection.hpp"
 
+#include <spirv.h>
 #include <algorithm>
-#include <array>
 #include <map>
-#include <span>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
-#include "module/internal/cross.hpp"
+#include "module/module.hpp"
 
 namespace gloam::module {
 namespace {
 
-std::string name_of(spvc_basetype type) {
-    static const std::map<spvc_basetype, const char*> names{{SPVC_BASETYPE_BOOLEAN, "bool"},
-                                                            {SPVC_BASETYPE_INT32, "int"},
-                                                            {SPVC_BASETYPE_UINT32, "uint"},
-                                                            {SPVC_BASETYPE_FP32, "float"}};
-    if (const auto found = names.find(type); found != names.end()) return found->second;
+using spirv::Id;
+using Kind = spirv::Type::Kind;
+
+std::string scalar_name(const spirv::Type& type) {
+    if (type.kind == Kind::boolean) return "bool";
+    if (type.kind == Kind::integer && type.width == 32) return type.is_signed ? "int" : "uint";
+    if (type.kind == Kind::real && type.width == 32) return "float";
     throw std::runtime_error("a member that is no float, int, uint, bool or structure of them");
 }
 
-std::string format_name(SpvImageFormat format) {
-    static const std::map<SpvImageFormat, std::string> names{
+std::string format_name(std::uint32_t format) {
+    static const std::map<std::uint32_t, std::string> names{
         {SpvImageFormatRgba32f, "rgba32f"},   {SpvImageFormatRgba16f, "rgba16f"},
         {SpvImageFormatR32f, "r32f"},         {SpvImageFormatRg32f, "rg32f"},
         {SpvImageFormatRg16f, "rg16f"},       {SpvImageFormatR16f, "r16f"},
@@ -37,188 +38,169 @@ std::string format_name(SpvImageFormat format) {
     return found->second;
 }
 
+// "2DArray", "Cube"
+std::string shape_of(const spirv::Type& image) {
+    static const std::map<std::uint32_t, std::string> names{
+        {SpvDim1D, "1D"}, {SpvDim2D, "2D"}, {SpvDim3D, "3D"}, {SpvDimCube, "Cube"}};
+    const auto found = names.find(image.dimension);
+    std::string shape = found == names.end() ? "Buffer" : found->second;
+    if (image.multisampled) shape += "MS";
+    if (image.arrayed) shape += "Array";
+    return image.depth ? shape + "Shadow" : shape;
+}
+
+// Of a variable of this storage class and type; empty: no binding.
+std::optional<BindingType> binding_type(std::uint32_t storage, const spirv::Type& type) {
+    if (storage == SpvStorageClassUniform) return BindingType::uniform_buffer;
+    if (storage == SpvStorageClassStorageBuffer) return BindingType::storage_buffer;
+    if (storage != SpvStorageClassUniformConstant || type.dimension == SpvDimSubpassData) return std::nullopt;
+    if (type.kind == Kind::sampled_image) return BindingType::sampled_image;
+    if (type.kind == Kind::sampler) return BindingType::sampler;
+    if (type.kind != Kind::image) return std::nullopt;
+    return type.stored ? BindingType::storage_image : BindingType::texture;
+}
+
+// Bytes up to the end of the last member; an unbounded array has none.
+std::size_t size_of(const std::vector<LaidOut>& members) {
+    std::size_t size = 0;
+    for (const LaidOut& member : members) {
+        const bool unbounded = !member.sizes.empty() && member.sizes.front() == 0;
+        size = std::max(size, member.offset + (unbounded ? 0 : member.size));
+    }
+    return size;
+}
+
 class Reflector {
   public:
-    explicit Reflector(const Spirv& module)
-        : cross_(module, SPVC_BACKEND_NONE, "reflect the module"), compiler_(cross_.compiler()) {
-        cross_.require(spvc_compiler_create_shader_resources(compiler_, &resources_));
+    explicit Reflector(const Spirv& module) : code_(instructions(module)) {
+        for (const Instruction& i : code_) {
+            declared_.read(i);
+            if (i.opcode >= SpvOpConstantTrue && i.opcode <= SpvOpSpecConstant) constants_[i.word(2)] = i;
+        }
     }
 
-    ModuleInterface run() {
-        using enum BindingType;
+    ModuleInterface run() const {
         ModuleInterface all;
-        for (const auto& [kind, type] : {std::pair(SPVC_RESOURCE_TYPE_STORAGE_IMAGE, storage_image),
-                                         std::pair(SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, sampled_image),
-                                         std::pair(SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, texture),
-                                         std::pair(SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, sampler),
-                                         std::pair(SPVC_RESOURCE_TYPE_STORAGE_BUFFER, storage_buffer),
-                                         std::pair(SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, uniform_buffer)}) {
-            for (const spvc_reflected_resource& resource : cross_.list(resources_, kind))
-                all.bindings.push_back(binding(resource, type));
+        for (const Instruction& i : code_) {
+            if (i.opcode == SpvOpVariable) add_variable(i, all);
+            if (i.opcode == SpvOpExecutionMode && i.word(2) == SpvExecutionModeLocalSize)
+                all.local_size = {i.word(3), i.word(4), i.word(5)};
+            if (i.opcode == SpvOpSpecConstantComposite &&
+                declared_.decorations_of(i.word(2)).built_in == SpvBuiltInWorkgroupSize)
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    all.local_size_ids.at(axis) = declared_.decorations_of(i.word(3 + axis)).spec_id;
         }
-        std::ranges::sort(all.bindings, {}, [](const Binding& b) { return std::tuple(b.set, b.number); });
-        for (const spvc_reflected_resource& resource :
-             cross_.list(resources_, SPVC_RESOURCE_TYPE_PUSH_CONSTANT))
-            all.push_constants = block(resource);
-        all.constants = constants();
-        for (unsigned axis = 0; axis < 3; ++axis)
-            all.local_size.at(axis) = spvc_compiler_get_execution_mode_argument_by_index(
-                compiler_, SpvExecutionModeLocalSize, axis);
-        std::array<spvc_specialization_constant, 3> sizes{};
-        (void)spvc_compiler_get_work_group_size_specialization_constants(compiler_, &sizes[0], &sizes[1],
-                                                                         &sizes[2]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (sizes.at(axis).id != 0) all.local_size_ids.at(axis) = sizes.at(axis).constant_id;
+        for (const auto& [id, constant] : constants_)
+            if (const auto number = declared_.decorations_of(id).spec_id)
+                all.constants.push_back({.id = *number,
+                                         .name = declared_.name_of(id),
+                                         .type = scalar_name(type(constant.word(1))),
+                                         .bits = bits_of(constant)});
+        std::ranges::sort(all.constants, {}, &SpecializationConstant::id);
+        std::ranges::stable_sort(all.bindings, {},
+                                 [](const Binding& b) { return std::tuple(b.set, b.number, b.type); });
         return all;
     }
 
   private:
-    std::string shape_of(const spvc_reflected_resource& resource) const {
-        const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
-        static const std::map<SpvDim, std::string> names{
-            {SpvDim1D, "1D"}, {SpvDim2D, "2D"}, {SpvDim3D, "3D"}, {SpvDimCube, "Cube"}};
-        const auto found = names.find(spvc_type_get_image_dimension(image));
-        std::string shape = found == names.end() ? "Buffer" : found->second;
-        if (spvc_type_get_image_multisampled(image) != SPVC_FALSE) shape += "MS";
-        if (spvc_type_get_image_arrayed(image) != SPVC_FALSE) shape += "Array";
-        if (spvc_type_get_image_is_depth(image) != SPVC_FALSE) shape += "Shadow";
-        const spvc_type whole = spvc_compiler_get_type_handle(compiler_, resource.type_id);
-        return spvc_type_get_num_array_dimensions(whole) > 0 ? shape + "[]" : shape;
+    const spirv::Type& type(Id id) const { return declared_.types.at(id); }
+
+    static std::uint32_t bits_of(const Instruction& constant) {
+        const bool is_true = constant.opcode == SpvOpConstantTrue || constant.opcode == SpvOpSpecConstantTrue;
+        return is_true ? 1 : constant.word(3);
     }
 
-    // Of an array without a size 1.
-    std::uint32_t count_of(const spvc_reflected_resource& resource) const {
-        const spvc_type type = spvc_compiler_get_type_handle(compiler_, resource.type_id);
-        std::uint32_t count = 1;
-        for (unsigned d = 0; d < spvc_type_get_num_array_dimensions(type); ++d)
-            count *= std::max(1U, spvc_type_get_array_dimension(type, d));
-        return count;
+    // The element of an array of any dimensions, and their sizes, outermost first: 0 of one without.
+    Id element_of(Id id, std::vector<unsigned>& sizes) const {
+        for (; type(id).kind == Kind::array || type(id).kind == Kind::runtime_array; id = type(id).element) {
+            const auto size = constants_.find(type(id).length);
+            sizes.push_back(size == constants_.end() ? 0 : bits_of(size->second));
+        }
+        return id;
     }
 
-    Binding binding(const spvc_reflected_resource& resource, BindingType type) const {
-        Binding result{.set = decoration(resource.id, SpvDecorationDescriptorSet),
-                       .number = decoration(resource.id, SpvDecorationBinding),
-                       .count = count_of(resource),
-                       .name = spvc_compiler_get_name(compiler_, resource.id),
-                       .type = type};
-        const auto has = [&](SpvDecoration d) {
-            return spvc_compiler_has_decoration(compiler_, resource.id, d) != SPVC_FALSE;
+    void add_variable(const Instruction& variable, ModuleInterface& all) const {
+        std::vector<unsigned> sizes;
+        const Id id = element_of(type(variable.word(1)).element, sizes);
+        const std::uint32_t storage = variable.word(3);
+        if (storage == SpvStorageClassPushConstant) all.push_constants = block(id);
+        const auto kind = binding_type(storage, type(id));
+        if (!kind) return;
+        const spirv::Decorations decorations = declared_.decorations_of(variable.word(2));
+        Binding binding{.set = decorations.set,
+                        .number = decorations.binding,
+                        .name = declared_.name_of(variable.word(2)),
+                        .type = *kind};
+        for (const unsigned size : sizes) binding.count *= std::max(1U, size);
+        const bool stored = *kind == BindingType::storage_image;
+        if (stored || *kind == BindingType::sampled_image) {
+            const spirv::Type& image = stored ? type(id) : type(type(id).element);
+            binding.texel = scalar_name(type(image.element));
+            binding.shape = shape_of(image) + (sizes.empty() ? "" : "[]");
+        }
+        if (stored) binding.format = format_name(type(id).format);
+        const bool buffer = *kind == BindingType::storage_buffer || *kind == BindingType::uniform_buffer;
+        if (buffer) {
+            binding.block = block(id);
+            if (binding.name.empty()) binding.name = binding.block->name;
+        }
+        const auto all_have = [&](bool spirv::Member::* flag) {
+            const std::vector<spirv::Member>& members = type(id).members;
+            return buffer && std::ranges::all_of(members, flag);
         };
-        if (type == BindingType::storage_image || type == BindingType::sampled_image) {
-            const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
-            const spvc_type_id texel = spvc_type_get_image_sampled_type(image);
-            result.texel = name_of(spvc_type_get_basetype(spvc_compiler_get_type_handle(compiler_, texel)));
-            result.shape = shape_of(resource);
-        }
-        if (type == BindingType::storage_image) {
-            const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.type_id);
-            result.format = format_name(spvc_type_get_image_storage_format(image));
-            result.reads = !has(SpvDecorationNonReadable);
-            result.writes = !has(SpvDecorationNonWritable);
-        } else if (type == BindingType::storage_buffer || type == BindingType::uniform_buffer) {
-            result.block = block(resource);
-            const std::vector<SpvDecoration> of_all = buffer_decorations(resource.id);
-            const auto all_have = [&](SpvDecoration d) {
-                return std::ranges::find(of_all, d) != of_all.end();
-            };
-            result.reads = !all_have(SpvDecorationNonReadable);
-            result.writes = type == BindingType::storage_buffer && !all_have(SpvDecorationNonWritable);
-            if (result.name.empty()) result.name = result.block->name;
-        }
+        binding.reads = !decorations.not_readable && !all_have(&spirv::Member::not_readable);
+        binding.writes = (stored || *kind == BindingType::storage_buffer) && !decorations.not_writable &&
+                         !all_have(&spirv::Member::not_writable);
+        all.bindings.push_back(std::move(binding));
+    }
+
+    BlockLayout block(Id id) const {
+        BlockLayout result{.name = declared_.name_of(id), .members = members(id)};
+        result.size = size_of(result.members);
         return result;
     }
 
-    std::vector<SpvDecoration> buffer_decorations(spvc_variable_id id) const {
-        const SpvDecoration* first = nullptr;
-        std::size_t count = 0;
-        cross_.require(spvc_compiler_get_buffer_block_decorations(compiler_, id, &first, &count));
-        return {first, first + count};
-    }
-
-    std::uint32_t decoration(SpvId id, SpvDecoration which) const {
-        return spvc_compiler_get_decoration(compiler_, id, which);
-    }
-
-    BlockLayout block(const spvc_reflected_resource& resource) const {
-        const spvc_type type = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
-        BlockLayout result{.name = spvc_compiler_get_name(compiler_, resource.base_type_id),
-                           .members = members(type)};
-        cross_.require(spvc_compiler_get_declared_struct_size(compiler_, type, &result.size));
-        return result;
-    }
-
-    std::vector<LaidOut> members(spvc_type structure) const {
+    std::vector<LaidOut> members(Id structure) const {
         std::vector<LaidOut> all;
-        for (unsigned i = 0; i < spvc_type_get_num_member_types(structure); ++i)
-            all.push_back(member(structure, i));
+        for (const spirv::Member& member : type(structure).members) all.push_back(laid_out(member));
         return all;
     }
 
-    LaidOut member(spvc_type structure, unsigned index) const {
-        const spvc_type_id parent = spvc_type_get_base_type_id(structure);
-        const spvc_type type =
-            spvc_compiler_get_type_handle(compiler_, spvc_type_get_member_type(structure, index));
-        LaidOut result{.name = spvc_compiler_get_member_name(compiler_, parent, index)};
-        unsigned offset = 0;
-        cross_.require(spvc_compiler_type_struct_member_offset(compiler_, structure, index, &offset));
-        result.offset = offset;
-        result.rows = spvc_type_get_vector_size(type);
-        result.columns = spvc_type_get_columns(type);
-        result.row_major = spvc_compiler_has_member_decoration(compiler_, parent, index,
-                                                               SpvDecorationRowMajor) != SPVC_FALSE;
-        // SPIRV-Cross has the innermost first.
-        for (unsigned d = spvc_type_get_num_array_dimensions(type); d-- > 0;)
-            result.sizes.push_back(spvc_type_get_array_dimension(type, d));
-        if (!result.sizes.empty()) {
-            unsigned stride = 0;
-            cross_.require(
-                spvc_compiler_type_struct_member_array_stride(compiler_, structure, index, &stride));
-            result.stride = stride;
-        }
-        if (spvc_type_get_basetype(type) == SPVC_BASETYPE_STRUCT) {
-            result.type = spvc_compiler_get_name(compiler_, spvc_type_get_base_type_id(type));
-            result.members =
-                members(spvc_compiler_get_type_handle(compiler_, spvc_type_get_base_type_id(type)));
+    LaidOut laid_out(const spirv::Member& member) const {
+        LaidOut result{.name = member.name,
+                       .offset = member.offset,
+                       .stride = type(member.type).array_stride,
+                       .row_major = member.matrix.row_major};
+        Id id = element_of(member.type, result.sizes);
+        const bool pointer = type(id).kind == Kind::pointer;  // to a buffer, of 64 bits
+        if (pointer) id = type(id).element;
+        if (type(id).kind == Kind::structure) {
+            result.type = declared_.name_of(id);
+            result.members = members(id);
+            result.size = pointer ? 8 : size_of(result.members);
         } else {
-            result.type = name_of(spvc_type_get_basetype(type));
+            const spirv::Type* scalar = &type(id);
+            if (scalar->kind == Kind::matrix) {
+                result.columns = scalar->count;
+                scalar = &type(scalar->element);
+            }
+            if (scalar->kind == Kind::vector) {
+                result.rows = scalar->count;
+                scalar = &type(scalar->element);
+            }
+            result.type = scalar_name(*scalar);
+            result.size = std::size_t{4} * result.rows;
+            if (result.columns > 1)
+                result.size =
+                    std::size_t{member.matrix.stride} * (result.row_major ? result.rows : result.columns);
         }
-        result.size = size_of(structure, index, type, result);
+        if (!result.sizes.empty()) result.size = result.stride * std::max(1U, result.sizes.front());
         return result;
     }
 
-    std::size_t size_of(spvc_type structure, unsigned index, spvc_type type, const LaidOut& member) const {
-        if (!member.sizes.empty()) return member.stride * std::max(1U, member.sizes.front());
-        if (!member.members.empty()) {
-            std::size_t size = 0;
-            cross_.require(spvc_compiler_get_declared_struct_size(compiler_, type, &size));
-            return size;
-        }
-        if (member.columns == 1) return std::size_t{4} * member.rows;
-        unsigned stride = 0;
-        cross_.require(spvc_compiler_type_struct_member_matrix_stride(compiler_, structure, index, &stride));
-        return std::size_t{stride} * (member.row_major ? member.rows : member.columns);
-    }
-
-    std::vector<SpecializationConstant> constants() const {
-        const spvc_specialization_constant* first = nullptr;
-        std::size_t count = 0;
-        cross_.require(spvc_compiler_get_specialization_constants(compiler_, &first, &count));
-        std::vector<SpecializationConstant> all;
-        for (const spvc_specialization_constant& constant : std::span(first, count)) {
-            const spvc_constant value = spvc_compiler_get_constant_handle(compiler_, constant.id);
-            const spvc_type type = spvc_compiler_get_type_handle(compiler_, spvc_constant_get_type(value));
-            all.push_back({.id = constant.constant_id,
-                           .name = spvc_compiler_get_name(compiler_, constant.id),
-                           .type = name_of(spvc_type_get_basetype(type)),
-                           .bits = spvc_constant_get_scalar_u32(value, 0, 0)});
-        }
-        std::ranges::sort(all, {}, &SpecializationConstant::id);
-        return all;
-    }
-
-    internal::Cross cross_;
-    spvc_compiler compiler_;
-    spvc_resources resources_ = nullptr;
+    std::vector<Instruction> code_;
+    spirv::Declarations declared_;
+    std::map<Id, Instruction> constants_;
 };
 
 }  // namespace

@@ -61,14 +61,16 @@ Spirv module_from(const std::string& bytes, const std::string& from) {
     throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", from, bytes.size()));
 }
 
-constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;
-constexpr std::chrono::seconds most_time{60};
+const base::ProcessLimits limits{.memory_bytes = std::uint64_t{4} << 30,
+                                 .cpu = std::chrono::seconds(60),
+                                 .patience = std::chrono::seconds(120)};
 
 // A library that crashes or never ends costs this step alone.
-Spirv made_apart(const std::function<Spirv()>& make) {
-    const base::ProcessLimits limits{
-        .memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time};
-    return module_from(base::run_apart([&] { return bytes_of(make()); }, limits), "the step");
+Spirv run_passes(const std::string& step, const StepInput& input) {
+    Words passes = words_of(step);
+    passes.erase(passes.begin());
+    const auto made = [&] { return bytes_of(with_passes(input.module, passes)); };
+    return module_from(base::run_apart(made, limits), "the step");
 }
 
 Spirv run_program(const std::string& step, const StepInput& input) {
@@ -89,8 +91,7 @@ Spirv run_program(const std::string& step, const StepInput& input) {
     }
     base::ProcessResult result;
     try {
-        result = base::run_process(
-            command, {.memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time});
+        result = base::run_process(command, limits);
     } catch (const std::system_error& error) {
         throw StepUnavailable(fmt::format("{} cannot be started: {}", command.front(), error.what()));
     }
@@ -102,13 +103,6 @@ Spirv run_program(const std::string& step, const StepInput& input) {
     if (!result.succeeded())
         throw StepError(base::one_line(fmt::format("{} {}", command.front(), result.how())));
     return module_from(base::read_file(out), out.string());
-}
-
-Spirv taken_unchecked(const std::string& step, const StepInput& input) {
-    if (is_program(step)) return run_program(step, input);
-    Words words = words_of(step);
-    words.erase(words.begin());
-    return made_apart([&] { return with_passes(input.module, words); });
 }
 
 // The passes that the installed program names in its help. Those that need a number get a small one.
@@ -135,7 +129,7 @@ Words known_passes() {
 Spirv taken(const std::string& step, const StepInput& input) {
     require_step(step);
     try {
-        Spirv module = taken_unchecked(step, input);
+        Spirv module = is_program(step) ? run_program(step, input) : run_passes(step, input);
         validate(module);
         return module;
     } catch (const StepUnavailable& error) {

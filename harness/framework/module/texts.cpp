@@ -13,12 +13,21 @@
 namespace gloam::module {
 namespace {
 
+// The pieces keep their own line numbers; the last may end without a newline, in a comment.
+void check_pieces(source::Language language, source::Stage stage, std::vector<source::Source> pieces,
+                  bool add_main, const std::vector<std::filesystem::path>& roots) {
+    const std::string name = pieces.back().name;
+    const std::string local_size = stage == source::Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
+    if (add_main) pieces.push_back({name + ", behind its end", "\n" + local_size + "void main() {}\n"});
+    internal::check(stage, internal::client_of(language), name, pieces, roots, internal::Check::program);
+}
+
 // The same of each text as it is names its own lines, and those of what it includes.
 void check_as_it_is(const source::Source& source, source::Language language,
                     const std::vector<std::filesystem::path>& roots) {
     std::string text;
-    for (const source::internal::Line& line : source::internal::split_lines(source.text)) {
-        const auto directive = source::internal::directive_of(line);
+    for (const source::Line& line : source::split_lines(source.text)) {
+        const auto directive = source::directive_of(line);
         const bool version = directive && directive->keyword == "version";
         text += version ? std::string("\n") : std::string(line.text);
     }
@@ -44,7 +53,7 @@ std::string pack(const std::vector<source::Source>& sources, const source::PackR
         throw std::invalid_argument(name + ": " + error.what());
     }
     try {
-        check_program({name + " as packed", result.text}, !result.main, request.language, stage);
+        check_pieces(request.language, stage, {{name + " as packed", result.text}}, !result.main, {});
     } catch (const source::CompileError&) {
         if (!result.main)
             for (const source::Source& source : sources) check_as_it_is(source, request.language, roots);
@@ -83,6 +92,12 @@ std::vector<source::Mutation> mutations(const source::Source& source,
         internal::active_text({source}, source::Language::vulkan450, source::Stage::compute, roots));
 }
 
+void check_compiles(const source::Source& body, source::Language language,
+                    const std::vector<std::filesystem::path>& roots) {
+    // The compiler looks for includes beside the first piece.
+    check_pieces(language, usual_stage(language), {{body.name, preamble(language)}, body}, true, roots);
+}
+
 // Throws what the first stage says.
 void require_valid(const source::Source& source, const std::vector<std::filesystem::path>& roots) {
     using internal::Client;
@@ -94,7 +109,7 @@ void require_valid(const source::Source& source, const std::vector<std::filesyst
         for (const source::Stage stage :
              {source::Stage::compute, source::Stage::fragment, source::Stage::vertex}) {
             try {
-                const internal::Parse parse(stage, client, source.name, pieces, roots);
+                internal::check(stage, client, source.name, pieces, roots);
                 return;
             } catch (const source::CompileError& error) {
                 if (why.empty()) why = error.what();

@@ -41,6 +41,11 @@ namespace gloam::module {
 [[nodiscard]] std::vector<source::Mutation> mutations(const source::Source& source,
                                                       const std::vector<std::filesystem::path>& roots);
 
+// Parses `body` (no #version line; includes allowed) behind the preamble; adds an empty main. It is a compute
+// shader if the language has them, otherwise a fragment shader. Throws CompileError.
+void check_compiles(const source::Source& body, source::Language language,
+                    const std::vector<std::filesystem::path>& roots);
+
 // Throws CompileError for a text that is valid in no stage, by the rules neither of Vulkan nor of OpenGL. A
 // text without #version is GLSL 4.50.
 void require_valid(const source::Source& source, const std::vector<std::filesystem::path>& roots);

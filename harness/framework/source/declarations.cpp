@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-namespace gloam::source::internal {
+namespace gloam::source {
 namespace {
 
 using Kind = Declaration::Kind;
@@ -272,4 +272,4 @@ std::string completed(std::string text, const std::vector<FunctionHead>& functio
     return text;
 }
 
-}  // namespace gloam::source::internal
+}  // namespace gloam::source

@@ -13,7 +13,7 @@
 
 // What a GLSL text declares at file scope: one list, which packing, excerpts, mutations and the compiler's
 // front end read.
-namespace gloam::source::internal {
+namespace gloam::source {
 
 // A parameter as it is written, with the parts that SPIR-V does not keep.
 struct DeclaredParameter {
@@ -101,4 +101,4 @@ enum class Keep { comments, line_numbers };
 // contains complete programs only.
 [[nodiscard]] std::string completed(std::string text, const std::vector<FunctionHead>& functions);
 
-}  // namespace gloam::source::internal
+}  // namespace gloam::source

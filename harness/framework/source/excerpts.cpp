@@ -5,38 +5,26 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <sstream>
-#include <utility>
 
 #include "base/text.hpp"
 #include "source/internal/selection.hpp"
-#include "source/plain_global.hpp"
 
 namespace gloam::source {
 namespace {
 
-using internal::ActiveText;
-using internal::Declaration;
-using internal::Outline;
 using Kind = Declaration::Kind;
 
 // The file whose functions are taken: the last of those given.
-const internal::TextFile& own_file(const ActiveText& text) {
+const TextFile& own_file(const ActiveText& text) {
     return text.files[text.given - 1];
 }
 
-std::string version_of(const ActiveText& text) {
-    for (const internal::Line& line : own_file(text).lines) {
-        const auto directive = internal::directive_of(line);
-        if (directive && directive->keyword == "version") return directive->argument;
-    }
-    return {};
-}
-
 // "f(vec2, float)"
-std::string definition_of(const internal::FunctionHead& function) {
+std::string definition_of(const FunctionHead& function) {
     std::string parameters;
-    for (const internal::DeclaredParameter& parameter : function.parameters)
+    for (const DeclaredParameter& parameter : function.parameters)
         parameters += (parameters.empty() ? "" : ", ") + parameter.type;
     return function.name + "(" + parameters + ")";
 }
@@ -61,50 +49,162 @@ Macros macros_of(const Outline& outline) {
     return macros;
 }
 
-// The types without values that macros stand for, by the macros' names: SAMPLER_TYPE.
-std::map<std::string, std::string> opaque_macros(const Macros& macros) {
-    std::map<std::string, std::string> types;
-    for (const auto& [name, meant] : macros) {
-        const auto type = std::ranges::find_if(meant, internal::is_opaque);
-        if (type != meant.end()) types[name] = *type;
-    }
-    return types;
+bool is_precision(const Token& token) {
+    return token == "highp" || token == "mediump" || token == "lowp";
 }
 
-// Declarations of samplers and images, added to those of the excerpt.
-std::string bound_text(const std::vector<BoundVariable>& variables, Excerpt& excerpt) {
+// The tokens without layouts and storage qualifiers; an array without a size ("float values[];": as many as
+// its buffer holds) gets one.
+std::vector<Token> without_qualifiers(Tokens tokens) {
+    static const std::set<std::string_view> dropped{
+        "uniform",  "buffer",        "in",       "out",   "attribute", "varying",  "flat",     "smooth",
+        "centroid", "noperspective", "sample",   "patch", "shared",    "coherent", "volatile", "restrict",
+        "readonly", "writeonly",     "invariant"};
+    constexpr const char* runtime_array_length = "16";
+    std::vector<Token> kept;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (tokens[i] == "layout" && i + 1 < tokens.size() && tokens[i + 1] == "(") {
+            i = behind(tokens, i + 1) - 1;
+            continue;
+        }
+        if (tokens[i] == "]" && tokens[i - 1] == "[") kept.push_back({runtime_array_length});
+        if (!dropped.contains(tokens[i].text)) kept.push_back(tokens[i]);
+    }
+    return kept;
+}
+
+// The same list of declarators without their initial values.
+std::vector<Token> without_values(Tokens tokens) {
+    std::vector<Token> kept;
+    bool value = false;
+    for (std::size_t i = 0; i < tokens.size(); i = behind(tokens, i)) {
+        if (tokens[i] == "=") value = true;
+        if (tokens[i] == "," || tokens[i] == ";") value = false;
+        if (!value) std::ranges::copy(tokens.subspan(i, behind(tokens, i) - i), std::back_inserter(kept));
+    }
+    return kept;
+}
+
+// Directives between the lines of a declaration, each on its own line.
+std::string directives_of(const std::string& text) {
+    std::string all;
+    for (const Line& line : split_lines(text)) {
+        const auto directive = directive_of(line);
+        if (directive && directive->keyword != "line") all += std::string(line.text) + "\n";
+    }
+    return all.empty() ? all : "\n" + all;
+}
+
+// The format of a declaration of an image, if its texels have 32 bits; empty for another. An image that is
+// only written needs none.
+std::string image_format(Tokens tokens, std::string_view type) {
+    const std::string suffix = type.starts_with('u') ? "32ui" : type.starts_with("ii") ? "32i" : "32f";
+    for (const char* channels : {"r", "rg", "rgba"})
+        if (contains(tokens, channels + suffix)) return channels + suffix;
+    const bool other = std::ranges::any_of(tokens, [](const Token& token) {
+        return token.text.starts_with("r") && token.text.find_first_of("0123456789") != std::string::npos;
+    });
+    return contains(tokens, "writeonly") && !other ? "rgba" + suffix : std::string();
+}
+
+Access access_of(Tokens head) {
+    const bool fixed = contains(head, "readonly");
+    if (contains(head, "buffer")) return fixed ? Access::uniform : Access::buffer;
+    if (contains(head, "out") || contains(head, "varying")) return Access::any;
+    return contains(head, "uniform") ? Access::uniform : Access::reads;
+}
+
+// The type of a variable: what a macro in its place stands for, if that is a type without values.
+std::string type_of(const Token& word, const Macros& macros) {
+    if (const auto macro = macros.find(word.text); macro != macros.end())
+        if (const auto type = std::ranges::find_if(macro->second, is_opaque); type != macro->second.end())
+            return *type;
+    return word.text;
+}
+
+// The samplers, or images of two dimensions and 32 bits, that a declaration declares, added to those of the
+// excerpt; empty for any other declaration, and for arrays of them.
+std::string bound_text(const Declaration& one, Tokens words, const Token& word, const std::string& type,
+                       Excerpt& excerpt) {
+    BoundVariable variable{.name = {}, .type = type, .written = !contains(one.tokens, "readonly")};
+    if (type.ends_with("image2D")) variable.format = image_format(up_to(one.tokens, word.text), type);
+    const bool image = !variable.format.empty();
+    if ((!image && !is_sampler_type(type)) || contains(words, "[")) return {};
     std::string text;
-    for (const BoundVariable& variable : variables) {
-        text += "layout(binding = " + binding_macro(excerpt.bound.size());
-        text += variable.format.empty()
-                    ? ") uniform highp " + variable.type
-                    : ", " + variable.format + ") uniform highp " + variable.type + "Array";
-        text += " " + variable.name + "; ";
+    for (const std::string& name : one.names) {
+        text += fmt::format("layout(binding = {}{}{}) uniform highp {}{} {}; ",
+                            binding_macro(excerpt.bound.size()), image ? ", " : "", variable.format, type,
+                            image ? "Array" : "", name);
+        variable.name = name;
         excerpt.bound.push_back(variable);
     }
     return text;
 }
 
-// The text of a declaration in an excerpt, and its names; a macro may give a variable another one.
+// A block whose members are plain variables, or one variable with its structure: the text, and the names.
+std::string block_text(Tokens tokens, std::size_t brace, std::vector<std::string>& names) {
+    const std::size_t end = behind(tokens, brace);
+    const bool structure = contains(tokens.first(brace), "struct");
+    const bool instance = end < tokens.size() && tokens[end] != ";";
+    if (structure || instance) {
+        names = {tokens[end].text};
+        return (structure ? "" : "struct ") + joined(tokens, " ");
+    }
+    names.erase(names.begin());  // that of the block
+    return joined(tokens.subspan(brace + 1, end - brace - 2), " ");
+}
+
+// The text of a declaration of kind `interface` in an excerpt: plain variables in the place of a loose
+// uniform, a stage input or output, or a block; layouts, storage qualifiers and initial values are dropped. A
+// specialization constant becomes a constant. Nothing of other types without values and of references to
+// buffers, whose names the excerpt then lists.
 std::string interface_text(const Declaration& one, const Macros& macros, Excerpt& excerpt) {
     const bool sizes = contains(one.tokens, "local_size_x");
     if (excerpt.needs == Needs::group && (sizes || contains(one.tokens, "shared"))) {
         excerpt.has_group_size |= sizes;
         return one.text;
     }
-    const std::map<std::string, std::string> opaque = opaque_macros(macros);
-    if (const auto bound = internal::bound_variables(one, opaque)) return bound_text(*bound, excerpt);
-    const auto plain = internal::plain_globals(one, opaque);
-    if (!plain) {
-        excerpt.interface.insert(one.names.begin(), one.names.end());
+    const std::vector<Token> kept = without_qualifiers(one.tokens);
+    if (contains(one.tokens, "constant_id")) return joined(kept, " ");
+    const std::vector<Token> words = without_values(kept);
+    const std::size_t brace = up_to(words, "{").size();
+    std::vector<std::string> names = one.names;
+    const auto word = std::ranges::find_if_not(words, is_precision);
+    bool left_out = names.empty() || names.front().starts_with("gl_") || word == words.end() ||
+                    contains(one.tokens, "buffer_reference");
+    if (!left_out && brace == words.size()) {
+        const std::string type = type_of(*word, macros);
+        if (const std::string text = bound_text(one, kept, *word, type, excerpt); !text.empty()) return text;
+        left_out = is_opaque(type);
+    }
+    if (left_out) {
+        excerpt.interface.insert(names.begin(), names.end());
         return {};
     }
-    for (const auto& [name, access] : plain->access) {
+    const std::string text = directives_of(one.text) +
+                             (brace == words.size() ? joined(words, " ") : block_text(words, brace, names));
+    const Access access = access_of(up_to(one.tokens, "{"));
+    for (const std::string& name : names) {
         excerpt.globals[name] = access;
         if (const auto renamed = macros.find(name); renamed != macros.end())
             for (const std::string& other : renamed->second) excerpt.globals[other] = access;
     }
-    return plain->text;
+    return text;
+}
+
+// Macros that turn accesses to images of two dimensions into those to the invocation's layer.
+std::string image_macros() {
+    std::string text = fmt::format("int {};\n#define imageSize(image) imageSize(image).xy\n", image_layer);
+    const auto macro = [&](const std::string& name, std::string_view values) {
+        text += fmt::format("#define {0}(image, at{1}) {0}(image, ivec3(at, {2}){1})\n", name, values,
+                            image_layer);
+    };
+    macro("imageLoad", "");
+    macro("imageStore", ", value");
+    for (const char* operation : {"Add", "Min", "Max", "And", "Or", "Xor", "Exchange"})
+        macro(std::string("imageAtomic") + operation, ", value");
+    macro("imageAtomicCompSwap", ", compare, value");
+    return text;
 }
 
 // Variables that a function alone in a compute stage has not, or has another value of.
@@ -226,14 +326,14 @@ bool is_own_built_in(const Declaration& one) {
     if (count == 0 || count > built_in_functions.size()) return false;
     const std::string name = fmt::format(" {} ", one.names.front());
     if (built_in_functions.at(count - 1).find(name) == std::string_view::npos) return false;
-    return std::ranges::all_of(one.function->parameters, [](const internal::DeclaredParameter& parameter) {
+    return std::ranges::all_of(one.function->parameters, [](const DeclaredParameter& parameter) {
         return parameter.type == "float" || parameter.type.starts_with("vec") ||
                parameter.type.starts_with("mat");
     });
 }
 
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
-    std::vector<const Declaration*> kept = internal::kept_for(outline, function);
+    std::vector<const Declaration*> kept = kept_for(outline, function);
     std::erase_if(kept, [](const Declaration* one) { return one->defines("main"); });
     const Macros macros = macros_of(outline);
     Excerpt excerpt{.function = function};
@@ -257,8 +357,8 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
         const std::string text =
             one->kind == Kind::interface ? interface_text(*one, macros, excerpt) : one->text;
         if (text.empty()) continue;
-        const internal::TextFile& file = active.files[one->file];
-        excerpt.text += internal::line_directive(one->line, file.name) + text + "\n";
+        const TextFile& file = active.files[one->file];
+        excerpt.text += line_directive(one->line, file.name) + text + "\n";
         if (!one->defines(function)) continue;
         excerpt.definitions.push_back(one->file < active.given ? definition_of(*one->function) : "");
         excerpt.comments.push_back(comment_of(*one, file.text));
@@ -268,7 +368,7 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
     });
     for (BoundVariable& variable : excerpt.bound) variable.written = variable.written && stores;
     if (std::ranges::any_of(excerpt.bound, [](const auto& one) { return !one.format.empty(); }))
-        excerpt.text.insert(head, internal::image_macros());
+        excerpt.text.insert(head, image_macros());
     return excerpt;
 }
 
@@ -279,8 +379,12 @@ std::string binding_macro(std::size_t variable) {
 }
 
 Excerpts excerpts(const ActiveText& active) {
-    const Outline outline = internal::outline(active, internal::Keep::line_numbers);
-    Excerpts all{.version = version_of(active)};
+    const Outline outline = source::outline(active, Keep::line_numbers);
+    Excerpts all;
+    for (const Line& line : own_file(active).lines)
+        if (const auto directive = directive_of(line);
+            directive && directive->keyword == "version" && all.version.empty())
+            all.version = directive->argument;
     for (const Declaration& one : outline.declarations) {
         if (one.by_macro && one.file < active.given)
             all.by_macro.push_back(fmt::format("line {}: {}", one.line, base::one_line(one.text)));

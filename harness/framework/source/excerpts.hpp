@@ -82,6 +82,6 @@ struct Excerpts {
 };
 
 // The functions of the last text that was given; others before it have definitions. It need not be valid.
-[[nodiscard]] Excerpts excerpts(const internal::ActiveText& text);
+[[nodiscard]] Excerpts excerpts(const ActiveText& text);
 
 }  // namespace gloam::source

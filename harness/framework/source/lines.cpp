@@ -5,7 +5,7 @@
 #include <array>
 #include <sstream>
 
-namespace gloam::source::internal {
+namespace gloam::source {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
@@ -16,80 +16,58 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// One pass over the text; a comment or a quoted name lasts from one step to the next.
-class Splitter {
-  public:
-    explicit Splitter(std::string_view text) : text_(text) {}
+// Where a character stands: quotes end with their line, a block comment does not.
+enum class In { code, quotes, line_comment, block_comment };
 
-    std::vector<Line> run() {
-        while (at_ < text_.size()) step();
-        if (begin_ < text_.size()) finish_line();
-        return std::move(lines_);
-    }
-
-  private:
-    enum class In { code, quotes, line_comment, block_comment };
-
-    bool ahead(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
-
-    void take(std::size_t count, char shown) {
-        code_.append(count, shown);
-        at_ += count;
-    }
-
-    void step() {
-        if (ahead("\\\n")) return continue_line(2);
-        if (ahead("\\\r\n")) return continue_line(3);
-        if (text_[at_] == '\n') {
-            take(1, '\n');
-            return finish_line();
-        }
-        if (in_ == In::code) return step_code();
-        const bool in_quotes = in_ == In::quotes;
-        const bool ends = in_quotes ? text_[at_] == '"' : in_ == In::block_comment && ahead("*/");
-        if (ends) in_ = In::code;
-        take(ends && !in_quotes ? 2 : 1, in_quotes ? text_[at_] : ' ');
-    }
-
-    void step_code() {
-        if (ahead("//") || ahead("/*")) {
-            in_ = ahead("//") ? In::line_comment : In::block_comment;
-            return take(2, ' ');
-        }
-        if (text_[at_] == '"') in_ = In::quotes;
-        take(1, text_[at_]);
-    }
-
-    void continue_line(std::size_t count) {
-        take(count, '\0');
-        ++physical_;
-    }
-
-    void finish_line() {
-        const bool crosses = entered_in_comment_ || in_ == In::block_comment;
-        lines_.push_back({text_.substr(begin_, at_ - begin_), std::move(code_), number_, crosses});
-        code_.clear();
-        begin_ = at_;
-        number_ = ++physical_;
-        if (in_ != In::block_comment) in_ = In::code;
-        entered_in_comment_ = in_ == In::block_comment;
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    std::size_t begin_ = 0;
-    std::string code_;
-    In in_ = In::code;
-    bool entered_in_comment_ = false;
-    int number_ = 1;
-    int physical_ = 1;
-    std::vector<Line> lines_;
+// What is next of a text: so many characters, of which the code shows this one each.
+struct Step {
+    std::size_t count = 1;
+    char shown = ' ';
 };
+
+// The next step, and where the one after it stands.
+Step step(std::string_view rest, In& in) {
+    if (rest.starts_with("\\\n")) return {2, '\0'};
+    if (rest.starts_with("\\\r\n")) return {3, '\0'};
+    const char next = rest.front();
+    const Step visible{1, next};
+    if (next == '\n') return visible;
+    if (in == In::code && (rest.starts_with("//") || rest.starts_with("/*"))) {
+        in = rest[1] == '/' ? In::line_comment : In::block_comment;
+        return {2, ' '};
+    }
+    if (in == In::code || in == In::quotes) {
+        if (next == '"') in = in == In::code ? In::quotes : In::code;
+        return visible;
+    }
+    if (in == In::line_comment || !rest.starts_with("*/")) return {};
+    in = In::code;
+    return {2, ' '};
+}
 
 }  // namespace
 
 std::vector<Line> split_lines(std::string_view text) {
-    return Splitter(text).run();
+    std::vector<Line> lines;
+    In in = In::code;
+    int number = 1;
+    while (!text.empty()) {
+        Line line{.text = {}, .code = {}, .number = number, .crosses = in == In::block_comment};
+        std::size_t end = 0;
+        while (end < text.size() && !line.code.ends_with('\n')) {
+            const auto [count, shown] = step(text.substr(end), in);
+            if (shown == '\0' && count > 1) ++number;
+            line.code.append(count, shown);
+            end += count;
+        }
+        line.text = text.substr(0, end);
+        text.remove_prefix(end);
+        ++number;
+        if (in != In::block_comment) in = In::code;
+        line.crosses = line.crosses || in == In::block_comment;
+        lines.push_back(std::move(line));
+    }
+    return lines;
 }
 
 ActiveText whole_text(std::string text) {
@@ -156,4 +134,4 @@ void require_vulkan_version(const Source& source) {
                        (directive && directive->keyword == "version" ? version : "none"));
 }
 
-}  // namespace gloam::source::internal
+}  // namespace gloam::source

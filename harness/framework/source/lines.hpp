@@ -11,7 +11,7 @@
 #include "source/text.hpp"
 #include "source/tokens.hpp"
 
-namespace gloam::source::internal {
+namespace gloam::source {
 
 // A logical line of the preprocessor, with the lines that a trailing backslash continues.
 struct Line {
@@ -73,4 +73,4 @@ struct ActiveText {
 // glslang must not see another version: for some it prints its tables to standard output.
 void require_vulkan_version(const Source& source);
 
-}  // namespace gloam::source::internal
+}  // namespace gloam::source

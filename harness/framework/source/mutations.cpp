@@ -59,7 +59,7 @@ class Faults {
   public:
     explicit Faults(const std::string& text) : text_(text) {}
 
-    void add(const internal::Declaration& one) {
+    void add(const Declaration& one) {
         tokens_ = one.tokens;
         if (!find_region()) return;
         function_ = in_body_ ? (one.names.empty() ? tokens_[0].text : one.names.front()) : "";
@@ -191,9 +191,9 @@ class Faults {
 
 }  // namespace
 
-std::vector<Mutation> mutations(const internal::ActiveText& active) {
+std::vector<Mutation> mutations(const ActiveText& active) {
     Faults faults(active.files.front().text);
-    for (const internal::Declaration& one : internal::outline(active).declarations)
+    for (const Declaration& one : source::outline(active).declarations)
         if (one.file == 0) faults.add(one);
     std::vector<Mutation> all = faults.take();
     std::ranges::stable_sort(all, {}, &Mutation::begin);

@@ -24,7 +24,7 @@ struct Mutation {
 };
 
 // The faults of the one text that was given, in its order.
-[[nodiscard]] std::vector<Mutation> mutations(const internal::ActiveText& text);
+[[nodiscard]] std::vector<Mutation> mutations(const ActiveText& text);
 
 // The text with this fault.
 [[nodiscard]] std::string mutated(std::string text, const Mutation& mutation);

@@ -4,7 +4,7 @@
 
 #include "source/declarations.hpp"
 
-namespace gloam::source::internal {
+namespace gloam::source {
 namespace {
 
 constexpr const char* blanks = " \t\r\n\v\f";
@@ -160,8 +160,6 @@ class Reader {
         }
         release_comments(false);
         if (std::exchange(broken_, false)) ++paragraph_;
-        if (opened_file_ != file_) ++paragraph_;
-        opened_file_ = file_;
         text_so_far_ = keep_ == Keep::comments ? comment_ : std::string();
         crossing_ = false;
     }
@@ -214,7 +212,6 @@ class Reader {
     std::set<std::size_t> seen_;   // files of which a line was read
     std::set<std::size_t> begun_;  // of which a declaration has followed
     std::size_t file_ = 0;
-    std::size_t opened_file_ = 0;
     std::size_t paragraph_ = 0;
     int first_line_ = 1;     // of text_so_far_
     int next_line_ = 1;      // of the file, behind text_so_far_
@@ -241,4 +238,4 @@ std::string line_directive(int line, const std::string& file) {
     return "#line " + std::to_string(line) + " \"" + name + "\"\n";
 }
 
-}  // namespace gloam::source::internal
+}  // namespace gloam::source

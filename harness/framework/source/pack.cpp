@@ -7,19 +7,14 @@
 #include <charconv>
 #include <regex>
 #include <set>
-#include <utility>
 
 #include "source/internal/selection.hpp"
 
 namespace gloam::source {
 namespace {
 
-using internal::Declaration;
-using internal::Outline;
-
 void add_block(std::string& text, const std::string& block, bool apart = true) {
-    if (!text.empty()) text += apart ? "\n\n" : "\n";
-    text += block;
+    text += (apart ? "\n\n" : "\n") + block;
 }
 
 // A value as GLSL writes it.
@@ -78,18 +73,18 @@ std::string written(const Outline& outline, const std::vector<const Declaration*
 
 }  // namespace
 
-Packed packed(const internal::ActiveText& texts, const PackRequest& request) {
-    const Outline outline = internal::outline(texts);
-    const internal::Kept kept = internal::kept_in_order(outline, texts.given, request.functions);
+Packed packed(const ActiveText& texts, const PackRequest& request) {
+    const Outline outline = source::outline(texts);
+    const Kept kept = kept_in_order(outline, texts.given, request.functions);
     const bool has_main = std::ranges::find(kept.wanted, "main") != kept.wanted.end();
-    const std::string head = has_main ? "" : internal::calling_comment(kept);
+    const std::string head = has_main ? "" : calling_comment(kept);
     return {written(outline, kept.declarations, request, head), has_main};
 }
 
 std::string code_of(std::string_view text) {
     std::string all;
-    for (const internal::Line& line : internal::split_lines(text))
-        if (!internal::is_blank(line)) all += line.code + "\n";
+    for (const Line& line : split_lines(text))
+        if (!is_blank(line)) all += line.code + "\n";
     std::erase(all, '\0');
     return std::regex_replace(all, std::regex(R"(\s*\n\s*)"), "\n");
 }
@@ -102,7 +97,7 @@ std::size_t code_lines(const std::vector<std::string>& packed) {
     std::set<std::string> counted;
     std::size_t all = 0;
     for (const std::string& text : packed) {
-        const Outline outline = internal::outline(internal::whole_text(text));
+        const Outline outline = source::outline(whole_text(text));
         all += outline.extensions.size();
         for (const Declaration& one : outline.declarations) {
             const bool directive = one.tokens.empty();

@@ -38,7 +38,7 @@ struct Packed {
     std::string text;
     bool main = false;
 };
-[[nodiscard]] Packed packed(const internal::ActiveText& texts, const PackRequest& request);
+[[nodiscard]] Packed packed(const ActiveText& texts, const PackRequest& request);
 
 // A text without comments, indents and blank lines; and the number of its lines.
 [[nodiscard]] std::string code_of(std::string_view text);

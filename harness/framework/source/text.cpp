@@ -66,6 +66,14 @@ bool is_sampler_type(std::string_view name) {
     return std::ranges::find(known, name) != known.end();
 }
 
+bool is_opaque(std::string_view word) {
+    constexpr std::array families{"sampler",      "image",       "texture",
+                                  "subpassInput", "atomic_uint", "accelerationStructure"};
+    const bool of_integers = (word.starts_with('i') && !word.starts_with("image")) || word.starts_with('u');
+    if (of_integers) word.remove_prefix(1);
+    return std::ranges::any_of(families, [&](const char* family) { return word.starts_with(family); });
+}
+
 std::optional<Stage> stage_of_file(const std::filesystem::path& file) {
     const std::string ending = base::lower(file.extension().string());
     if (ending == ".comp" || ending == ".cs") return Stage::compute;

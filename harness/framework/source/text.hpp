@@ -49,4 +49,7 @@ enum class Direction { in, out, inout };
 // "isampler2D" and "usampler2D"; and "sampler2DShadow".
 [[nodiscard]] bool is_sampler_type(std::string_view name);
 
+// Whether the word is a type without values: "sampler2D", "uimageBuffer", "atomic_uint".
+[[nodiscard]] bool is_opaque(std::string_view word);
+
 }  // namespace gloam::source

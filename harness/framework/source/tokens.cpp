@@ -46,7 +46,7 @@ bool Token::is_number() const {
     return digits.find(text.front()) != std::string_view::npos || (text.front() == '.' && text.size() > 1);
 }
 
-std::vector<Token> internal::line_tokens(const Line& line, std::string_view text) {
+std::vector<Token> line_tokens(const Line& line, std::string_view text) {
     constexpr std::string_view between{" \t\r\n\v\f\0", 7};
     std::vector<Token> tokens;
     if (directive_of(line)) return tokens;
@@ -67,8 +67,8 @@ std::vector<Token> internal::line_tokens(const Line& line, std::string_view text
 
 std::vector<Token> tokens_of(std::string_view text) {
     std::vector<Token> tokens;
-    for (const internal::Line& line : internal::split_lines(text))
-        std::ranges::move(internal::line_tokens(line, text), std::back_inserter(tokens));
+    for (const Line& line : split_lines(text))
+        std::ranges::move(line_tokens(line, text), std::back_inserter(tokens));
     return tokens;
 }
 

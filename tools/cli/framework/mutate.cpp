@@ -86,8 +86,8 @@ std::vector<fs::path> shaders_of(const std::vector<std::string>& paths) {
 // Whether a shader below the folder includes the file, at once or through others.
 bool is_included(const fs::path& file, const fs::path& folder, const std::vector<std::string>& includes) {
     return std::ranges::any_of(shaders_of({folder.string()}), [&](const fs::path& other) {
-        const auto read = module::include_closure(module::read_text(other), include_roots_of(other, includes),
-                                                  other.parent_path());
+        const auto read = module::include_closure({other.string(), module::read_text(other)},
+                                                  include_roots_of(other, includes));
         return std::ranges::any_of(read, [&](const auto& one) { return fs::equivalent(one.path, file); });
     });
 }
@@ -287,7 +287,7 @@ class Trials {
         const fs::path name = files_[file].path().lexically_relative(root_);
         base::write_file(*copy / name, text);
         const auto begin = Clock::now();
-        // For a program that is to read this copy, see module::overlaid(); and which file has changed.
+        // For a program that is to read this copy, see module::read_text(); and which file has changed.
         base::ProcessResult result = base::run_process(
             command_.command,
             {.patience = patience,

@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <exception>
 #include <set>
 #include <string_view>
 #include <utility>
-
-#include "module/include.hpp"
 
 namespace gloam::module::internal {
 namespace {
@@ -30,15 +27,15 @@ bool is_version(std::string_view text) {
     return digits == 3 && (text.empty() || text == "core" || text == "compatibility" || text == "es");
 }
 
-void require_version(const source::internal::TextFile& file, const source::internal::Line& line,
-                     const source::internal::Directive& directive) {
+void require_version(const source::TextFile& file, const source::Line& line,
+                     const source::Directive& directive) {
     if (is_version(directive.argument)) return;
     throw source::CompileError(file.name + ":" + std::to_string(line.number) + ": #version " +
                                directive.argument + ": expected a version of GLSL, such as 450 or 300 es");
 }
 
 // The code of a directive, in one line.
-std::string joined(const source::internal::Line& line) {
+std::string joined(const source::Line& line) {
     std::string code = line.code;
     std::erase(code, '\0');
     std::replace(code.begin(), code.end(), '\n', ' ');
@@ -46,7 +43,7 @@ std::string joined(const source::internal::Line& line) {
 }
 
 // The compiler looks beside the first of several texts only.
-std::string include_line(const source::internal::TextFile& file, const source::internal::Line& line,
+std::string include_line(const source::TextFile& file, const source::Line& line,
                          const IncludeFolders& folders) {
     const auto include = include_of(line);
     if (!include || include->system) return joined(line);
@@ -61,9 +58,9 @@ std::string include_line(const source::internal::TextFile& file, const source::i
 }
 
 // What the preprocessor is given of a line.
-std::string marked_line(const source::internal::TextFile& file, std::size_t number, std::size_t index,
+std::string marked_line(const source::TextFile& file, std::size_t number, std::size_t index,
                         const IncludeFolders& folders) {
-    const source::internal::Line& line = file.lines[index];
+    const source::Line& line = file.lines[index];
     const auto directive = directive_of(line);
     if (!directive) return mark_of(number, index);
     if (directive->keyword == "version") {
@@ -80,8 +77,7 @@ std::string marked_line(const source::internal::TextFile& file, std::size_t numb
 }
 
 // The file with marks for its code. Lines keep their numbers, for messages.
-std::string marked(const source::internal::TextFile& file, std::size_t number,
-                   const IncludeFolders& folders) {
+std::string marked(const source::TextFile& file, std::size_t number, const IncludeFolders& folders) {
     std::string text;
     int next = 1;  // number that the compiler gives the next line
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
@@ -95,9 +91,9 @@ std::string marked(const source::internal::TextFile& file, std::size_t number,
 
 // Lines in which a directive shares its line with a comment of several lines become two or three: the
 // directive by itself.
-std::vector<source::internal::Line> with_directives_apart(const std::vector<source::internal::Line>& lines) {
-    std::vector<source::internal::Line> apart;
-    for (const source::internal::Line& line : lines) {
+std::vector<source::Line> with_directives_apart(const std::vector<source::Line>& lines) {
+    std::vector<source::Line> apart;
+    for (const source::Line& line : lines) {
         const std::size_t begin = line.code.find('#');
         if (!line.crosses || !directive_of(line) || begin == std::string::npos) {
             apart.push_back(line);
@@ -118,15 +114,15 @@ std::vector<source::internal::Line> with_directives_apart(const std::vector<sour
 }
 
 // Adds a file; returns what the preprocessor is to read instead of it.
-std::string added(source::internal::ActiveText& all, source::Source source, const IncludeFolders& folders) {
-    source::internal::TextFile& file = all.files.emplace_back(
-        source::internal::TextFile{std::move(source.name), std::move(source.text), {}});
-    file.lines = with_directives_apart(source::internal::split_lines(file.text));
+std::string added(source::ActiveText& all, source::Source source, const IncludeFolders& folders) {
+    source::TextFile& file =
+        all.files.emplace_back(source::TextFile{std::move(source.name), std::move(source.text), {}});
+    file.lines = with_directives_apart(source::split_lines(file.text));
     return marked(file, all.files.size() - 1, folders);
 }
 
 // The number of this file among those given; all.given: it is none of them.
-std::size_t given_as(const source::internal::ActiveText& all, const std::filesystem::path& path) {
+std::size_t given_as(const source::ActiveText& all, const std::filesystem::path& path) {
     const std::string name = std::filesystem::absolute(path).lexically_normal().string();
     std::size_t file = 0;
     while (file < all.given && all.files[file].name != name) ++file;
@@ -141,9 +137,9 @@ std::size_t take_number(std::string_view& text) {
     return number;
 }
 
-std::vector<source::internal::ActiveText::Location> places_in(std::string_view preprocessed,
-                                                              const source::internal::ActiveText& all) {
-    std::vector<source::internal::ActiveText::Location> places;
+std::vector<source::ActiveText::Location> places_in(std::string_view preprocessed,
+                                                    const source::ActiveText& all) {
+    std::vector<source::ActiveText::Location> places;
     for (std::size_t at = preprocessed.find(mark); at != std::string_view::npos;
          at = preprocessed.find(mark)) {
         preprocessed.remove_prefix(at + mark.size());
@@ -156,11 +152,14 @@ std::vector<source::internal::ActiveText::Location> places_in(std::string_view p
 
 }  // namespace
 
-source::internal::ActiveText active_text(std::vector<source::Source> given, source::Language language,
-                                         source::Stage stage,
-                                         const std::vector<std::filesystem::path>& roots) {
+Client client_of(source::Language language) {
+    return language == source::Language::vulkan450 ? Client::vulkan : Client::none;
+}
+
+source::ActiveText active_text(std::vector<source::Source> given, source::Language language,
+                               source::Stage stage, const std::vector<std::filesystem::path>& roots) {
     const IncludeFolders folders = include_folders(roots, given);
-    source::internal::ActiveText all;
+    source::ActiveText all;
     all.given = given.size();
     // Errors of the version itself are the first text's.
     std::vector<source::Source> pieces{{given.empty() ? "nothing" : given.back().name, preamble(language)}};
@@ -168,82 +167,15 @@ source::internal::ActiveText active_text(std::vector<source::Source> given, sour
         const std::string name = source.name;
         pieces.push_back({name, added(all, std::move(source), folders)});
     }
-    Includer includer(folders, [&](const std::filesystem::path& path, std::string text) {
+    const auto reading = [&](const std::filesystem::path& path, std::string text) {
         // A file that another one includes first is still one of those given.
         const std::size_t same = given_as(all, path);
         if (same < all.given) return marked(all.files[same], same, folders);
         return added(all, {path.string(), std::move(text)}, folders);
-    });
-    const std::string text = preprocessed(pieces, stage, client_of(language), includer);
+    };
+    const std::string text = preprocessed(pieces, stage, client_of(language), folders, reading);
     all.lines = places_in(text, all);
     return all;
-}
-
-constexpr std::size_t most_nested = 256;
-constexpr std::size_t most_included = 65536;  // files that include the next one twice double their number
-
-using Path = std::filesystem::path;
-using Result = glslang::TShader::Includer::IncludeResult;
-
-Result* Includer::includeLocal(const char* name, const char* includer, std::size_t) {
-    Result* result = open(name, Path(includer).parent_path());
-    if (!result->headerName.empty()) return result;
-    // glslang calls includeSystem next and prints its message.
-    local_failure_ = std::string(result->headerData, result->headerLength);
-    return result;
-}
-
-Result* Includer::includeSystem(const char* name, const char*, std::size_t) {
-    if (!local_failure_) return open(name, {});
-    std::string message = std::move(*local_failure_);
-    local_failure_.reset();
-    return fail(std::move(message));
-}
-
-void Includer::releaseInclude(Result* result) {
-    std::erase_if(open_, [result](const auto& open) { return open->result.get() == result; });
-}
-
-Result* Includer::open(const char* name, const Path& from) {
-    try {
-        Path path = resolved(name, from, folders_);
-        const bool again =
-            std::any_of(open_.begin(), open_.end(), [&](const auto& o) { return o->path == path; });
-        if (again) return fail("include cycle: " + chain_to(path));
-        if (open_.size() >= most_nested)
-            return fail("includes are nested more than " + std::to_string(most_nested) + " deep at " +
-                        path.string());
-        if (++included_ > most_included)
-            return fail("more than " + std::to_string(most_included) + " includes at " + path.string());
-        std::string text = read_text(path);
-        if (reading_) text = reading_(path, std::move(text));
-        return hold(std::move(path), std::move(text));
-    } catch (const std::exception& error) {
-        return fail(error.what());
-    }
-}
-
-// An empty name marks the failure; the text is then the message.
-Result* Includer::fail(std::string message) {
-    return hold({}, std::move(message));
-}
-
-Result* Includer::hold(Path path, std::string text) {
-    auto open = std::make_unique<Open>(Open{std::move(path), std::move(text), nullptr});
-    open->result =
-        std::make_unique<Result>(open->path.string(), open->text.c_str(), open->text.size(), nullptr);
-    open_.push_back(std::move(open));
-    return open_.back()->result.get();
-}
-
-std::string Includer::chain_to(const Path& path) const {
-    std::string chain;
-    bool inside = false;
-    for (const auto& open : open_) {
-        inside = inside || open->path == path;
-        if (inside) chain += open->path.string() + " -> ";
-    }
-    return chain + path.string();
 }
 
 }  // namespace gloam::module::internal

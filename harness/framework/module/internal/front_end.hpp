@@ -1,110 +1,62 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <glslang/Public/ShaderLang.h>
 #include <filesystem>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "module/compile.hpp"
-#include "module/internal/include_folders.hpp"
 #include "source/lines.hpp"
 
+// glslang, for the other sources of this room.
 namespace gloam::module::internal {
 
-// Serves #include from files. An include's name is its path, which error messages then contain. The text
-// passed to the compiler can differ from the file's.
-// glslang is built without exceptions, so nothing may be thrown through it: failures become messages.
-class Includer final : public glslang::TShader::Includer {
-  public:
-    using Reading = std::function<std::string(const std::filesystem::path&, std::string text)>;
-    explicit Includer(IncludeFolders folders, Reading reading = {})
-        : folders_(std::move(folders)), reading_(std::move(reading)) {}
-
-    IncludeResult* includeLocal(const char* name, const char* includer, std::size_t depth) override;
-    IncludeResult* includeSystem(const char* name, const char* includer, std::size_t depth) override;
-    void releaseInclude(IncludeResult* result) override;
-
-  private:
-    struct Open {
-        std::filesystem::path path;
-        std::string text;
-        std::unique_ptr<IncludeResult> result;
-    };
-
-    IncludeResult* open(const char* name, const std::filesystem::path& from);
-    IncludeResult* fail(std::string message);
-    IncludeResult* hold(std::filesystem::path path, std::string text);
-    [[nodiscard]] std::string chain_to(const std::filesystem::path& path) const;
-
-    IncludeFolders folders_;
-    Reading reading_;
-    std::vector<std::unique_ptr<Open>> open_;
-    std::size_t included_ = 0;  // files so far
-    std::optional<std::string> local_failure_;
+// The folders in which includes are searched, and those below which they must lie.
+struct IncludeFolders {
+    std::vector<std::filesystem::path> roots;
+    std::vector<std::filesystem::path> permitted;
 };
+
+// The roots; includes may also lie below the folder of each text whose name is a path with a folder.
+[[nodiscard]] IncludeFolders include_folders(const std::vector<std::filesystem::path>& roots,
+                                             const std::vector<source::Source>& texts);
+
+// resolve_include() of these folders. Nothing about `from` is assumed, because #line can name any.
+[[nodiscard]] std::filesystem::path resolved(std::string_view name, const std::filesystem::path& from,
+                                             const IncludeFolders& folders);
 
 // The rules that apply to the text: those of SPIR-V for Vulkan 1.2, or those of GLSL alone.
 enum class Client { vulkan, none };
 [[nodiscard]] Client client_of(source::Language language);
 
-// What happens to functions that main does not call.
-enum class Unreached { dropped, kept };
+// What is checked: what the parser sees, or also the whole program: bodies of called functions, recursion.
+enum class Check { text, program };
 
-// Texts in glslang's form. The texts must outlive it.
-class Strings {
-  public:
-    explicit Strings(const std::vector<source::Source>& pieces);
-    void give_to(glslang::TShader& shader) const;
+// Throws CompileError unless the pieces are valid. They are read as one text, each with its own name and line
+// numbers. `name`: for messages without a place.
+void check(source::Stage stage, Client client, const std::string& name,
+           const std::vector<source::Source>& pieces, const std::vector<std::filesystem::path>& roots,
+           Check what = Check::text);
 
-  private:
-    std::vector<const char*> texts_;
-    std::vector<int> lengths_;
-    std::vector<std::string> shown_;
-    std::vector<const char*> names_;
-};
+// What the compiler is given in the place of an include's text.
+using Reading = std::function<std::string(const std::filesystem::path&, std::string text)>;
 
-// A text parsed by glslang. Several pieces are read as one text, each with its own name and line numbers. The
-// syntax tree lives as long as this object.
-class Parse {
-  public:
-    // `name`: for messages without a place. Throws CompileError.
-    Parse(source::Stage stage, Client client, std::string name, std::vector<source::Source> pieces,
-          const std::vector<std::filesystem::path>& roots);
-    Parse(const Parse&) = delete;
-    Parse& operator=(const Parse&) = delete;
-
-    // Checks the whole program (bodies of called functions, recursion), and drops unreached functions if
-    // `unreached` requires it. Throws CompileError.
-    [[nodiscard]] const glslang::TIntermediate& link(Unreached unreached);
-
-  private:
-    EShLanguage language_;
-    EShMessages messages_;
-    std::string name_;
-    std::vector<source::Source> pieces_;
-    Strings strings_;
-    glslang::TShader shader_;
-    glslang::TProgram program_;  // after the shader: must be destroyed first
-};
-
-// The preprocessed text: includes and macros replaced, comments removed. Throws CompileError.
-[[nodiscard]] std::string preprocessed(const source::Source& source, source::Stage stage,
-                                       const std::vector<std::filesystem::path>& roots);
-
-// The same for several texts that are read as one, by the rules of the client.
+// The preprocessed text of such pieces: includes and macros replaced, comments removed. Throws CompileError.
 [[nodiscard]] std::string preprocessed(const std::vector<source::Source>& pieces, source::Stage stage,
-                                       Client client, glslang::TShader::Includer& includer);
+                                       Client client, const IncludeFolders& folders,
+                                       const Reading& reading = {});
 
 // Reads the texts in order, as the compiler for this language and stage does: its own preprocessor determines
 // the active lines. Throws CompileError, for example for an include that is missing or includes itself, for
 // #error, and for an invalid #version.
-[[nodiscard]] source::internal::ActiveText active_text(std::vector<source::Source> given,
-                                                       source::Language language, source::Stage stage,
-                                                       const std::vector<std::filesystem::path>& roots);
+[[nodiscard]] source::ActiveText active_text(std::vector<source::Source> given, source::Language language,
+                                             source::Stage stage,
+                                             const std::vector<std::filesystem::path>& roots);
+
+// What happens to functions that main does not call.
+enum class Unreached { dropped, kept };
 
 // The text translated to SPIR-V by glslang, neither optimised nor validated. `lines`: as in CompileOptions.
 // Throws CompileError.

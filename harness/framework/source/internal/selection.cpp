@@ -14,7 +14,7 @@
 
 #include "source/lines.hpp"
 
-namespace gloam::source::internal {
+namespace gloam::source {
 namespace {
 
 using Kind = Declaration::Kind;
@@ -259,4 +259,4 @@ std::string calling_comment(const Kept& kept) {
     return text;
 }
 
-}  // namespace gloam::source::internal
+}  // namespace gloam::source

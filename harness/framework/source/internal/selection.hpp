@@ -8,7 +8,7 @@
 #include "source/declarations.hpp"
 
 // What is kept of an outline: what is wanted, and all that it mentions.
-namespace gloam::source::internal {
+namespace gloam::source {
 
 // A function of this name, every declaration without a name, and what these use, in the order of the outline
 // and without comments.
@@ -30,4 +30,4 @@ struct Kept {
 // and the structures of the parameters. Lines have at most 120 columns. Empty if there is nothing to define.
 [[nodiscard]] std::string calling_comment(const Kept& kept);
 
-}  // namespace gloam::source::internal
+}  // namespace gloam::source
