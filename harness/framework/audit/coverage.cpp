@@ -43,14 +43,11 @@ std::vector<std::string> lines_of(const std::string& file, const std::vector<std
 // The points of the source, without their texts.
 Coverage points_of(const interpreter::Coverage& seen, std::size_t inputs) {
     Coverage all{.inputs = inputs, .points = {}};
-    const auto add = [&all](const interpreter::Location& place, const std::string& way, bool reached) {
+    for (const auto& [place, way, branch, reached] : seen.points()) {
+        const std::string which = branch > 1 ? fmt::format(", branch {} of the line", branch) : "";
         if (!place.file.empty() && place.file != generated)
-            all.points.push_back({place.file, place.line, "", way, reached});
-    };
-    for (const interpreter::Coverage::Line& line : seen.lines()) add(line.place, "", line.reached);
-    for (const interpreter::Coverage::Path& way : seen.ways())
-        add(way.place, way.way + (way.branch == 1 ? "" : fmt::format(", branch {} of the line", way.branch)),
-            way.reached);
+            all.points.push_back({place.file, place.line, "", way + which, reached});
+    }
     return all;
 }
 

@@ -190,9 +190,6 @@ class Machine {
     // Why a value of the last run is undefined; nullopt if it is not. Machine<float> does not know.
     [[nodiscard]] std::optional<Undefined> why_undefined(const Value<Number>& value) const;
 
-    // Whether the last run wrote to this buffer or image.
-    [[nodiscard]] bool wrote(std::uint32_t set, std::uint32_t binding) const;
-
     // Lets the next run start with what the last one wrote: keep(word, bits) is called for each written word,
     // and returns what is kept there. It changes the bound memory in the same way.
     void keep_writes(std::uint32_t set, std::uint32_t binding,

@@ -76,12 +76,9 @@ bool Program::may_be_rearranged() const {
     return code_->may_be_rearranged;
 }
 
-std::size_t Program::size() const {
-    return code_->instructions.size();
-}
-
-Coverage::Coverage(const Program& program) : program_(program), ran_(program.size()) {
+Coverage::Coverage(const Program& program) : program_(program) {
     const Code& code = program.code();
+    ran_.resize(code.instructions.size());
     for (const Instruction& i : code.instructions) {
         ways_.push_back(followers_of(code, i));
         gone_.emplace_back(ways_.back().size());
@@ -95,47 +92,35 @@ void Coverage::add(std::size_t instruction, std::uint32_t next) {
         if (ways[w] == next) gone_[instruction][w] = 1;
 }
 
-std::vector<Coverage::Path> Coverage::ways() const {
+std::vector<Coverage::Point> Coverage::points() const {
     const Code& code = program_.code();
+    std::map<std::pair<std::string, unsigned>, Point> lines;
     // Keyed by the word in the module, because a function can have several copies.
-    std::map<std::uint32_t, std::vector<Path>> branches;
-    for (std::size_t at = 0; at < ways_.size(); ++at) {
-        if (ways_[at].empty()) continue;
-        std::vector<Path>& ways = branches[code.origins[at]];
+    std::map<std::uint32_t, std::vector<Point>> branches;
+    for (std::size_t at = 0; at < ran_.size(); ++at) {
+        const Instruction& i = code.instructions[at];
+        const Location& place = code.places[i.place];
+        if (!place.file.empty()) {
+            Point& line = lines.try_emplace({place.file, place.line}, Point{.place = place}).first->second;
+            line.reached = line.reached || ran_[at] != 0;
+        }
         for (std::size_t w = 0; w < ways_[at].size(); ++w) {
-            const Instruction& i = code.instructions[at];
-            if (ways.size() == w) ways.push_back({code.places[i.place], name_of_way(code, i, w), 0, false});
+            std::vector<Point>& ways = branches[code.origins[at]];
+            if (ways.size() == w) ways.push_back({.place = place, .way = name_of_way(code, i, w)});
             ways[w].reached = ways[w].reached || gone_[at][w] != 0;
         }
     }
+    std::vector<Point> all;
+    for (auto& [at, line] : lines) all.push_back(std::move(line));
     std::map<std::pair<std::string, unsigned>, std::size_t> in_line;
-    std::vector<Path> all;
     for (auto& [word, ways] : branches) {
         const std::size_t number = ++in_line[{ways.front().place.file, ways.front().place.line}];
-        for (Path& way : ways) {
+        for (Point& way : ways) {
             way.branch = number;
             all.push_back(std::move(way));
         }
     }
     return all;
-}
-
-std::vector<Coverage::Line> Coverage::lines() const {
-    const Code& code = program_.code();
-    std::map<std::pair<std::string, unsigned>, Line> lines;
-    for (std::size_t at = 0; at < ran_.size(); ++at) {
-        const Location& place = code.places[code.instructions[at].place];
-        if (place.file.empty()) continue;
-        Line& line = lines.try_emplace({place.file, place.line}, Line{place, false}).first->second;
-        line.reached = line.reached || ran_[at] != 0;
-    }
-    std::vector<Line> all;
-    for (auto& [at, line] : lines) all.push_back(std::move(line));
-    return all;
-}
-
-bool Coverage::is_complete() const {
-    return std::ranges::all_of(lines(), &Line::reached) && std::ranges::all_of(ways(), &Path::reached);
 }
 
 }  // namespace gloam::interpreter

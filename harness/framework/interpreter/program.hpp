@@ -74,9 +74,6 @@ class Program {
     // not decorated with NoContraction.
     [[nodiscard]] bool may_be_rearranged() const;
 
-    // Number of instructions after decoding. Every call is replaced by a copy of the called function.
-    [[nodiscard]] std::size_t size() const;
-
     [[nodiscard]] const internal::Code& code() const { return *code_; }
 
   private:
@@ -89,26 +86,16 @@ class Coverage {
   public:
     explicit Coverage(const Program& program);
 
-    // One way of a branch in the source: each side of a condition, each case of a switch.
-    struct Path {
+    // A line of the source with an instruction, or one way of a branch: each side of a condition, each case
+    // of a switch. A conditional operator ?: that selects between two values is a branch as well.
+    struct Point {
         Location place;
-        std::string way;         // "true", "false", "case 3", "default"
+        std::string way;         // "true", "false", "case 3", "default"; empty: the line itself
         std::size_t branch = 0;  // position among the branches of that line, from 1
         bool reached = false;
     };
-    // All ways, in the order of the module. A conditional operator ?: that selects between two values is a
-    // branch as well.
-    [[nodiscard]] std::vector<Path> ways() const;
-
-    struct Line {
-        Location place;
-        bool reached = false;
-    };
-    // Each line of the source with an instruction, once.
-    [[nodiscard]] std::vector<Line> lines() const;
-
-    // Whether every way was taken and every line reached.
-    [[nodiscard]] bool is_complete() const;
+    // Each line once, then all ways in the order of the module.
+    [[nodiscard]] std::vector<Point> points() const;
 
     // Counts an executed instruction. instruction: its index. next: the instruction executed after it; for a
     // selection between values its condition (of each component, if they have separate conditions).

@@ -36,6 +36,12 @@ Instruction& Lowering::emit(std::uint16_t op, std::uint32_t count, Slot result, 
     return code_.instructions.back();
 }
 
+Instruction& Lowering::emit_for(const module::Instruction& i, std::uint16_t op, Slot a, Slot b, Slot c) {
+    Instruction& emitted = emit(op, module_.types.slots(i.word(1)), slot_of(i.word(2)), a, b, c);
+    emitted.flags = flags_of(i.word(2), i.word(1));
+    return emitted;
+}
+
 Slot Lowering::new_slots(std::uint32_t count) {
     if (count > most_slots - code_.slots)
         fail(Error::Kind::malformed, fmt::format("variables of more than {} scalars", most_slots));
@@ -50,15 +56,13 @@ void Lowering::undefine_variable(PointerInfo& variable, std::uint32_t count, con
     emit(undefine, count, variable.target.offset).extra = variable.variable;
 }
 
-std::uint32_t Lowering::new_pointer() {
-    code_.pointers.emplace_back();
+std::uint32_t Lowering::new_pointer(const Pointer& target) {
+    code_.pointers.push_back(target);
     return static_cast<std::uint32_t>(code_.pointers.size() - 1);
 }
 
 std::uint32_t Lowering::pointer_index(const PointerInfo& info) {
-    if (!info.is_static) return info.index;
-    code_.pointers.push_back(info.target);
-    return static_cast<std::uint32_t>(code_.pointers.size() - 1);
+    return info.is_static ? new_pointer(info.target) : info.index;
 }
 
 std::uint32_t Lowering::new_list(const std::vector<std::uint32_t>& list) {
@@ -125,9 +129,13 @@ void Lowering::place_variable(const module::Instruction& variable) {
     // A block without an instance has only its own name.
     const std::string own = module_.name_of(id);
     const std::string name = own.empty() ? module_.name_of(pointer.element) : own;
-    if (is_resource(variable.word(3))) {
+    const std::uint32_t count = module_.types.slots(pointer.element);
+    const bool shared = variable.word(3) == SpvStorageClassWorkgroup;
+    if (shared || is_resource(variable.word(3))) {
         const bool opaque = variable.word(3) == SpvStorageClassUniformConstant;
-        info.space = opaque ? PointerInfo::Space::resource : PointerInfo::Space::memory;
+        info.space = shared   ? PointerInfo::Space::shared
+                     : opaque ? PointerInfo::Space::resource
+                              : PointerInfo::Space::memory;
         info.target = {static_cast<std::uint32_t>(code_.resources.size()), 0};
         if (opaque && module_.types.at(pointer.element).kind == Type::Kind::array)
             fail(Error::Kind::unknown_instruction,
@@ -136,13 +144,9 @@ void Lowering::place_variable(const module::Instruction& variable) {
                                    .set = decorations.set,
                                    .binding = decorations.binding,
                                    .is_push_constant = variable.word(3) == SpvStorageClassPushConstant,
-                                   .name = name});
-    } else if (variable.word(3) == SpvStorageClassWorkgroup) {
-        info.space = PointerInfo::Space::shared;
-        info.target = {static_cast<std::uint32_t>(code_.resources.size()), 0};
-        code_.resources.push_back({.name = name, .shared_words = module_.types.slots(pointer.element)});
+                                   .name = name,
+                                   .shared_words = shared ? count : 0});
     } else {
-        const std::uint32_t count = module_.types.slots(pointer.element);
         info.target.offset = new_slots(count);
         if (decorations.built_in)
             code_.built_ins.push_back({*decorations.built_in, info.target.offset, count});

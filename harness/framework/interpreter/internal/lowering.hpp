@@ -93,12 +93,14 @@ class Lowering {
     void store(const PointerInfo& to, Slot value);
 
     Instruction& emit(std::uint16_t op, std::uint32_t count, Slot result, Slot a = 0, Slot b = 0, Slot c = 0);
+    // The same with the type, the result and the flags of an instruction.
+    Instruction& emit_for(const module::Instruction& i, std::uint16_t op, Slot a = 0, Slot b = 0, Slot c = 0);
     [[nodiscard]] std::uint32_t new_edge();
     // Leaves a variable unwritten.
     void undefine_variable(PointerInfo& variable, std::uint32_t count, const std::string& name);
     [[nodiscard]] std::uint32_t edge_to(Id label);
     [[nodiscard]] Slot new_slots(std::uint32_t count);
-    [[nodiscard]] std::uint32_t new_pointer();
+    [[nodiscard]] std::uint32_t new_pointer(const Pointer& target = {});
     [[nodiscard]] std::uint32_t pointer_index(const PointerInfo& info);
     [[nodiscard]] std::uint32_t new_list(const std::vector<std::uint32_t>& list);
     [[nodiscard]] Slot slot_of(Id id) const;

@@ -122,11 +122,9 @@ void Lowering::lower_collective(const module::Instruction& i) {
     }
     if (operation > SpvGroupOperationClusteredReduce)
         fail(Error::Kind::unknown_instruction, fmt::format("the group operation {}", operation));
-    Instruction& instruction = emit(collective, module_.types.slots(i.word(1)), slot_of(i.word(2)),
-                                    operands[0], operands[1], i.opcode);
+    Instruction& instruction = emit_for(i, collective, operands[0], operands[1], i.opcode);
     instruction.stride = static_cast<std::uint8_t>(components);
     instruction.extra = operation;
-    instruction.flags = flags_of(i.word(2), i.word(1));
 }
 
 }  // namespace gloam::interpreter::internal

@@ -52,12 +52,11 @@ std::optional<SamplingForm> form_of(std::uint32_t opcode) {
 
 void Lowering::lower_composite(const module::Instruction& i) {
     const Types& types = module_.types;
-    const auto slots = [&] { return types.slots(i.word(1)); };
     const auto result = [&] { return slot_of(i.word(2)); };
     const auto operand = [&](std::size_t word) { return slot_of(i.word(word)); };
     switch (i.opcode) {
         case SpvOpUndef:
-            emit(undefine, slots(), result());
+            emit_for(i, undefine);
             return;
         case SpvOpCopyObject:
         case SpvOpCopyLogical:
@@ -66,11 +65,8 @@ void Lowering::lower_composite(const module::Instruction& i) {
                 scope_.pointers[i.word(2)] = pointer_of(i.word(3));
                 return;
             }
-            if (i.opcode == SpvOpBitcast) {
-                lower_bits(i);
-            } else {
-                emit(copy, slots(), result(), operand(3)).flags = flags_of(i.word(2), i.word(1));
-            }
+            if (i.opcode == SpvOpBitcast) return lower_bits(i);
+            emit_for(i, copy, operand(3));
             return;
         case SpvOpCompositeConstruct: {
             Slot to = result();
@@ -81,13 +77,11 @@ void Lowering::lower_composite(const module::Instruction& i) {
             }
             return;
         }
-        case SpvOpCompositeExtract: {
-            const Slot from = part_of(types, operand(3), type_of(i.word(3)), i.from(4)).first;
-            emit(copy, slots(), result(), from).flags = flags_of(i.word(2), i.word(1));
+        case SpvOpCompositeExtract:
+            emit_for(i, copy, part_of(types, operand(3), type_of(i.word(3)), i.from(4)).first);
             return;
-        }
         case SpvOpCompositeInsert: {
-            emit(copy, slots(), result(), operand(4)).flags = flags_of(i.word(2), i.word(1));
+            emit_for(i, copy, operand(4));
             const auto [to, type] = part_of(types, result(), i.word(1), i.from(5));
             emit(copy, types.slots(type), to, operand(3)).flags = flags_of(i.word(2), i.word(1));
             return;
@@ -98,17 +92,14 @@ void Lowering::lower_composite(const module::Instruction& i) {
             emit(extract_dynamic, types.slots(type_of(i.word(3))), result(), operand(3), operand(4));
             return;
         case SpvOpVectorInsertDynamic:
-            emit(insert_dynamic, slots(), result(), operand(3), operand(4), operand(5));
+            emit_for(i, insert_dynamic, operand(3), operand(4), operand(5));
             return;
-        case SpvOpSelect: {
-            const bool by_component = types.slots(type_of(i.word(3))) > 1;
+        case SpvOpSelect:
             if (types.at(i.word(1)).kind == Type::Kind::pointer)
                 fail(Error::Kind::unknown_instruction, "OpSelect of pointers");
-            Instruction& instruction = emit(select, slots(), result(), operand(3), operand(4), operand(5));
-            instruction.stride = by_component ? 1 : 0;
-            instruction.flags = flags_of(i.word(2), i.word(1));
+            emit_for(i, select, operand(3), operand(4), operand(5)).stride =
+                types.slots(type_of(i.word(3))) > 1 ? 1 : 0;
             return;
-        }
         default:
             return lower_matrix(i);
     }
@@ -117,14 +108,14 @@ void Lowering::lower_composite(const module::Instruction& i) {
 void Lowering::lower_bits(const module::Instruction& i) {
     const Type& from = module_.types.scalar_of(type_of(i.word(3)));
     const Type& to = module_.types.scalar_of(i.word(1));
-    const std::uint32_t count = module_.types.slots(i.word(1));
     const bool is_float = to.kind == Type::Kind::real;
-    if (from.width == to.width) {
-        emit(is_float ? to_float : copy, count, slot_of(i.word(2)), slot_of(i.word(3)));
-        return;
-    }
-    emit(to.width == 32 ? pack_halves : unpack_halves, count, slot_of(i.word(2)), slot_of(i.word(3)),
-         is_float ? 1 : 0);
+    const Operation halves = to.width == 32 ? pack_halves : unpack_halves;
+    emit_for(i,
+             from.width != to.width ? halves
+             : is_float             ? to_float
+                                    : copy,
+             slot_of(i.word(3)), is_float ? 1 : 0)
+        .flags = 0;
 }
 
 void Lowering::lower_shuffle(const module::Instruction& i) {
@@ -140,9 +131,7 @@ void Lowering::lower_shuffle(const module::Instruction& i) {
         const std::uint32_t taken = component == undefined ? 0 : component;
         from.push_back(taken < components ? first + taken : second + taken - components);
     }
-    Instruction& instruction = emit(gather, static_cast<std::uint32_t>(from.size()), slot_of(i.word(2)));
-    instruction.flags = flags_of(i.word(2), i.word(1));
-    instruction.extra = new_list(from);
+    emit_for(i, gather).extra = new_list(from);
 }
 
 // Matrices: `count` is the number of rows of a result column, `extra` the number of products in a sum, c the
@@ -169,7 +158,7 @@ void Lowering::lower_matrix(const module::Instruction& i) {
             for (std::uint32_t row = 0; row < rows; ++row)
                 for (std::uint32_t column = 0; column < columns; ++column)
                     from.push_back(first + column * rows + row);
-            emit(gather, rows * columns, slot_of(i.word(2))).extra = new_list(from);
+            emit_for(i, gather).extra = new_list(from);
             return;
         }
         case SpvOpMatrixTimesVector:
@@ -242,11 +231,8 @@ void Lowering::lower_fetch(const module::Instruction& i) {
         emit(SpvOpIAdd, components, moved, at, operand(level ? 7 : 6));
         at = moved;
     }
-    Instruction& instruction = emit(image_load, module_.types.slots(i.word(1)), operand(2), operand(3), at);
-    instruction.c = components;
-    instruction.flags = flags_of(i.word(2), i.word(1));
     // Without a level operand it reads level 0.
-    instruction.extra = level ? operand(6) + 1 : 0;
+    emit_for(i, image_load, operand(3), at, components).extra = level ? operand(6) + 1 : 0;
 }
 
 void Lowering::lower_image(const module::Instruction& i) {
@@ -262,22 +248,20 @@ void Lowering::lower_image(const module::Instruction& i) {
             return lower_fetch(i);
         case SpvOpImageWrite: {
             const Type& image = module_.types.at(type_of(i.word(1)));
-            Instruction& instruction = emit(image_store, std::min(components(3), channels_of(image)), 0,
-                                            operand(1), operand(2), operand(3));
-            instruction.extra = components(2);
+            emit(image_store, std::min(components(3), channels_of(image)), 0, operand(1), operand(2),
+                 operand(3))
+                .extra = components(2);
             for (Resource& resource : code_.resources)
                 resource.written = resource.written || resource.kind == Resource::Kind::image;
             return;
         }
         case SpvOpImageQuerySize:
-        case SpvOpImageQuerySizeLod: {
-            Instruction& instruction =
-                emit(image_size, module_.types.slots(i.word(1)), operand(2), operand(3));
-            instruction.extra = i.opcode == SpvOpImageQuerySizeLod ? operand(4) + 1 : 0;
+        case SpvOpImageQuerySizeLod:
+            emit_for(i, image_size, operand(3)).extra =
+                i.opcode == SpvOpImageQuerySizeLod ? operand(4) + 1 : 0;
             return;
-        }
         case SpvOpImageQueryLevels:
-            emit(image_levels, 1, operand(2), operand(3));
+            emit_for(i, image_levels, operand(3));
             return;
         default:
             return lower_sampling(i);
@@ -324,11 +308,8 @@ void Lowering::lower_sampling(const module::Instruction& i) {
     Coordinates at{slot_of(i.word(4)), dimensions};
     if (implicit) at = lower_gradients(i, at, how);
     code_.samplings.push_back(how);
-    Instruction& instruction =
-        emit(image_sample, module_.types.slots(i.word(1)), slot_of(i.word(2)), slot_of(i.word(3)), at.first);
-    instruction.c = at.count;
-    instruction.flags = flags_of(i.word(2), i.word(1));
-    instruction.extra = static_cast<std::uint32_t>(code_.samplings.size() - 1);
+    emit_for(i, image_sample, slot_of(i.word(3)), at.first, at.count).extra =
+        static_cast<std::uint32_t>(code_.samplings.size() - 1);
 }
 
 }  // namespace gloam::interpreter::internal

@@ -320,15 +320,6 @@ std::optional<Undefined> Machine<N>::why_undefined(const Value<N>& value) const 
 }
 
 template <class N>
-bool Machine<N>::wrote(std::uint32_t set, std::uint32_t binding) const {
-    std::optional<bool> first;
-    internal::for_each_at(*state_, set, binding, [&](const auto&, const auto& backing) {
-        if (!first) first = !backing.dirty.empty();
-    });
-    return first.value_or(false);
-}
-
-template <class N>
 void Machine<N>::keep_writes(std::uint32_t set, std::uint32_t binding,
                              const std::function<Word(std::size_t, Word)>& keep) {
     internal::for_each_at(*state_, set, binding, [&](const auto&, auto& backing) {
