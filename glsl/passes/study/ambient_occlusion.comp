@@ -151,9 +151,7 @@ bool left_out(ivec2 pixel) {
 GloamHistory shade(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (left_out(pixel) || gloam_is_background(depth)) return gloam_history_empty(depth);
-    vec2 reach = reach_at(depth);
-    // Known for certain: converged.
-    if (max(reach.x, reach.y) < parameters.least_radius) return GloamHistory(0.0, parameters.weight_max, 0u, depth);
+    if (below_limit(depth)) return GloamHistory(0.0, parameters.weight_max, 0u, depth);  // known for certain: converged
     return sampled(pixel, depth);
 }
 

@@ -10,13 +10,7 @@
 
 layout(constant_id = 0) const int interleave = 4;  // side of the blocks whose pixels share a pattern
 
-layout(binding = 3, rgba32f) uniform writeonly highp image2D bent_image;  // as bent_normals.comp without interleave
 layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT sums_image;  // what bent_normals.comp wrote
-
-// A neighbour's height above the tangent plane is divided by this share of the radius before it is weighted.
-const float PLANE_SHARE = 0.1;
-const float NORMAL_POWER = 10.0;
-const float PLANE_POWER = 8.0;
 
 // Weight of a neighbour, [0, 1]: 1 on the tangent plane with the same normal, 0 for background.
 float weight_of(Shaded shaded, ivec2 at) {
@@ -24,18 +18,12 @@ float weight_of(Shaded shaded, ivec2 at) {
     if (gloam_is_background(depth)) return 0.0;
     vec3 offset = gloam_camera_position(at, depth, this_camera()) - shaded.position;
     vec3 normal = gloam_safe_normalize(GLOAM_FETCH(normal_image, at).xyz, vec3(0.0));
-    float height = dot(offset, shaded.normal) / (PLANE_SHARE * parameters.radius);
-    return gloam_geometry_weight(shaded.normal, normal, height, NORMAL_POWER, PLANE_POWER);
+    float height = dot(offset, shaded.normal) / (0.1 * parameters.radius);  // over the tangent plane
+    return gloam_geometry_weight(shaded.normal, normal, height, 10.0, 8.0);
 }
 
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    Shaded shaded;
-    if (!shaded_at(pixel, shaded)) {
-        imageStore(bent_image, pixel, vec4(0.0));
-        return;
-    }
+// As bent_normals.comp without interleave.
+vec4 written_at(Shaded shaded, ivec2 pixel) {
     vec4 bent = vec4(0.0);
     for (int i = 0; i < interleave * interleave; ++i) {
         ivec2 at = pixel + ivec2(i % interleave, i / interleave) - interleave / 2;
@@ -43,6 +31,5 @@ void main() {
         float weight = at == pixel ? 1.0 : weight_of(shaded, at);
         bent += weight * GLOAM_FETCH(sums_image, at);
     }
-    imageStore(bent_image, pixel,
-               vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent))));
+    return vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent)));
 }

@@ -6,8 +6,6 @@
 #include "directional/points.glsl"
 #include "gloam/shading/directional.glsl"
 
-// Radiance that leaves a white surface by the bounce, in xyz; 0 at the background.
-layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
 layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;  // diffuse, in xyz, [0, 1]
 layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;  // of direct_light.comp
 
@@ -22,7 +20,8 @@ vec3 bounced(Shaded shaded, Sample s) {
                              s.visibility);
 }
 
-vec3 light_of(Shaded shaded) {
+// Radiance that leaves a white surface by the bounce, in xyz.
+vec4 written_at(Shaded shaded, ivec2 pixel) {
     vec3 sum = vec3(0.0);
     float count = 0.0;
     for (uint i = 0u; i < parameters.samples; ++i) {
@@ -31,14 +30,5 @@ vec3 light_of(Shaded shaded) {
         if (s.visibility < 1.0) sum += bounced(shaded, s);
         count += 1.0;
     }
-    return gloam_ssdo_light(sum, count, vec3(1.0));
-}
-
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    Shaded shaded;
-    vec3 light = vec3(0.0);
-    if (shaded_at(pixel, shaded)) light = light_of(shaded);
-    imageStore(light_image, pixel, vec4(light, 0.0));
+    return vec4(gloam_ssdo_light(sum, count, vec3(1.0)), 0.0);
 }

@@ -4,9 +4,6 @@
 #include "directional/points.glsl"
 #include "gloam/shading/directional.glsl"
 
-// Radiance that leaves a white surface, in xyz, in the unit of the sky; 0 at the background.
-layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
-
 // Radiance in xyz, by the direction in the world, +y up: mixed between zenith and horizon by the height.
 layout(binding = 4, std430) readonly buffer Sky {
     vec4 zenith;
@@ -21,7 +18,8 @@ vec3 sky_radiance(vec3 direction) {
     return height > 0.0 ? mix(sky.horizon.xyz, sky.zenith.xyz, height) : sky.ground.xyz;
 }
 
-vec3 light_of(Shaded shaded) {
+// Radiance that leaves a white surface, in xyz, in the unit of the sky.
+vec4 written_at(Shaded shaded, ivec2 pixel) {
     vec3 sum = vec3(0.0);
     float count = 0.0;
     for (uint i = 0u; i < parameters.samples; ++i) {
@@ -30,14 +28,5 @@ vec3 light_of(Shaded shaded) {
         sum += gloam_ssdo_direct(s.direction, shaded.normal, sky_radiance(s.direction), s.visibility);
         count += 1.0;
     }
-    return gloam_ssdo_light(sum, count, vec3(1.0));
-}
-
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    Shaded shaded;
-    vec3 light = vec3(0.0);
-    if (shaded_at(pixel, shaded)) light = light_of(shaded);
-    imageStore(light_image, pixel, vec4(light, 0.0));
+    return vec4(gloam_ssdo_light(sum, count, vec3(1.0)), 0.0);
 }

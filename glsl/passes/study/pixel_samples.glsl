@@ -64,6 +64,12 @@ vec2 reach_at(float depth) {
     return gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
 }
 
+// Whether a surface at that depth is open without a sample, because its projected radius is below the limit.
+bool below_limit(float depth) {
+    vec2 reach = reach_at(depth);
+    return max(reach.x, reach.y) < parameters.least_radius;
+}
+
 // Radius of influence at a depth, world units: smaller where its projection would exceed the cap.
 float radius_at(float depth) {
     if (!caps_radius) return parameters.radius;

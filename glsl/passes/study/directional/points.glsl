@@ -2,13 +2,15 @@
 #ifndef GLOAM_DIRECTIONAL_POINTS_GLSL
 #define GLOAM_DIRECTIONAL_POINTS_GLSL
 
-// The bindings and the samples of the passes that estimate in which directions a point is open. The samples are those
-// of Ritschel et al. (2009): points of the half ball around the normal, uniform in direction and radius. A sample is
-// blocked or open as in the method hemisphere. Bindings from 3 on are as the pass says.
+// The bindings, the samples and main() of the passes that estimate in which directions a point is open. The samples
+// are those of Ritschel et al. (2009): points of the half ball around the normal, uniform in direction and radius. A
+// sample is blocked or open as in the method hemisphere. Bindings from 4 on are as the pass says.
 #include "passes/study/input_image.glsl"
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+
+layout(binding = 3, rgba32f) uniform writeonly highp image2D written_image;  // written_at(); 0 at the background
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;           // elements [0][0] and [1][1] of the projection, y down
@@ -83,6 +85,18 @@ Sample sample_at(Shaded shaded, vec3 point) {
 Sample sample_of(Shaded shaded, uint i) {
     vec3 point = gloam_hemisphere_uniform(gloam_halton_3d(i + 1u));
     return sample_at(shaded, gloam_turn_hemisphere(point, shaded.turn));
+}
+
+// Defined by the pass: what it writes of a point.
+vec4 written_at(Shaded shaded, ivec2 pixel);
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    Shaded shaded;
+    vec4 written = vec4(0.0);
+    if (shaded_at(pixel, shaded)) written = written_at(shaded, pixel);
+    imageStore(written_image, pixel, written);
 }
 
 #endif

@@ -49,12 +49,6 @@ GloamKernel kernel_at(ivec2 pixel) {
     return kernel_of(pixel, depth, before, samples_at(before, depth));
 }
 
-// Whether a surface at that depth is open without a sample, because its projected radius is below the limit.
-bool below_limit(float depth) {
-    vec2 reach = reach_at(depth);
-    return max(reach.x, reach.y) < parameters.least_radius;
-}
-
 // Whether no pixel of the frame is within this distance. Such a pixel is read by the guard band only.
 bool far_from_frame(ivec2 pixel, int pixels) {
     if (parameters.shade_border != 0u) return false;
