@@ -46,13 +46,8 @@ float gloam_pair_height(GloamLinePoint point, vec2 tap, vec3 aim, float radius) 
     return gloam_height_at(offset, aim, point.normal, point.facing);
 }
 
-// Two opposite line samples of volumetric obscurance (CS-3.5). If one of them is unusable, the other one replaces it.
-
-// The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
-// shader has it.
-const float GLOAM_LEAST_SOLID = 0.35;
-
-// What a pair of chords contributes.
+// What a pair of chords contributes: two opposite line samples of volumetric obscurance (CS-3.5). If one of them is
+// unusable, the other one replaces it.
 struct GloamPairShare {
     float occluded;  // solid length
     float whole;     // length
@@ -68,7 +63,7 @@ GloamPairShare gloam_line_pair_share(GloamLinePoint point, vec2 tap, GloamKernel
     float first = gloam_pair_height(point, tap, aim, kernel.radius);
     float second = gloam_pair_height(point, -tap, -aim, kernel.radius);
     vec2 ratios = vec2(gloam_line_ratio(first, half_height), gloam_line_ratio(second, half_height));
-    vec2 solid = gloam_line_pair(ratios, GLOAM_LEAST_SOLID, 1.0);
+    vec2 solid = gloam_line_pair(ratios, 0.35, 1.0);  // as the published shader has it
     return GloamPairShare(half_height * (solid.x + solid.y), 2.0 * half_height);
 }
 

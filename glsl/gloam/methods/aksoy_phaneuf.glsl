@@ -31,9 +31,6 @@ GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera
 // for fine detail, and half within the whole radius. Both results are added and the sum is clamped. (The larger of
 // the two would depend on the noise of a frame's few samples.)
 
-// The fine radius, as a fraction of the other.
-const float GLOAM_FINE_SHARE = 0.25;
-
 // aksoy_phaneuf at two radii (METHOD-aksoy_phaneuf_two): `min(AO(R / 4) + AO(R), 1)` [Aksoy and Phaneuf 2011, CS-J].
 // All samples of one pixel in one frame, as many at both radii. Parameters and result are those of gloam_aksoy_phaneuf.
 GloamEstimate gloam_aksoy_phaneuf_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
@@ -41,7 +38,7 @@ GloamEstimate gloam_aksoy_phaneuf_two(vec3 position, vec3 normal, GloamCamera ca
     broad.first = kernel.first / 2u;
     broad.count = gloam_paired_samples(kernel.count) / 2u;
     GloamKernel fine = broad;
-    fine.radius = GLOAM_FINE_SHARE * kernel.radius;
+    fine.radius = 0.25 * kernel.radius;
     GloamEstimate far = gloam_aksoy_phaneuf(position, normal, camera, broad);
     GloamEstimate near = gloam_aksoy_phaneuf(position, normal, camera, fine);
     if (!(far.samples > 0.0)) return GLOAM_NO_ESTIMATE;

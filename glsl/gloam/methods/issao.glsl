@@ -2,10 +2,54 @@
 #ifndef GLOAM_METHODS_ISSAO_GLSL
 #define GLOAM_METHODS_ISSAO_GLSL
 
-#include "gloam/gather/disc.glsl"
 #include "gloam/gather/method.glsl"
-#include "gloam/gather/pixels.glsl"
 #include "gloam/occlusion/disc_taps.glsl"
+
+// Where ISSAO's taps lie: in the circle that covers the image of a disc across the view ray (ISSAO-P), radii uniform
+// (ISSAO-1, polar reading).
+struct GloamCoveringDisc {
+    GloamFootprint footprint;
+    float stretch;  // radius of the circle over that of the disc parallel to the screen
+    vec2 turn;      // (cos, sin) of the kernel's angle
+};
+
+// Computed once a pixel; only for what gloam_can_gather lets pass.
+// position: of the surface, view space, world units. radius: of influence, world units. angle: of the kernel, radians.
+// Error of the stretch: 4e-6.
+GloamCoveringDisc gloam_covering_disc(vec3 position, float radius, float angle, GloamCamera camera) {
+    GloamFootprint footprint = gloam_footprint(position, radius, camera);
+    float parallel = gloam_covering_radius_parallel(position, radius, GLOAM_LARGEST);
+    // No circle covers more than four times the disc parallel to the screen.
+    float covering = gloam_covering_radius_perpendicular(position, radius, 4.0 * parallel);
+    return GloamCoveringDisc(footprint, covering / parallel, gloam_sincos_turns(gloam_turns(angle)));
+}
+
+// Pixel that a tap reads (gloam_footprint_pixel). index: of the tap's Halton point, 1 for the first.
+ivec2 gloam_covering_pixel(GloamCoveringDisc disc, uint index) {
+    vec2 tap = gloam_issao_offset_polar(gloam_halton_point(index).yx, disc.stretch);
+    return gloam_footprint_pixel(disc.footprint, gloam_turn_disc(tap, disc.turn));
+}
+
+// The pixels around the shaded one that the taps have read. Taps in the same pixel read the same depth, so one of them
+// is enough (ISSAO, in prose). With uniform radii such taps are near the shaded pixel. A bit for each of the 8 x 8
+// pixels around it makes these distinct. (Searching a list of the pixels read took ten times as long as the saved
+// taps.)
+struct GloamDistinctPixels {
+    ivec2 center;  // the shaded pixel; the others lie 4 to its left and above, 3 to its right and below
+    uvec2 seen;    // a bit for each pixel: four rows of 8, and four more; 0 before the first tap
+};
+
+// Adds the pixel of a tap.
+// Returns false for a pixel of those 8 x 8 that was added before, else true. Error: none.
+bool gloam_distinct_add(inout GloamDistinctPixels known, ivec2 pixel) {
+    ivec2 at = pixel - known.center + 4;
+    if (at.x < 0 || at.y < 0 || at.x > 7 || at.y > 7) return true;
+    uint bit = 1u << uint((at.y & 3) * 8 + at.x);
+    uvec2 bits = at.y < 4 ? uvec2(bit, 0u) : uvec2(0u, bit);
+    bool fresh = (known.seen & bits) == uvec2(0u);
+    known.seen |= bits;
+    return fresh;
+}
 
 // ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
 // image of a disc across the view ray (ISSAO-P). Radii are uniform (ISSAO-1, polar reading). Each point counts phi (v
@@ -75,10 +119,9 @@ GloamEstimate gloam_issao_attenuated(vec3 position, vec3 normal, GloamCamera cam
     return gloam_estimate(sum, float(taken), taken);
 }
 
-// ISSAO with the saving that its authors describe: several taps of a frame that fall into the same pixel, of 8 x 8
-// around the shaded one, count once. Radii are uniform, so taps coincide near that pixel and where the radius is
-// small in the image. The result is a mean over pixels, less dense near the point. A device that runs both sides of a
-// branch saves no time.
+// ISSAO with the saving that its authors describe: several taps of a frame that fall into the same pixel count once
+// (GloamDistinctPixels). The result is a mean over pixels, less dense near the point. A device that runs both sides of
+// a branch saves no time.
 
 // issao, taps in one pixel counted once (METHOD-issao_distinct): `mean over pixels of phi max(v . n - psi, 0) / (v . v
 // + sigma)` [ISSAO, section 5 (1)].

@@ -12,8 +12,6 @@ struct GloamPoisson {
     uint steps;   // of a ray, at least 1
 };
 
-const uint GLOAM_POISSON_POINTS = 64u;  // of the disc
-
 // blocked rays of a lifted Poisson disc (METHOD-poisson): `share of the rays that are blocked` [Sourimant et al. 2011,
 // CS-J].
 // All samples of one pixel in one frame, by rays.
@@ -26,7 +24,7 @@ GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, Gloa
     float occluded = 0.0;
     for (uint i = 0u; i < rays; ++i) {
         uint index = kernel.first / steps + i;
-        float round_turn = GLOAM_TAU * gloam_radical_inverse_base2(index / GLOAM_POISSON_POINTS);
+        float round_turn = GLOAM_TAU * gloam_radical_inverse_base2(index / 64u);  // of the disc's 64 points
         vec3 direction =
             frame * gloam_hemisphere_lift(gloam_rotate_disc(gloam_poisson_disc(index), kernel.angle + round_turn));
         float jitter = fract(gloam_halton_point(index + 1u).y + gloam_unit_interval(kernel.angle / GLOAM_TAU));

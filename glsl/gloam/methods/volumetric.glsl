@@ -34,12 +34,6 @@ GloamEstimate gloam_volumetric(vec3 position, vec3 normal, GloamCamera camera, G
 // fine detail, and half in the whole ball. The amounts by which both exceed a plane's 1/2 are added. (The larger of
 // the two would depend on the noise of a frame's few samples.)
 
-// The fine radius, as a fraction of the other.
-const float GLOAM_FINE_BALL = 0.25;
-
-// A pair at both radii.
-const uint GLOAM_TWO_BALLS_UNIT = 4u;
-
 // volumetric in two balls (METHOD-volumetric_two): `1/2 + (VO(R / 4) - 1/2) + (VO(R) - 1/2)` [Loos and Sloan 2010,
 // CS-I].
 // All samples of one pixel in one frame, as many at both radii: whole fours, at least one. Parameters and result are
@@ -47,9 +41,9 @@ const uint GLOAM_TWO_BALLS_UNIT = 4u;
 GloamEstimate gloam_volumetric_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     GloamKernel broad = kernel;
     broad.first = kernel.first / 2u;
-    broad.count = gloam_whole_samples(kernel.count, GLOAM_TWO_BALLS_UNIT) / 2u;
+    broad.count = gloam_whole_samples(kernel.count, 4u) / 2u;  // by pairs at both radii
     GloamKernel fine = broad;
-    fine.radius = GLOAM_FINE_BALL * kernel.radius;
+    fine.radius = 0.25 * kernel.radius;
     GloamEstimate far = gloam_volumetric(position, normal, camera, broad);
     GloamEstimate near = gloam_volumetric(position, normal, camera, fine);
     if (!(far.samples > 0.0)) return GLOAM_NO_ESTIMATE;
@@ -60,8 +54,6 @@ GloamEstimate gloam_volumetric_two(vec3 position, vec3 normal, GloamCamera camer
 // volumetric, with its pairs on a spiral that is rotated from pixel to pixel and from frame to frame. Where both
 // samples of a pair are invalid, both count 1/2. Radii are uniform, so a pair is weighted by its radius as well as
 // its chord.
-
-const int GLOAM_LINE_SPIRAL_TURNS = 7;
 
 // (cos, sin) of the rotation of the spiral: of the pixel's angle and the frame's. Half a turn moves each tap to its
 // partner.
@@ -83,7 +75,7 @@ GloamEstimate gloam_volumetric_spiral(vec3 position, vec3 normal, GloamCamera ca
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < pairs; ++i) {
-        vec2 tap = gloam_spiral_point(int(i), int(pairs), GLOAM_LINE_SPIRAL_TURNS);
+        vec2 tap = gloam_spiral_point(int(i), int(pairs), 7);
         GloamPairShare pair = gloam_line_pair_share(point, gloam_turn_disc(tap, turn), kernel);
         float density = float(2u * i + 1u);  // of the disc's area for each tap
         occluded += density * pair.occluded;

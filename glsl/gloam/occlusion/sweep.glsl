@@ -26,9 +26,6 @@ struct GloamSweepSide {
     vec2 last;       // the last tap that saw a surface: (along view, along tangent), in radii
 };
 
-// Share of its rise by which the surface falls, from one tap to the next, where a feature ends.
-const float GLOAM_SWEEP_FALL = 0.8;
-
 // a side of a slice of which nothing has been seen (SWEEP-start): `(cos(n + pi / 2), 0, ..., 0)` [gloam; the inner
 // integral of Jimenez et al. 2016].
 // lowest: cosine of the tangent plane's angle from the view vector, -sin n.
@@ -105,7 +102,7 @@ float gloam_sweep_share(float width, float rise, float thickness) {
 // Returns the side; unchanged where no feature ends. Error: 1e-6, but for falls within rounding of the share.
 GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {
     // A return and no choices of members: Filament 1.9's matc crashes on those.
-    if (!(side.rise > 0.0 && at.x < side.last.x - GLOAM_SWEEP_FALL * side.rise)) return side;
+    if (!(side.rise > 0.0 && at.x < side.last.x - 0.8 * side.rise)) return side;
     float width = max(0.5 * (at.y + side.last.y) - side.start, 0.0);
     side.occluded += side.feature * gloam_sweep_share(width, side.rise, thickness);
     side.feature = 0.0;
