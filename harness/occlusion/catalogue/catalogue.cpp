@@ -96,22 +96,12 @@ void describe(Entries& entries, const std::filesystem::path& glsl) {
 
 Entries all_entries(const std::filesystem::path& glsl) {
     Entries entries;
-    append_numeric(entries);
-    append_sampling(entries);
-    append_geometry(entries);
-    append_geometry_camera(entries);
-    append_occlusion(entries);
-    append_occlusion_slices(entries);
-    append_occlusion_volumes(entries);
-    append_occlusion_gathers(entries);
-    append_methods(entries);
-    append_occlusion_scalable(entries);
-    append_temporal(entries);
-    append_filter(entries);
-    append_filter_edges(entries);
-    append_shading(entries);
-    append_frame(entries);
-    append_builtins(entries);
+    for (const auto append :
+         {append_numeric, append_sampling, append_geometry, append_geometry_camera, append_occlusion,
+          append_occlusion_slices, append_occlusion_volumes, append_occlusion_gathers, append_methods,
+          append_occlusion_scalable, append_temporal, append_filter, append_filter_edges, append_shading,
+          append_frame, append_builtins})
+        append(entries);
     describe(entries, glsl);
     add_worst_inputs(entries);
     return entries;

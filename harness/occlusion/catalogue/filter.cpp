@@ -62,14 +62,6 @@ void append_windows_and_means(Entries& entries) {
 constexpr const char* values_name = "gloam_fetch_occlusion_convergence";
 constexpr const char* positions_name = "gloam_fetch_position";
 
-auto values_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(values_name).at<glm::dvec2>(pixel); };
-}
-
-auto positions_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(positions_name).at<glm::dvec3>(pixel); };
-}
-
 // Noisy occlusion, mostly unconverged, on a slanted surface with a step and background; some texels hold
 // invalid values.
 ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
@@ -116,7 +108,8 @@ void append_filtering(Entries& entries) {
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
            double c_adaptive, double sigma) {
             return reference::gloam_convergence_filter(pixel, along, size, half_width, c_adaptive, sigma,
-                                                       values_of(images), positions_of(images));
+                                                       fetch_of<glm::dvec2>(images, values_name),
+                                                       fetch_of<glm::dvec3>(images, positions_name));
         },
         {image_pixel(), image_axes(), image_size().only_as_drawn(),
          integers(0, 6).and_near_integers({0, 2147483646L}), uniform(0, 1).and_near({0.2}).and_special(),
@@ -144,8 +137,8 @@ void append_filter(Entries& entries) {
     add(
         entries, "CS-E-dual",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, double tolerance) {
-            const auto fetch = [&images](glm::ivec2 at) { return images.at(occlusion_name).at<double>(at); };
-            return reference::gloam_dual_resolution_disagrees(pixel, size, tolerance, fetch);
+            return reference::gloam_dual_resolution_disagrees(pixel, size, tolerance,
+                                                              fetch_of<double>(images, occlusion_name));
         },
         {image_pixel(), image_size().only_as_drawn(), uniform(0, 0.3).and_special()}, {.backward_ulp = 1}, {},
         nullptr, image_scenarios(occlusion_image));

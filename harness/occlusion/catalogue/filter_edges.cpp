@@ -13,11 +13,6 @@ using namespace subject;
 
 constexpr const char* occlusion_name = "gloam_fetch_occlusion";
 constexpr const char* normal_name = "gloam_fetch_normal";
-constexpr const char* depth_name = "gloam_fetch_depth";
-
-auto scalars_of(const ImageSet& images, const char* name) {
-    return [&images, name](glm::ivec2 pixel) { return images.at(name).at<double>(pixel); };
-}
 
 // Noisy occlusion on a slanted surface with a step and holes of background.
 ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
@@ -34,7 +29,7 @@ ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
     images.emplace(normal_name, make_image<glm::vec3>(size, normal));
     images.emplace(occlusion_name,
                    make_image<float>(size, [&](glm::ivec2) { return occlusion_or_worse(random); }));
-    images.emplace(depth_name, make_image<float>(size, depth));
+    images.emplace(depth_prototype, make_image<float>(size, depth));
     return images;
 }
 
@@ -57,15 +52,11 @@ void append_bilateral(Entries& entries) {
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 half, glm::ivec2 size, double sigma_d,
            double sigma_r) {
             return reference::gloam_bilateral_filter(pixel, half, size, sigma_d, sigma_r,
-                                                     scalars_of(images, occlusion_name),
-                                                     scalars_of(images, depth_name));
+                                                     fetch_of<double>(images, occlusion_name),
+                                                     fetch_of<double>(images, depth_prototype));
         },
         {image_pixel(), half_width, image_size(), sigma_d, sigma_r}, {.absolute = 6e-7}, {0, 1}, nullptr,
         image_scenarios(noisy_surface));
-}
-
-auto normals_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(normal_name).at<glm::dvec3>(pixel); };
 }
 
 }  // namespace
@@ -84,9 +75,9 @@ void append_filter_edges(Entries& entries) {
         entries, "CS-BLUR",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
            glm::dvec2 exponents) {
-            return reference::gloam_geometry_blur(pixel, along, size, half_width, exponents,
-                                                  scalars_of(images, occlusion_name),
-                                                  scalars_of(images, depth_name), normals_of(images));
+            return reference::gloam_geometry_blur(
+                pixel, along, size, half_width, exponents, fetch_of<double>(images, occlusion_name),
+                fetch_of<double>(images, depth_prototype), fetch_of<glm::dvec3>(images, normal_name));
         },
         {image_pixel(), image_axes(), image_size().only_as_drawn(), integers(0, 4).and_near_integers({0}),
          powers},

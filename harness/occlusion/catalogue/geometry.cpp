@@ -212,17 +212,12 @@ void add_neighbors(Entries& entries, const char* id, auto reference) {
         promised_normal<orthographic>);
 }
 
-// A reference that fetches depths, from the images of a scenario.
-template <class Reference>
-auto fetching_depth(Reference reference) {
-    return [reference](const ImageSet& images, glm::ivec2 pixel, const reference::GloamCamera& camera) {
-        const auto fetch = [&images](glm::ivec2 at) { return images.at(depth_prototype).at<double>(at); };
-        return reference(pixel, camera, fetch);
-    };
-}
-
 void add_from_depth(Entries& entries, const char* id, auto reference, Budget budget, Codomain codomain) {
-    add(entries, id, fetching_depth(reference),
+    add(
+        entries, id,
+        [reference](const ImageSet& images, glm::ivec2 pixel, const reference::GloamCamera& camera) {
+            return reference(pixel, camera, fetch_of<double>(images, depth_prototype));
+        },
         {either(image_pixel(), vector(2, integers(-2, 66))),
          vector({projection_scales(), image_size(), booleans()})},
         budget, codomain, nullptr, depth_scenarios(depth_prototype));

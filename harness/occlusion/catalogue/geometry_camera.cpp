@@ -263,9 +263,7 @@ void append_geometry_camera(Entries& entries) {
         [](const Moments& m, const glm::dvec3& n) { return usual_moments(m) && moderate(1e-9, 1.1, n); });
     const Values any = offsets_of(log_uniform(1e-3, 10), log_uniform(1e-37, 1e38));
     add(entries, "LENGTH-vector", &reference::gloam_length, {any}, {.ulp = 4}, {0, numeric::infinity},
-        [](glm::dvec3 v) {
-            return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38) && glm::length(v) >= 1e-30;
-        });
+        [](glm::dvec3 v) { return small(v, 1e38) && glm::length(v) >= 1e-30; });
     const Values radius = either(log_uniform(1, 4096), log_uniform(1e-37, 1e38)).and_special();
     add(entries, "CS-G-cap", &reference::gloam_radius_cap, Domain{vector(2, radius), radius}, {.ulp = 3.5},
         {0, 3.5e38}, [](glm::dvec2 axes, double cap) {

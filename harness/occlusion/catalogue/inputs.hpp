@@ -32,6 +32,12 @@ template <class... V>
     return std::abs(glm::length(n) - 1.0) <= 1e-6;
 }
 
+// Whether a dot product of a vector whose components' magnitudes sum to at most `most` does not overflow; NaN
+// counts as small.
+[[nodiscard]] inline bool small(const glm::dvec3& v, double most = 1e18) {
+    return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > most);
+}
+
 // mat4: rotation and translation, up to `extent` world units from the origin (a view or model matrix, or its
 // inverse).
 [[nodiscard]] subject::Values rigid_matrices(double extent);
@@ -82,6 +88,12 @@ template <class... V>
 
 // ivec2: along a row or a column.
 [[nodiscard]] subject::Values image_axes();
+
+// What a fetch function of a shader returns: the texels of its image as T.
+template <class T>
+[[nodiscard]] auto fetch_of(const subject::ImageSet& images, const char* prototype) {
+    return [&image = images.at(prototype)](glm::ivec2 pixel) { return image.at<T>(pixel); };
+}
 
 inline constexpr const char* depth_prototype = "gloam_fetch_depth";
 

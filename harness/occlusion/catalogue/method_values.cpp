@@ -9,8 +9,6 @@
 // idealised settings they agreed with the closed form of every measure that has one. Settings:
 // effect::with_method(Settings{}, NAME), so a radius of 1, and mip_distance = 0. The image has 129 x 129
 // pixels. On bare planes each value is MethodInfo::on_a_plane.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
@@ -126,7 +124,10 @@ const KnownResults& known_results(const std::string& method) {
     static const std::map<std::string, KnownResults> all = read_converged();
     const auto known = all.find(method);
     if (known == all.end())
-        throw std::logic_error(fmt::format("{} has no known values, nor a reason why", method));
+        throw std::logic_error(
+            fmt::format("harness/occlusion/catalogue/method_values.cpp has no values of {}, "
+                        "nor a reason why there are none",
+                        method));
     return known->second;
 }
 

@@ -259,12 +259,10 @@ void add_gather(Entries& entries, const std::string& name, Method method, const 
         entries, "METHOD-" + name,
         [method](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const Camera& camera,
                  const Kernel& kernel, const Own&... settings) {
-            const auto reader = [&]<class T>(const char* prototype, T) -> reference::Fetch<T> {
-                return [&image = images.at(prototype)](glm::ivec2 pixel) { return image.at<T>(pixel); };
-            };
-            const reference::MethodImages read{
-                reader(depth_prototype, 0.0), reader("gloam_fetch_normal", glm::dvec3()),
-                reader("gloam_fetch_layers", glm::dvec3()), reader("gloam_fetch_prepared", glm::dvec4())};
+            const reference::MethodImages read{fetch_of<double>(images, depth_prototype),
+                                               fetch_of<glm::dvec3>(images, "gloam_fetch_normal"),
+                                               fetch_of<glm::dvec3>(images, "gloam_fetch_layers"),
+                                               fetch_of<glm::dvec4>(images, "gloam_fetch_prepared")};
             const ShadedPoint at(read, position, normal, camera, kernel);
             return at.gathers ? method(at, settings...) : Estimate{};
         },

@@ -21,11 +21,6 @@ Values lengths() {
     return either(log_uniform(0.02, 2), log_uniform(1e-37, 1e38)).and_special();
 }
 
-// A dot product with it does not overflow.
-bool small(glm::dvec3 v) {
-    return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e18);
-}
-
 void append_sao_and_curvature(Entries& entries) {
     add(entries, "CS-Q", &reference::gloam_contribution_sao,
         {vector_of_length(3, log_uniform(0.01, 1.5)), unit_vector(3),
@@ -81,8 +76,7 @@ void append_depths_and_layers(Entries& entries) {
 
 // Neither a dot product overflows nor a length loses digits.
 bool sized(glm::dvec3 v) {
-    return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e18) &&
-           !(glm::length(v) < 1e-18 && v != glm::dvec3(0));
+    return small(v) && !(glm::length(v) < 1e-18 && v != glm::dvec3(0));
 }
 
 }  // namespace

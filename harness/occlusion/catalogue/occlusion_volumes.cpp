@@ -91,16 +91,11 @@ void append_lines(Entries& entries) {
             const double squared = xi.x * xi.x + xi.y * xi.y;
             return !(squared > 0.99 && squared < 1.01) && moderate(1e-9, 2.1, radius);
         });
-    add(entries, "CS-I", &reference::gloam_line_occlusion,
-        Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
-            .tied(0, 1)
-            .tied(0, 1, -1.0),
-        {.absolute = 1.2e-7}, {0, 1});
-    add(entries, "CS-I-ratio", &reference::gloam_line_ratio,
-        Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
-            .tied(0, 1)
-            .tied(0, 1, -1.0),
-        {.ulp = 3, .absolute = 2e-7}, {}, [](double height, double half_height) {
+    const Values heights = either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special();
+    const Domain line = Domain{heights, lengths()}.tied(0, 1).tied(0, 1, -1.0);
+    add(entries, "CS-I", &reference::gloam_line_occlusion, line, {.absolute = 1.2e-7}, {0, 1});
+    add(entries, "CS-I-ratio", &reference::gloam_line_ratio, line, {.ulp = 3, .absolute = 2e-7}, {},
+        [](double height, double half_height) {
             return !std::isfinite(height) || !(std::abs(height) > 1e38 * half_height);
         });
     const Values fraction = uniform(-1, 2).and_near({0.35, 0.5, 1.0}).and_special();

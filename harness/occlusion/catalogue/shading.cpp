@@ -42,10 +42,6 @@ Values offsets() {
     return offsets_of(uniform(0, 2), log_uniform(1e-20, 1e20));
 }
 
-bool small(glm::dvec3 v) {
-    return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e18);
-}
-
 // Radiance for which the errors are stated.
 bool dim(glm::dvec3 radiance) {
     return !(radiance.x > 1 || radiance.y > 1 || radiance.z > 1);

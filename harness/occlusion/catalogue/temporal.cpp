@@ -94,7 +94,6 @@ void append_disocclusion(Entries& entries) {
     const Values depth = either(uniform(1, 4), log_uniform(1e-3, 1e6))
                              .and_near({0x1p-126, numeric::largest_float})
                              .and_special();
-    const Domain depths{depth, depth};
     const Values epsilon = either(uniform(0.005, 0.05), log_uniform(1e-6, 2)).and_special();
     add(entries, "TSSAO-8", &reference::gloam_depth_consistent,
         Domain{depth, depth, epsilon}
@@ -131,14 +130,13 @@ void append_disocclusion(Entries& entries) {
 }
 
 void append_invalidation(Entries& entries) {
-    const Values weight = either(uniform(0, 1500), log_uniform(1e-30, 1e30)).and_special();
     add(entries, "TSSAO-SI-a", &reference::gloam_invalidate_clamp,
-        Domain{weight, uniform(32, 64).and_special()}.tied(0, 1), {}, {0, numeric::infinity});
+        Domain{buffer_weights(), uniform(32, 64).and_special()}.tied(0, 1), {}, {0, numeric::infinity});
     add(entries, "TSSAO-SI-b", &reference::gloam_confidence,
         {either(uniform(0, 1), signed_log_uniform(1e-30, 1e30)).and_special(),
          either(uniform(15, 30), log_uniform(1e-6, 1e6)).and_special()},
         {.ulp = 3}, {0, 1});
-    add(entries, "TSSAO-SI-b-weight", &reference::gloam_invalidate_confidence, {weight, shares()},
+    add(entries, "TSSAO-SI-b-weight", &reference::gloam_invalidate_confidence, {buffer_weights(), shares()},
         {.ulp = 0.5}, {0, numeric::largest_float});
     add(entries, "TSSAO-SI", &reference::gloam_invalidated_weight,
         Domain{uniform(0, 1500), uniform(0, 1), uniform(0.1, 2), integers(0, 3), log_uniform(1e-6, 1),
@@ -206,10 +204,8 @@ void append_reprojection(Entries& entries) {
     add(
         entries, "TSSAO-RP-history",
         [](const ImageSet& images, glm::dvec2 uv, glm::ivec2 size, double expected_depth, double epsilon) {
-            const auto fetch = [&images](glm::ivec2 pixel) {
-                return images.at(history_name).at<glm::dvec4>(pixel);
-            };
-            return reference::gloam_reprojected_history(uv, size, expected_depth, epsilon, fetch);
+            return reference::gloam_reprojected_history(uv, size, expected_depth, epsilon,
+                                                        fetch_of<glm::dvec4>(images, history_name));
         },
         {previous_coordinates(), image_size(), expected_depths(),
          either(uniform(0, 0.05), constant(0.01F)).and_special()},
@@ -219,10 +215,8 @@ void append_reprojection(Entries& entries) {
         entries, "TSSAO-RP-point",
         [](const ImageSet& images, glm::dvec3 previous, const reference::GloamCamera& camera, unsigned taps,
            double epsilon) {
-            const auto fetch = [&images](glm::ivec2 pixel) {
-                return images.at(history_name).at<glm::dvec4>(pixel);
-            };
-            return reference::gloam_reprojected_point(previous, camera, taps, epsilon, fetch);
+            return reference::gloam_reprojected_point(previous, camera, taps, epsilon,
+                                                      fetch_of<glm::dvec4>(images, history_name));
         },
         Domain{point, cameras(), integers(0, 2), either(uniform(0, 0.05), constant(0.01F)).and_special()}
             .adjusted(place_before_camera(0, 3)),

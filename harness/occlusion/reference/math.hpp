@@ -6,15 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/mat2x2.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include <glm/glm.hpp>
 
 // The mathematics that the references are written in: plain double, the standard library's functions and
 // GLM's. A reference states an equation as its source prints it, or the definition behind it, and shares no
@@ -22,28 +14,11 @@
 // promises, stands in a reference as a line of its own.
 namespace gloam::reference {
 
-using glm::clamp;
-using glm::cross;
-using glm::distance;
-using glm::dmat2;
-using glm::dmat3;
-using glm::dmat4;
-using glm::dot;
-using glm::dvec2;
-using glm::dvec3;
-using glm::dvec4;
-using glm::length;
-using glm::max;
-using glm::min;
-using glm::mix;
-using glm::normalize;
-using glm::transpose;
-
 using glm::abs, std::abs;
-using glm::ceil, std::ceil;
+using glm::clamp, glm::cross, glm::distance, glm::dmat2, glm::dmat3, glm::dmat4, glm::dot, glm::dvec2,
+    glm::dvec3, glm::dvec4, glm::length, glm::max, glm::min, glm::mix, glm::normalize, glm::transpose;
 using glm::floor, std::floor;
-using std::acos, std::asin, std::atan, std::cbrt, std::cos, std::exp, std::exp2, std::log, std::log2,
-    std::pow, std::sin, std::sqrt, std::tan;
+using std::acos, std::asin, std::atan, std::cos, std::exp, std::exp2, std::pow, std::sin, std::sqrt, std::tan;
 
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -181,6 +181,7 @@ GloamEstimate horizons(const ShadedPoint& at, unsigned steps, const Place& place
     return gloam_estimate(all.sum.x, all.slices, all.slices * 2U * steps);
 }
 
+// Of hbao, hbao_study and hsao.
 struct GloamHbao {
     double angle_bias;
     double contrast;
@@ -196,12 +197,7 @@ inline GloamEstimate gloam_hbao(const ShadedPoint& at, const GloamHbao& own) {
         [](const Tap& tap) { return std::vector{tap}; }, own.angle_bias, own.contrast);
 }
 
-struct GloamHbaoStudy {
-    double angle_bias;
-    double contrast;
-    unsigned steps;
-};
-inline GloamEstimate gloam_hbao_study(const ShadedPoint& at, const GloamHbaoStudy& own) {
+inline GloamEstimate gloam_hbao_study(const ShadedPoint& at, const GloamHbao& own) {
     return horizons(
         at, std::max(own.steps, 1U), [](double share) { return share; },
         [&](dvec2 direction) {
@@ -210,13 +206,8 @@ inline GloamEstimate gloam_hbao_study(const ShadedPoint& at, const GloamHbaoStud
         [](const Tap& tap) { return std::vector{tap}; }, 0.0, own.contrast);
 }
 
-struct GloamHsao {
-    double angle_bias;
-    double contrast;
-    unsigned steps;
-};
 // hbao with marches in eye space: rays parallel to the image, each a side of a slice.
-inline GloamEstimate gloam_hsao(const ShadedPoint& at, const GloamHsao& own) {
+inline GloamEstimate gloam_hsao(const ShadedPoint& at, const GloamHbao& own) {
     const unsigned steps = std::max(own.steps, 1U);
     GloamEstimate estimate = mean_of_rays(at.kernel, steps, [&](unsigned i) {
         const ImageRay ray = image_ray(at, i, steps);
