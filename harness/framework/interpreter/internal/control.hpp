@@ -196,10 +196,14 @@ void do_atomic(State<N>& s, const Instruction& i) {
     s.slots[i.result] = free ? Value<N>() : before;
 }
 
+// One of two numbers, whichever a driver takes.
 template <class N>
 void do_either(State<N>& s, const Instruction& i) {
+    const auto hull = [](const numeric::Interval& a, const numeric::Interval& b) {
+        return numeric::Interval::within(numeric::hull(a.bounds(), b.bounds()));
+    };
     for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, either_of(s.number(i, i.a + k), s.number(i, i.b + k)));
+        s.set(i, i.result + k, with_permitted(hull, s.number(i, i.a + k), s.number(i, i.b + k)));
 }
 
 // Index of the first word of the texel at the coordinates.

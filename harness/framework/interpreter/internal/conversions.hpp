@@ -241,13 +241,4 @@ void unpack_half(State<N>& s, const Instruction& i) {
         s.set(i, i.result + k, number_from_bits<N>(float_of_half(packed >> (16U * k) & 0xffffU)));
 }
 
-// One of two numbers, whichever a driver takes.
-template <class N>
-[[nodiscard]] N either_of(const N& x, const N& y) {
-    const auto hull = [](const numeric::Interval& a, const numeric::Interval& b) {
-        return numeric::Interval::within(numeric::hull(a.bounds(), b.bounds()));
-    };
-    return with_permitted(hull, x, y);
-}
-
 }  // namespace gloam::interpreter::internal

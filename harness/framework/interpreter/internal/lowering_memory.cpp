@@ -89,9 +89,8 @@ void Lowering::lower_memory(const module::Instruction& i) {
                               .target = image.target,
                               .index = new_pointer(),
                               .pointee = module_.types.at(i.word(1)).element};
-            Instruction& instruction =
-                emit(image_texel, 1, texel.index, pointer_index(image), slot_of(i.word(4)));
-            instruction.c = module_.types.slots(type_of(i.word(4)));
+            emit(image_texel, 1, texel.index, pointer_index(image), slot_of(i.word(4)),
+                 module_.types.slots(type_of(i.word(4))));
             scope_.pointers[i.word(2)] = texel;
             return;
         }
@@ -205,8 +204,7 @@ void Lowering::lower_atomic(const module::Instruction& i) {
         fail(Error::Kind::unknown_instruction, "an atomic operation on an image");
     const Slot result = is_store ? new_slots(1) : slot_of(i.word(2));
     const bool in_memory = pointer.space != Space::slots;
-    Instruction& instruction = emit(atomic, in_memory ? 1 : 0, result, pointer_index(pointer));
-    instruction.c = i.opcode;
+    Instruction& instruction = emit(atomic, in_memory ? 1 : 0, result, pointer_index(pointer), 0, i.opcode);
     if (in_memory) code_.resources[pointer.target.resource].written = true;
     if (!is_store && is_used(i.word(2))) instruction.flags |= flags::result_is_used;
     const bool has_no_operand =
