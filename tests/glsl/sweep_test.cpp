@@ -1,37 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The horizon sweep on a wall, whose occlusion is known in closed form for every falloff.
-#include "effect/method_functions.hpp"
+#include "reference/geometry_camera.hpp"
+#include "reference/methods_slices.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::sweep_test {
 
-using Camera = effect::GatherCamera;
-
-// As in gloam/occlusion/gather_kernel.glsl and gloam/methods/sweep.glsl.
-struct SweepKernel {
-    float radius;
-    float bias;
-    float angle;
-    unsigned first;
-    unsigned count;
-    float farthest;
-};
-struct SweepEstimate {
-    float occlusion;
-    float samples;
-    float weight;
-};
-struct Sweep {
-    unsigned steps;
-    float feature_thickness;
-    unsigned falloff;
-};
+using reference::GloamCamera;
+using reference::GloamEstimate;
+using reference::GloamKernel;
+using reference::GloamSweep;
 enum Falloff : unsigned { step, linear, quadratic, cubic };
 
 class SweepOfAWall : public testing::Test {
   protected:
     subject::Lab lab = test::make_lab();
-    judge::Function<SweepEstimate(glm::vec3, glm::vec3, Camera, SweepKernel, Sweep)> sweep{
+    judge::Function<GloamEstimate(glm::vec3, glm::vec3, GloamCamera, GloamKernel, GloamSweep)> sweep{
         lab, "gloam/methods/sweep.glsl", "gloam_sweep"};
 
     // A floor that meets a wall at x = 0, both turned by 45 degrees towards the eye, and a point of the floor
@@ -42,23 +26,23 @@ class SweepOfAWall : public testing::Test {
         const double x = pixel * (column - 512);
         const glm::vec3 position(x, 0.0, -(5.0 + x));
         const glm::vec3 normal(std::sqrt(0.5), 0.0, std::sqrt(0.5));
-        return occlusion(image, position, normal, Sweep{steps, 1.0F, falloff});
+        return occlusion(image, position, normal, GloamSweep{steps, 1.0, falloff});
     }
 
     // A post of a width that stands free, its front `rise` before a floor that faces the eye, and a point of
     // the floor `away` from it. Everything is in units of the radius.
-    double beside_a_post(double away, double width, double rise, float thickness) const {
+    double beside_a_post(double away, double width, double rise, double thickness) const {
         const int column = 512 - static_cast<int>(std::lround(away / pixel));
         const auto image = image_of([&](int at) {
             const double x = pixel * (at - 512);
             return x >= 0.0 && x < width ? 5.0 - rise : 5.0;
         });
         const glm::vec3 position(pixel * (column - 512), 0.0, -5.0);
-        return occlusion(image, position, glm::vec3(0, 0, 1), Sweep{48, thickness, linear});
+        return occlusion(image, position, glm::vec3(0, 0, 1), GloamSweep{48, thickness, linear});
     }
 
   private:
-    const Camera camera_{glm::vec2(0.5F, -0.5F), glm::ivec2(1025, 33), true};
+    const GloamCamera camera_{glm::dvec2(0.5, -0.5), glm::ivec2(1025, 33), true};
     const double pixel = 4.0 / 1025.0;
 
     // Depths that depend on the column alone.
@@ -69,10 +53,9 @@ class SweepOfAWall : public testing::Test {
     }
 
     double occlusion(const subject::ImageSet& image, glm::vec3 position, glm::vec3 normal,
-                     const Sweep& settings) const {
-        const SweepKernel kernel{1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, infinity};
-        return static_cast<double>(
-            sweep.with_images(image, {position, normal, camera_, kernel, settings}).occlusion);
+                     const GloamSweep& settings) const {
+        const GloamKernel kernel{1.0, 1e-5, 0.0, 0, 512 * 2 * settings.steps, infinity};
+        return sweep.with_images(image, {position, normal, camera_, kernel, settings}).occlusion;
     }
 };
 
@@ -95,14 +78,14 @@ TEST_F(SweepOfAWall, IsThatOfTheFalloffInTheLimit) {
 
 // A post that is narrower than it is high counts in proportion to its width; one that is wide, as solid.
 TEST_F(SweepOfAWall, APostCountsByItsWidth) {
-    constexpr float solid = 1e18F;
+    constexpr double solid = 1e18;
     const double full = beside_a_post(0.2, 0.1, 0.4, solid);
     EXPECT_GT(full, 0.03);
-    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 1.0F), 0.1 / 0.4 * full, 0.15 * full);
-    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 2.0F), 0.2 / 0.4 * full, 0.15 * full);
-    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 0.0F), 0.0, 0.15 * full);
-    EXPECT_EQ(beside_a_post(0.2, 0.5, 0.4, 1.0F), beside_a_post(0.2, 0.5, 0.4, solid));
-    EXPECT_EQ(beside_a_post(0.2, 2.0, 0.4, 0.0F), beside_a_post(0.2, 2.0, 0.4, solid));
+    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 1.0), 0.1 / 0.4 * full, 0.15 * full);
+    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 2.0), 0.2 / 0.4 * full, 0.15 * full);
+    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 0.0), 0.0, 0.15 * full);
+    EXPECT_EQ(beside_a_post(0.2, 0.5, 0.4, 1.0), beside_a_post(0.2, 0.5, 0.4, solid));
+    EXPECT_EQ(beside_a_post(0.2, 2.0, 0.4, 0.0), beside_a_post(0.2, 2.0, 0.4, solid));
 }
 
 // The further the falloff reaches, the darker.

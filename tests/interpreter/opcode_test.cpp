@@ -40,8 +40,11 @@ Operation real(const std::string& expression, std::function<double(const Row&)> 
 Operation loose(const std::string& expression, std::function<double(const Row&)> wide) {
     return real(expression, std::move(wide), false);
 }
-Operation whole(const std::string& expression, std::function<Word(const Row&)> word) {
-    return {.expression = expression, .wide = {}, .word = std::move(word)};
+template <class Value>
+Operation whole(const std::string& expression, Value value) {
+    return {.expression = expression, .wide = {}, .word = [value](const Row& r) {
+                return static_cast<Word>(value(r));
+            }};
 }
 
 const std::vector<Operation> float_operations{
@@ -93,8 +96,8 @@ const std::vector<Operation> float_operations{
     loose("radians(x)", [](const Row& r) { return r.x(0) * 0.017453292519943295; }),
     loose("degrees(x)", [](const Row& r) { return r.x(0) * 57.29577951308232; }),
     loose("fma(x, y, z)", [](const Row& r) { return std::fma(r.x(0), r.x(1), r.x(2)); }),
-    real("float(i)", [](const Row& r) { return static_cast<double>(r.i(0)); }),
-    real("float(uint(i))", [](const Row& r) { return static_cast<double>(r.u(0)); }),
+    real("float(i)", [](const Row& r) { return r.i(0); }),
+    real("float(uint(i))", [](const Row& r) { return r.u(0); }),
     real("vec4(x, y, z, w).wzyx[k & 3]", [](const Row& r) { return r.x(3 - (r.u(2) & 3U)); }),
     real("(i > 0 ? x : y)", [](const Row& r) { return r.x(r.i(0) > 0 ? 0 : 1); }),
     real("mix(vec2(x, y), vec2(z, w), bvec2(i > 0, j > 0)).y",
@@ -106,7 +109,7 @@ const std::vector<Operation> float_operations{
          }),
     real("modf_part(x)", [](const Row& r) { return std::trunc(r.x(0)); }),
     real("unpackHalf2x16(packHalf2x16(vec2(float((i & 2047) - 999), 0.0))).x",
-         [](const Row& r) { return static_cast<double>((r.i(0) & 2047) - 999); }),
+         [](const Row& r) { return (r.i(0) & 2047) - 999; }),
     loose("unpackUnorm4x8(uint(i)).z", [](const Row& r) { return (r.u(0) >> 16U & 255U) / 255.0; }),
     real(
         "unpackSnorm2x16(uint(i)).y",
@@ -114,65 +117,59 @@ const std::vector<Operation> float_operations{
         false),
 };
 
-template <class T>
-Word as_word(T x) {
-    return static_cast<Word>(x);
-}
-
 const std::vector<Operation> word_operations{
-    whole("x < y", [](const Row& r) { return as_word(r.x(0) < r.x(1)); }),
-    whole("x <= y", [](const Row& r) { return as_word(r.x(0) <= r.x(1)); }),
-    whole("x > y", [](const Row& r) { return as_word(r.x(0) > r.x(1)); }),
-    whole("x >= y", [](const Row& r) { return as_word(r.x(0) >= r.x(1)); }),
-    whole("x == y", [](const Row& r) { return as_word(r.x(0) == r.x(1)); }),
-    whole("x != y", [](const Row& r) { return as_word(r.x(0) != r.x(1)); }),
-    whole("isinf(x)", [](const Row& r) { return as_word(std::isinf(r.x(0))); }),
+    whole("x < y", [](const Row& r) { return r.x(0) < r.x(1); }),
+    whole("x <= y", [](const Row& r) { return r.x(0) <= r.x(1); }),
+    whole("x > y", [](const Row& r) { return r.x(0) > r.x(1); }),
+    whole("x >= y", [](const Row& r) { return r.x(0) >= r.x(1); }),
+    whole("x == y", [](const Row& r) { return r.x(0) == r.x(1); }),
+    whole("x != y", [](const Row& r) { return r.x(0) != r.x(1); }),
+    whole("isinf(x)", [](const Row& r) { return std::isinf(r.x(0)); }),
     whole("any(lessThan(vec3(x, y, z), vec3(y, z, w)))",
-          [](const Row& r) { return as_word(r.x(0) < r.x(1) || r.x(1) < r.x(2) || r.x(2) < r.x(3)); }),
+          [](const Row& r) { return r.x(0) < r.x(1) || r.x(1) < r.x(2) || r.x(2) < r.x(3); }),
     whole("all(lessThan(vec3(x, y, z), vec3(y, z, w)))",
-          [](const Row& r) { return as_word(r.x(0) < r.x(1) && r.x(1) < r.x(2) && r.x(2) < r.x(3)); }),
+          [](const Row& r) { return r.x(0) < r.x(1) && r.x(1) < r.x(2) && r.x(2) < r.x(3); }),
     whole("-i", [](const Row& r) { return 0U - r.u(0); }),
     whole("i + j", [](const Row& r) { return r.u(0) + r.u(1); }),
     whole("i - j", [](const Row& r) { return r.u(0) - r.u(1); }),
     whole("i * j", [](const Row& r) { return r.u(0) * r.u(1); }),
-    whole("i / (k | 1)", [](const Row& r) { return as_word(std::int64_t{r.i(0)} / (r.i(2) | 1)); }),
+    whole("i / (k | 1)", [](const Row& r) { return std::int64_t{r.i(0)} / (r.i(2) | 1); }),
     whole("uint(i) / uint(k | 1)", [](const Row& r) { return r.u(0) / (r.u(2) | 1U); }),
     whole("uint(i) % uint(k | 1)", [](const Row& r) { return r.u(0) % (r.u(2) | 1U); }),
     whole("i << (k & 31)", [](const Row& r) { return r.u(0) << (r.u(2) & 31U); }),
-    whole("i >> (k & 31)", [](const Row& r) { return as_word(r.i(0) >> (r.u(2) & 31U)); }),
+    whole("i >> (k & 31)", [](const Row& r) { return r.i(0) >> (r.u(2) & 31U); }),
     whole("uint(i) >> uint(k & 31)", [](const Row& r) { return r.u(0) >> (r.u(2) & 31U); }),
     whole("i & j", [](const Row& r) { return r.u(0) & r.u(1); }),
     whole("i | j", [](const Row& r) { return r.u(0) | r.u(1); }),
     whole("i ^ j", [](const Row& r) { return r.u(0) ^ r.u(1); }),
     whole("~i", [](const Row& r) { return ~r.u(0); }),
-    whole("i == j", [](const Row& r) { return as_word(r.u(0) == r.u(1)); }),
-    whole("i != j", [](const Row& r) { return as_word(r.u(0) != r.u(1)); }),
-    whole("i < j", [](const Row& r) { return as_word(r.i(0) < r.i(1)); }),
-    whole("i <= j", [](const Row& r) { return as_word(r.i(0) <= r.i(1)); }),
-    whole("i > j", [](const Row& r) { return as_word(r.i(0) > r.i(1)); }),
-    whole("i >= j", [](const Row& r) { return as_word(r.i(0) >= r.i(1)); }),
-    whole("uint(i) < uint(j)", [](const Row& r) { return as_word(r.u(0) < r.u(1)); }),
-    whole("uint(i) <= uint(j)", [](const Row& r) { return as_word(r.u(0) <= r.u(1)); }),
-    whole("uint(i) > uint(j)", [](const Row& r) { return as_word(r.u(0) > r.u(1)); }),
-    whole("uint(i) >= uint(j)", [](const Row& r) { return as_word(r.u(0) >= r.u(1)); }),
-    whole("(i > 0) && (j > 0)", [](const Row& r) { return as_word(r.i(0) > 0 && r.i(1) > 0); }),
-    whole("(i > 0) || (j > 0)", [](const Row& r) { return as_word(r.i(0) > 0 || r.i(1) > 0); }),
-    whole("(i > 0) ^^ (j > 0)", [](const Row& r) { return as_word((r.i(0) > 0) != (r.i(1) > 0)); }),
-    whole("(i > 0) == (j > 0)", [](const Row& r) { return as_word((r.i(0) > 0) == (r.i(1) > 0)); }),
-    whole("!(i > 0)", [](const Row& r) { return as_word(r.i(0) <= 0); }),
+    whole("i == j", [](const Row& r) { return r.u(0) == r.u(1); }),
+    whole("i != j", [](const Row& r) { return r.u(0) != r.u(1); }),
+    whole("i < j", [](const Row& r) { return r.i(0) < r.i(1); }),
+    whole("i <= j", [](const Row& r) { return r.i(0) <= r.i(1); }),
+    whole("i > j", [](const Row& r) { return r.i(0) > r.i(1); }),
+    whole("i >= j", [](const Row& r) { return r.i(0) >= r.i(1); }),
+    whole("uint(i) < uint(j)", [](const Row& r) { return r.u(0) < r.u(1); }),
+    whole("uint(i) <= uint(j)", [](const Row& r) { return r.u(0) <= r.u(1); }),
+    whole("uint(i) > uint(j)", [](const Row& r) { return r.u(0) > r.u(1); }),
+    whole("uint(i) >= uint(j)", [](const Row& r) { return r.u(0) >= r.u(1); }),
+    whole("(i > 0) && (j > 0)", [](const Row& r) { return r.i(0) > 0 && r.i(1) > 0; }),
+    whole("(i > 0) || (j > 0)", [](const Row& r) { return r.i(0) > 0 || r.i(1) > 0; }),
+    whole("(i > 0) ^^ (j > 0)", [](const Row& r) { return (r.i(0) > 0) != (r.i(1) > 0); }),
+    whole("(i > 0) == (j > 0)", [](const Row& r) { return (r.i(0) > 0) == (r.i(1) > 0); }),
+    whole("!(i > 0)", [](const Row& r) { return r.i(0) <= 0; }),
     whole("abs(i)", [](const Row& r) { return r.i(0) < 0 ? 0U - r.u(0) : r.u(0); }),
-    whole("sign(i)", [](const Row& r) { return as_word((r.i(0) > 0) - (r.i(0) < 0)); }),
-    whole("min(i, j)", [](const Row& r) { return as_word(std::min(r.i(0), r.i(1))); }),
-    whole("max(i, j)", [](const Row& r) { return as_word(std::max(r.i(0), r.i(1))); }),
+    whole("sign(i)", [](const Row& r) { return (r.i(0) > 0) - (r.i(0) < 0); }),
+    whole("min(i, j)", [](const Row& r) { return std::min(r.i(0), r.i(1)); }),
+    whole("max(i, j)", [](const Row& r) { return std::max(r.i(0), r.i(1)); }),
     whole("min(uint(i), uint(j))", [](const Row& r) { return std::min(r.u(0), r.u(1)); }),
     whole("max(uint(i), uint(j))", [](const Row& r) { return std::max(r.u(0), r.u(1)); }),
-    whole("clamp(i, -5, 1000)", [](const Row& r) { return as_word(std::clamp(r.i(0), -5, 1000)); }),
+    whole("clamp(i, -5, 1000)", [](const Row& r) { return std::clamp(r.i(0), -5, 1000); }),
     whole("clamp(uint(i), 5u, 1000u)", [](const Row& r) { return std::clamp(r.u(0), 5U, 1000U); }),
-    whole("bitCount(i)", [](const Row& r) { return as_word(std::popcount(r.u(0))); }),
-    whole("findLSB(i)", [](const Row& r) { return r.u(0) == 0 ? ~0U : as_word(std::countr_zero(r.u(0))); }),
-    whole("findMSB(i)",
-          [](const Row& r) { return as_word(31 - std::countl_zero(r.i(0) < 0 ? ~r.u(0) : r.u(0))); }),
-    whole("findMSB(uint(i))", [](const Row& r) { return as_word(31 - std::countl_zero(r.u(0))); }),
+    whole("bitCount(i)", [](const Row& r) { return std::popcount(r.u(0)); }),
+    whole("findLSB(i)", [](const Row& r) { return r.u(0) == 0 ? -1 : std::countr_zero(r.u(0)); }),
+    whole("findMSB(i)", [](const Row& r) { return 31 - std::countl_zero(r.i(0) < 0 ? ~r.u(0) : r.u(0)); }),
+    whole("findMSB(uint(i))", [](const Row& r) { return 31 - std::countl_zero(r.u(0)); }),
     whole("bitfieldReverse(i)",
           [](const Row& r) {
               Word all = 0;
@@ -180,27 +177,24 @@ const std::vector<Operation> word_operations{
               return all;
           }),
     whole("bitfieldExtract(i, 3, 9)",
-          [](const Row& r) { return as_word(static_cast<std::int32_t>(r.u(0) << 20U) >> 23U); }),
+          [](const Row& r) { return static_cast<std::int32_t>(r.u(0) << 20U) >> 23U; }),
     whole("bitfieldExtract(uint(i), 3, 9)", [](const Row& r) { return r.u(0) >> 3U & 511U; }),
     whole("bitfieldInsert(i, j, 5, 7)",
           [](const Row& r) { return (r.u(0) & ~(127U << 5U)) | (r.u(1) & 127U) << 5U; }),
     whole("carry_part(uint(i), uint(j))",
-          [](const Row& r) { return as_word((std::uint64_t{r.u(0)} + r.u(1)) >> 32U); }),
-    whole("borrow_part(uint(i), uint(j))", [](const Row& r) { return as_word(r.u(0) < r.u(1)); }),
-    whole("high_part(uint(i), uint(j))",
-          [](const Row& r) { return as_word(std::uint64_t{r.u(0)} * r.u(1) >> 32U); }),
-    whole("high_part(i, j)", [](const Row& r) { return as_word(std::int64_t{r.i(0)} * r.i(1) >> 32U); }),
-    whole("int(float((i & 4095) - 2048) * 0.5)",
-          [](const Row& r) { return as_word(((r.i(0) & 4095) - 2048) / 2); }),
+          [](const Row& r) { return (std::uint64_t{r.u(0)} + r.u(1)) >> 32U; }),
+    whole("borrow_part(uint(i), uint(j))", [](const Row& r) { return r.u(0) < r.u(1); }),
+    whole("high_part(uint(i), uint(j))", [](const Row& r) { return std::uint64_t{r.u(0)} * r.u(1) >> 32U; }),
+    whole("high_part(i, j)", [](const Row& r) { return std::int64_t{r.i(0)} * r.i(1) >> 32U; }),
+    whole("int(float((i & 4095) - 2048) * 0.5)", [](const Row& r) { return ((r.i(0) & 4095) - 2048) / 2; }),
     whole("uint(float(i & 4095) * 0.5)", [](const Row& r) { return (r.u(0) & 4095U) / 2U; }),
     whole("exponent_part(x)",
           [](const Row& r) {
               int e = 0;
               (void)std::frexp(r.x(0), &e);
-              return as_word(e);
+              return e;
           }),
-    whole("switched(k)",
-          [](const Row& r) { return as_word(r.u(2) % 5U == 0 ? 7 : (r.u(2) % 5U == 3 ? 11 : 13)); }),
+    whole("switched(k)", [](const Row& r) { return r.u(2) % 5U == 0 ? 7 : (r.u(2) % 5U == 3 ? 11 : 13); }),
     whole("looped(k & 15)",
           [](const Row& r) {
               const Word n = r.u(2) & 15U;

@@ -19,7 +19,7 @@ Error error_of(const std::string& body, const std::vector<Word>& inputs, const s
     Machine<float> machine(program);
     machine.set_limit(100'000);
     try {
-        (void)test::interpreted(machine, std::span<const Word>(inputs), 1);
+        (void)test::interpreted(machine, inputs, 1);
     } catch (const Error& error) {
         return error;
     }
@@ -50,15 +50,11 @@ TEST(Program, FloatsOf16BitsAreConstantsAndLieInBuffers) {
     const std::vector<Word> in{pair(1.5F, 0.0F),          0,
                                pair(2.0F, 3.0F),          pair(-4.25F, 0.0F),
                                std::bit_cast<Word>(0.1F), pair(7.0F, -0.375F)};
-    const std::vector<Word> out{0, pair(9.0F, 9.0F)};
     for (const char* variant : {"shipped", "optimized"}) {
         Machine<float> machine(Program(compiled(text, variant)));
-        machine.bind(0, 0, in);
-        machine.bind(0, 1, out);
-        machine.set_invocation({0, 0, 0});
-        machine.run();
-        EXPECT_EQ(machine.read(0, 1, 0).bits(), pair(1.8330078125F, -4.25F)) << variant;  // 0.333 has 11 bits
-        EXPECT_EQ(machine.read(0, 1, 1).bits(), pair(-0.75F, 0.1F)) << variant;
+        const auto out = test::interpreted(machine, in, 2);
+        EXPECT_EQ(out[0].bits(), pair(1.8330078125F, -4.25F)) << variant;  // 0.333 has 11 bits
+        EXPECT_EQ(out[1].bits(), pair(-0.75F, 0.1F)) << variant;
     }
 }
 
@@ -74,13 +70,10 @@ TEST(Program, MatricesInBuffersLieAsTheirLayoutSays) {
     std::vector<Word> inputs;
     for (int k = 0; k < 20; ++k) inputs.push_back(std::bit_cast<Word>(static_cast<float>(k)));
     Machine<float> machine{Program(compiled(text))};
-    const std::vector<Word> outputs(6, 0U);
-    machine.bind(0, 0, inputs);
-    machine.bind(0, 1, outputs);
-    machine.run();
+    const auto got = test::interpreted(machine, inputs, 6);
     // Row-major: rows of two at words 0, 2, 4. Column-major: columns at words 8 and 12.
     const std::vector<float> want{3.0F, 13.0F, 54.0F, 18.0F, 6.0F, 4.0F};
-    for (std::size_t k = 0; k < want.size(); ++k) EXPECT_EQ(machine.read(0, 1, k).number(), want[k]) << k;
+    for (std::size_t k = 0; k < want.size(); ++k) EXPECT_EQ(got[k].number(), want[k]) << k;
 }
 
 TEST(Program, SpecializationConstantsTakeTheirValues) {
@@ -95,12 +88,10 @@ TEST(Program, SpecializationConstantsTakeTheirValues) {
     const std::vector<interpreter::Constant> constants{{3, 9}, {5, std::bit_cast<Word>(4.0F)}};
     for (const bool given : {false, true}) {
         Machine<float> machine{given ? Program(module, constants) : Program(module)};
-        const std::vector<Word> outputs(3, 0U);
-        machine.bind(0, 1, outputs);
-        machine.run();
-        EXPECT_EQ(machine.read(0, 1, 0).bits(), given ? 8U : 3U);
-        EXPECT_EQ(machine.read(0, 1, 1).bits(), given ? 19U : 9U);
-        EXPECT_EQ(machine.read(0, 1, 2).number(), given ? 8.0F : 1.0F);
+        const auto got = test::interpreted(machine, {}, 3);
+        EXPECT_EQ(got[0].bits(), given ? 8U : 3U);
+        EXPECT_EQ(got[1].bits(), given ? 19U : 9U);
+        EXPECT_EQ(got[2].number(), given ? 8.0F : 1.0F);
     }
 }
 
@@ -141,9 +132,8 @@ TEST(Program, UndefinedIntegersPermitEveryResult) {
         const Program program(compiled(test::row_shader(4, 1, "put(0u, " + expression + ");\n")));
         Machine<numeric::Interval> machine(program);
         const std::vector<Word> inputs{x, y, 0, 0};
-        return numeric::Paths::explore(numeric::float32, 16, [&] {
-            (void)test::interpreted(machine, std::span<const Word>(inputs), 1).front().bits();
-        });
+        return numeric::Paths::explore(numeric::float32, 16,
+                                       [&] { (void)test::interpreted(machine, inputs, 1).front().bits(); });
     };
     struct Case {
         const char* expression;
