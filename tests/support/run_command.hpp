@@ -19,8 +19,8 @@ struct CommandOptions {
     std::chrono::seconds timeout{120};
 };
 
-// Runs `program` with `arguments`, no shell between, standard input empty. Throws std::runtime_error when it
-// cannot be started or is still running after the timeout (it is killed then).
+// Runs `program` with `arguments`, standard input empty. What cannot be started ends with status 127. Throws
+// std::runtime_error when it is still running after the timeout (it is killed then).
 [[nodiscard]] CommandResult run_program(const std::filesystem::path& program,
                                         const std::vector<std::string>& arguments,
                                         const CommandOptions& options = {});
