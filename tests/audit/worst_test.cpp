@@ -46,10 +46,4 @@ TEST_F(SearchTest, StaysInsideTheDomain) {
     EXPECT_EQ(from_word<float>(found.answer.worst->inputs[1]), 3.0F);
 }
 
-TEST_F(SearchTest, AFoundInputIsPartOfEveryRunAfterwards) {
-    const Question narrow = planted(
-        "narrow_peak", Domain{uniform(0, 1), uniform(0, 1)}.and_words({to_word(0.7123F), to_word(0.3004F)}));
-    EXPECT_GT(run(lab, narrow, {.inputs = 16}).fraction, 0.99);
-}
-
 }  // namespace gloam::audit::worst_test

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The interpreter as a device: whole checks with no driver at all.
-#include "backend/vulkan/device.hpp"
 #include "subject/fixture_functions.hpp"
 #include "support/test_name.hpp"
 
 namespace gloam::judge::devices_test {
 
 using namespace subject;
-
-// In this process nobody has told the loader of it.
-TEST(SwiftShader, IsFoundByItsName) {
-    if (backend::vulkan::drivers_are_chosen()) GTEST_SKIP() << "the environment chooses the drivers";
-    if (!backend::vulkan::find_swiftshader())
-        GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
-    const Lab lab({.device = "SwiftShader", .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
-    EXPECT_THAT(lab.info().name, HasSubstr("SwiftShader"));
-    EXPECT_EQ((Function<float(float, float)>(lab, "wrong.glsl", "weight")(1.0F, 2.0F)), 0.75F);
-}
 
 KernelCore two_pixels(const Lab& lab) {
     return lab.kernel("two_pixels.glsl", "two_pixels", SignatureOf<float(glm::ivec2)>::describe());
@@ -161,8 +150,6 @@ TEST_P(OpenGlDevice, HasTheVariantShippedOnly) {
     expect_error<std::invalid_argument>(
         [] { const Lab strict({.device = GetParam(), .variant = module::variant("strict")}); },
         {"have the variant shipped only"});
-    expect_error<std::invalid_argument>([] { const Lab watched({.device = GetParam(), .validation = true}); },
-                                        {"validation layers"});
 }
 
 const auto opengl_devices = testing::Values("gl:llvmpipe-4.5", "gl:llvmpipe-3.3", "es:llvmpipe-3.2",
