@@ -17,12 +17,12 @@ template <class Signature>
 class Rules {
   public:
     Rules(const std::string& file, const std::string& function)
-        : kernel_(test::make_lab(FIXTURES, module::variant("strict"))
-                      .kernel(file, function, SignatureOf<Signature>::describe())),
-          modules_{std::make_shared<const KernelModule>(kernel_.module())},
-          decoded_(modules_, images_),
-          outputs_(SignatureOf<Signature>::describe().output_scalars()),
-          interpretation_(decoded_, outputs_, outputs_.size(), false) {}
+        : decoded_(decode({std::make_shared<const KernelModule>(
+                              test::make_lab(FIXTURES, module::variant("strict"))
+                                  .kernel(file, function, SignatureOf<Signature>::describe())
+                                  .module())},
+                          {})),
+          interpretation_(decoded_, SignatureOf<Signature>::describe(), false) {}
 
     // Bounds of every output word.
     template <class... Values>
@@ -33,11 +33,7 @@ class Rules {
     }
 
   private:
-    KernelCore kernel_;
-    KernelModules modules_;
-    ImageSet images_;
     Decoded decoded_;
-    std::vector<module::Scalar> outputs_;
     Interpretation interpretation_;
 };
 

@@ -76,10 +76,9 @@ void expect_noticed(const Entry& entry, Evaluate evaluate) {
 }
 
 Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& question, std::size_t inputs) {
-    const Verdict verdict = question.verdict_in(lab.options().variant);
-    Verdicts verdicts(empty_answer(question, verdict));
+    Verdicts verdicts(empty_answer(question, question.verdict_in(lab.options().variant)));
     for (const auto& [scenario, share] : question.shares(inputs)) {
-        const Session session(lab, question, kernel, scenario, 1, verdict);
+        const Session session(lab, question, kernel, scenario, 1);
         auto evaluated =
             session.run(question.domain.draw(share, session.input_seed(), scenario.size), verdicts.right);
         verdicts.add(evaluated.result.outputs, [&](const std::vector<Word>& outputs, Answer& answer) {

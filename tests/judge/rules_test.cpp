@@ -79,8 +79,8 @@ class TamperedTest : public RulesTest {
                           Change change) {
         const Lab other = test::make_lab(FIXTURES, module::variant(variant));
         const Signature signature = SignatureOf<float(float, float)>::describe();
-        const KernelCore kernel = other.kernel("rules.glsl", function, signature);
-        KernelCore::Result result = kernel.run(inputs.words, inputs.count());
+        KernelCore::Result result =
+            other.kernel("rules.glsl", function, signature).run(inputs.words, inputs.count());
         for (Word& word : result.outputs) word = to_word(change(from_word<float>(word)));
         return judge({.function = function, .signature = signature},
                      {.verdict = Verdict::rules, .modules = result.modules}, inputs, result.outputs);
@@ -179,9 +179,9 @@ TEST_F(TamperedTest, OfManyOutcomesNeighboursAreMergedButNotAroundAForbiddenResu
 
 TEST_F(TamperedTest, WhatIsForbiddenFailsHoweverWideTheBudgetIs) {
     const Signature signature = SignatureOf<float(float, float)>::describe();
-    const KernelCore kernel = lab.kernel("rules.glsl", "quotient", signature);
-    const Domain::Inputs inputs = pairs.draw(256, 1, {1, 1});
-    KernelCore::Result result = kernel.run(inputs.words, inputs.count());
+    const Domain::Inputs inputs = pairs.draw(256, 1);
+    KernelCore::Result result =
+        lab.kernel("rules.glsl", "quotient", signature).run(inputs.words, inputs.count());
     for (Word& word : result.outputs) word += 8;
     const Question question{
         .signature = signature,

@@ -12,10 +12,10 @@ using Constants = module::Variant::Constants;
 
 std::string module_of(const char* variant, Constants constants) {
     const Lab lab = test::make_lab(FIXTURES, module::variant(variant));
-    KernelSource source = lab.source("wrong.glsl", "weight", SignatureOf<float(float, float)>::describe());
-    source.preserve_nan = false;  // as a check has it
     const std::vector<Word> inputs{std::bit_cast<Word>(0.3F), std::bit_cast<Word>(0.7F)};
-    const std::string text = constant_kernel_code(source, constants, inputs, 1);
+    const std::string text =
+        constant_kernel_code(lab.source("wrong.glsl", "weight", SignatureOf<float(float, float)>::describe()),
+                             constants, inputs, 1);
     return module::disassemble(
         lab.cache().compile({.name = "constants", .text = text}, lab.compile_options()));
 }

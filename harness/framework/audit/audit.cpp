@@ -34,16 +34,12 @@ bool Audit::is_broken() const {
 namespace {
 
 using internal::AuditRuns;
+using internal::digits_of;
 using internal::Reading;
 
-constexpr double unit_error = 0x1p-24;  // of a correctly rounded float32, relative
 constexpr double least_lost = 2.0;      // decimal digits that are worth a line
 constexpr double same_share = 0.9;      // of a loss, that a simpler input must keep
 constexpr std::size_t most_places = 4;  // findings of one concern
-
-double digits_of(double relative, double unit = unit_error) {
-    return relative > unit ? std::log10(relative / unit) : 0.0;
-}
 
 AuditLocation place_of(const ExplainedStep& step) {
     return {step.file, step.line, step.function, step.undefined.empty() ? step.operation : step.undefined};

@@ -32,12 +32,11 @@ void evaluate(const Session& session, const Domain& domain, Answer& answer,
 
 SearchResult search(const Lab& lab, const Question& question, const RunOptions& options) {
     using internal::Moves;
-    const Verdict verdict = question.verdict_in(lab.options().variant);
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
-    SearchResult found{.answer = empty_answer(question, verdict)};
+    SearchResult found{.answer = empty_answer(question, question.verdict_in(lab.options().variant))};
     for (const auto& [scenario, share] : question.shares(options.inputs)) {
         if (question.domain.parameters().empty() || share == 0) continue;
-        const Session session(lab, question, kernel, scenario, options.seed, verdict);
+        const Session session(lab, question, kernel, scenario, options.seed);
         const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
         Moves moves(question, drawn, scenario.size, session.input_seed(), options.seed);
         const auto run = [&](std::vector<Moves::Candidate>& some) {

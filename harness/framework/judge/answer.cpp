@@ -136,11 +136,6 @@ std::string AnswerIdentity::steps() const {
     return at == std::string::npos ? "" : variant.substr(at + module::step_separator.size());
 }
 
-void Answer::add_unbounded(const Sample& sample) {
-    ++unbounded;
-    if (!first_unbounded) first_unbounded = sample;
-}
-
 void Answer::add_undefined(InputClass input_class, NoResult kind, const std::string& why) {
     add_recorded(input_class);
     if (undefined++ > 0) return;

@@ -188,13 +188,10 @@ struct AnswerCounts {
     [[nodiscard]] std::size_t recorded() const { return total(&ClassCount::recorded); }
     [[nodiscard]] std::size_t open() const { return total(&ClassCount::open); }
 
-    void add_open(InputClass input_class) { ++count(input_class).open; }  // of an added sample
     void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
     // Counts an added input of a function whose results are all boolean.
     void add_predicate(const std::vector<double>& want, bool was_judged);
     void merge(const AnswerCounts& later);
-
-  protected:
     ClassCount& count(InputClass input_class) { return classes.at(static_cast<std::size_t>(input_class)); }
 
   private:
@@ -248,7 +245,6 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
 
     // Adds a judged sample; `outside` when it failed.
     void add(const Sample& sample, bool is_outside);
-    void add_unbounded(const Sample& sample);
     void add_undefined(InputClass input_class, NoResult kind, const std::string& why);
     // Adds the answer of another part of the same run. Parts are merged in the order of their inputs.
     void merge(const Answer& later);

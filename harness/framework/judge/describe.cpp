@@ -15,10 +15,17 @@ using namespace subject;
 
 using module::Scalar;
 
-std::string words_text(const std::vector<Scalar>& scalars, std::span<const Word> words) {
+// The text of each value, as text(scalars, i, value) has it.
+template <class AllValues, class Text>
+std::string listed(const std::vector<Scalar>& scalars, const AllValues& values, const Text& text) {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < words.size(); ++i) texts.push_back(subject::text_of(scalars[i], words[i]));
+    for (std::size_t i = 0; i < values.size(); ++i) texts.push_back(text(scalars, i, values[i]));
     return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string words_text(const std::vector<Scalar>& scalars, std::span<const Word> words) {
+    return listed(scalars, words,
+                  [](const auto& all, std::size_t i, Word word) { return subject::text_of(all[i], word); });
 }
 
 // The text of the number of a word. An integer in decimal; the bits of its value as a double would carry no
@@ -30,31 +37,17 @@ std::string number_text(const std::vector<Scalar>& scalars, std::size_t i, doubl
     return module::is_float(scalar) || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
 }
 
-std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<double>& numbers) {
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < numbers.size(); ++i) texts.push_back(number_text(scalars, i, numbers[i]));
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-// The bounds of each output.
-std::string outcome_text(const std::vector<Scalar>& scalars, const Sample::Outcome& permitted) {
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < permitted.size(); ++i) {
-        const numeric::Bounds& bounds = permitted[i];
-        const std::string low = number_text(scalars, i, bounds.low);
-        const std::string high = number_text(scalars, i, bounds.high);
-        const std::string range = bounds.empty() ? "nothing but NaN"
-                                  : low == high  ? low
-                                                 : fmt::format("[{}, {}]", low, high);
-        texts.push_back(bounds.nan && !bounds.empty() ? range + " or NaN" : range);
-    }
-    return fmt::format("{}", fmt::join(texts, ", "));
+std::string bounds_text(const std::vector<Scalar>& scalars, std::size_t i, const numeric::Bounds& bounds) {
+    const std::string low = number_text(scalars, i, bounds.low);
+    const std::string high = number_text(scalars, i, bounds.high);
+    if (bounds.empty()) return "nothing but NaN";
+    return (low == high ? low : fmt::format("[{}, {}]", low, high)) + (bounds.nan ? " or NaN" : "");
 }
 
 // A line with every outcome; empty if there are none.
 std::string permitted_text(const std::vector<Scalar>& scalars, const std::vector<Sample::Outcome>& outcomes) {
     std::vector<std::string> texts;
-    for (const Sample::Outcome& outcome : outcomes) texts.push_back(outcome_text(scalars, outcome));
+    for (const Sample::Outcome& outcome : outcomes) texts.push_back(listed(scalars, outcome, bounds_text));
     return texts.empty() ? "" : fmt::format("    permitted {}\n", fmt::join(texts, "; or "));
 }
 
@@ -62,7 +55,7 @@ std::string sample_text(const Signature& signature, const Sample& sample) {
     return fmt::format("input {} ({}{}{}): {}\n    got  {}\n    want {}\n{}    error {}\n", sample.index,
                        name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
                        sample.scenario, sample.values, words_text(signature.output_scalars(), sample.got),
-                       numbers_text(signature.output_scalars(), sample.want),
+                       listed(signature.output_scalars(), sample.want, number_text),
                        permitted_text(signature.output_scalars(), sample.permitted_outcomes()),
                        error_text(sample));
 }
@@ -71,18 +64,13 @@ std::string sample_text(const Signature& signature, const Sample& sample) {
 
 std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs) {
     std::vector<std::string> texts;
-    std::size_t first = 0;
-    for (const module::Parameter& p : signature.parameters) {
-        if (p.direction == source::Direction::out) continue;
-        const std::vector<Scalar> scalars = scalars_of(p.type);
-        if (scalars.empty()) continue;  // a sampler
-        const std::vector<Word> words(inputs.begin() + static_cast<std::ptrdiff_t>(first),
-                                      inputs.begin() + static_cast<std::ptrdiff_t>(first + scalars.size()));
-        const std::string values = words_text(scalars, words);
-        const std::string what = module::to_glsl(p.type) + (p.global ? " " + p.name : "");
-        texts.push_back(
-            fmt::format(fmt::runtime(module::scalar_count(p.type) > 1 ? "{} ({})" : "{} {}"), what, values));
-        first += scalars.size();
+    for (const auto& [parameter, first, count] : signature.inputs()) {
+        if (count == 0) continue;
+        const std::string values =
+            words_text(scalars_of(parameter->type), std::span(inputs).subspan(first, count));
+        const std::string what =
+            module::to_glsl(parameter->type) + (parameter->global ? " " + parameter->name : "");
+        texts.push_back(fmt::format(fmt::runtime(count > 1 ? "{} ({})" : "{} {}"), what, values));
     }
     return fmt::format("{}", fmt::join(texts, ", "));
 }

@@ -52,29 +52,30 @@ numeric::Paths::Specials specials_of(const module::Spirv& words) {
 
 }  // namespace
 
-Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
+Decoded decode(const KernelModules& modules, const ImageSet& images) {
+    Decoded all;
     for (const auto& module : modules) {
         const module::Spirv& words = module->before.empty() ? module->spirv : module->before;
-        parts_.push_back({.module = *module,
-                          .program = interpreter::Program(words, module->constants),
-                          .images = image_words(*module, images),
-                          .specials = specials_of(words)});
+        all.push_back({.module = module,
+                       .program = interpreter::Program(words, module->constants),
+                       .images = image_words(*module, images),
+                       .specials = specials_of(words)});
     }
+    return all;
 }
 
 Interpretation::Location Interpretation::place_of(std::size_t index) const {
-    const std::vector<Decoded::Part>& parts = decoded_.parts();
-    if (parts.size() == 1) return {0, parts.front().module.fixed_inputs == 0 ? 0 : index};
+    if (decoded_.size() == 1) return {0, decoded_.front().module->fixed_inputs == 0 ? 0 : index};
     std::size_t part = 0;
-    while (index >= parts.at(part).module.fixed_inputs) index -= parts[part++].module.fixed_inputs;
+    while (index >= decoded_.at(part).module->fixed_inputs) index -= decoded_[part++].module->fixed_inputs;
     return {part, index};
 }
 
 template <class N>
 InterpretedKernel<N>& Interpretation::kernel(std::size_t part) {
-    const Decoded::Part& from = decoded_.parts()[part];
+    const DecodedModule& from = decoded_[part];
     auto& made = std::get<Made<N>>(parts_[part]);
-    if (!made) made = std::make_unique<InterpretedKernel<N>>(from.program, from.module, from.images);
+    if (!made) made = std::make_unique<InterpretedKernel<N>>(from.program, *from.module, from.images);
     return *made;
 }
 
@@ -99,7 +100,7 @@ std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<doubl
     const std::uint64_t before = doubles.machine().steps();
     doubles.machine().set_limit(most_instructions);
     // A race may show in one order only.
-    if (decoded_.parts()[at.part].module.team.kind == backend::Team::Kind::group) {
+    if (decoded_[at.part].module->team.kind == backend::Team::Kind::group) {
         doubles.set_order(interpreter::Order::backward);
         doubles.run(input.words, at.index);
         doubles.set_order(interpreter::Order::forward);
@@ -157,9 +158,9 @@ Permitted Interpretation::explore(const InputRow& input, std::span<const Word> u
         }
         if (!until.empty() && holds(permitted.back(), until)) throw numeric::Paths::Enough{};
     };
-    const bool to_even = decoded_.parts().front().module.rounds_to_even;
+    const bool to_even = decoded_.front().module->rounds_to_even;
     const auto rounding = to_even ? numeric::Paths::Rounding::to_even : numeric::Paths::Rounding::either;
-    const auto specials = of_driver_ ? decoded_.parts()[at.part].specials : numeric::Paths::Specials::kept;
+    const auto specials = of_driver_ ? decoded_[at.part].specials : numeric::Paths::Specials::kept;
     const auto outcome = numeric::Paths::explore(numeric::float32, most_paths, run,
                                                  numeric::Paths::Gaps::open, rounding, specials);
     steps_ += kernel.machine().steps() - start;
@@ -170,12 +171,12 @@ Permitted Interpretation::explore(const InputRow& input, std::span<const Word> u
 
 bool Interpretation::is_permitted(const InputRow& input, std::span<const Word> got) {
     if (got.empty() || holds(explore<numeric::Interval>(input, got).back(), got)) return true;
-    return decoded_.parts()[place_of(input.index).part].program.may_be_rearranged() &&
+    return decoded_[place_of(input.index).part].program.may_be_rearranged() &&
            holds(explore<numeric::Rearranged>(input, got).back(), got);
 }
 
 Permitted Interpretation::all_permitted(const InputRow& input) {
-    return decoded_.parts()[place_of(input.index).part].program.may_be_rearranged()
+    return decoded_[place_of(input.index).part].program.may_be_rearranged()
                ? explore<numeric::Rearranged>(input)
                : explore<numeric::Interval>(input);
 }

@@ -26,23 +26,17 @@ inline constexpr std::size_t most_paths = 256;
 // on that side: 0 at `want`, 1 at the end, more outside. Infinity outside if the second distance is 0.
 [[nodiscard]] double fraction_of_width(double got, double want, const numeric::Bounds& bounds);
 
-// The modules of a run, decoded once for all threads.
-class Decoded {
-  public:
-    // The modules and the images must outlive this object.
-    Decoded(const subject::KernelModules& modules, const subject::ImageSet& images);
-
-    struct Part {
-        const subject::KernelModule& module;
-        interpreter::Program program;
-        std::vector<std::vector<Word>> images;
-        numeric::Paths::Specials specials;  // that a driver must keep
-    };
-    [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
-
-  private:
-    std::vector<Part> parts_;
+// A module of a run.
+struct DecodedModule {
+    std::shared_ptr<const subject::KernelModule> module;
+    interpreter::Program program;
+    std::vector<std::vector<Word>> images;
+    numeric::Paths::Specials specials;  // that a driver must keep
 };
+
+// The modules of a run, decoded once for all threads. Throws interpreter::Error.
+using Decoded = std::vector<DecodedModule>;
+[[nodiscard]] Decoded decode(const subject::KernelModules& modules, const subject::ImageSet& images);
 
 // An input of a run: its position and its words.
 struct InputRow {
@@ -53,15 +47,14 @@ struct InputRow {
 // Interprets the modules of a run for one input at a time, on each number type. For one thread.
 class Interpretation {
   public:
-    // `results`: outputs that are no out parameters. `of_driver`: what is permitted includes what a driver
-    // makes of NaN and infinity that it need not keep.
-    Interpretation(const Decoded& decoded, const std::vector<module::Scalar>& outputs, std::size_t results,
-                   bool of_driver = true)
+    // `of_driver`: what is permitted includes what a driver makes of NaN and infinity that it need not keep,
+    // and the function may leave an out parameter as it is. The modules must outlive this object.
+    Interpretation(const Decoded& decoded, const subject::Signature& signature, bool of_driver = true)
         : decoded_(decoded),
-          outputs_(outputs),
-          results_(results),
+          outputs_(signature.output_scalars()),
+          results_(of_driver ? module::scalar_count(signature.result) : outputs_.size()),
           of_driver_(of_driver),
-          parts_(decoded.parts().size()) {}
+          parts_(decoded.size()) {}
 
     // Whether the outputs equal, in every bit, those of correctly rounded arithmetic; all NaNs are equal.
     // Vulkan permits these results for every module.
@@ -103,8 +96,8 @@ class Interpretation {
     [[nodiscard]] Permitted explore(const InputRow& input, std::span<const Word> until = {});
 
     const Decoded& decoded_;
-    const std::vector<module::Scalar>& outputs_;
-    std::size_t results_;
+    std::vector<module::Scalar> outputs_;
+    std::size_t results_;  // those that the function must give
     bool of_driver_;
     std::vector<Part> parts_;
     std::vector<Word> exact_;

@@ -62,16 +62,15 @@ class Plan {
 class Judge {
   public:
     Judge(const Question& question, const JudgeOptions& options, const ImageSet& images,
-          const Decoded* decoded, const Plan& plan)
+          const Decoded& decoded, const Plan& plan)
         : question_(question),
           options_(options),
           images_(images),
           plan_(plan),
           scalars_(question.signature),
-          budget_(question, images, scalars_),
           predicate_(std::ranges::all_of(
               scalars_.outputs, [](module::Scalar scalar) { return scalar == module::Scalar::bool_; })) {
-        if (decoded != nullptr) rules_.emplace(*decoded, scalars_.outputs, scalars_.result_words);
+        if (!decoded.empty()) rules_.emplace(decoded, question.signature);
     }
 
     void add(Answer& answer, Sample& sample, bool branch) {
@@ -92,12 +91,13 @@ class Judge {
         }
         const bool promised = !question_.promised || question_.promised(sample.inputs);
         const bool edge = options_.edges && question_.reference && internal::is_edge(sample, scalars_);
-        const ErrorSize error = budget_.measure(sample, promised);
+        const ErrorSize error = internal::error_of(question_, images_, scalars_, sample, promised);
         sample.ulp = error.ulp;
         sample.absolute = error.absolute;
         sample.budget_fraction = error.fraction;
         sample.fraction = error.fraction;
-        const bool by_budget = options_.verdict == Verdict::budget && (promised || budget_.has_codomain());
+        const bool by_budget =
+            options_.verdict == Verdict::budget && (promised || internal::has_codomain(question_, scalars_));
         const bool free = rules_ && plan_.by_rules(sample.index)
                               ? ask_rules(answer, sample, promised, !by_budget && !edge)
                               : true;
@@ -109,7 +109,7 @@ class Judge {
         if (question_.must_hold && !holds && answer.broken.empty())
             answer.broken = describe_inputs(question_.signature, sample.inputs);
         const bool open = free && !by_budget && !edge;
-        if (open) answer.add_open(sample.input_class);
+        if (open) ++answer.count(sample.input_class).open;
         if (predicate_) answer.add_predicate(sample.want, !open);
     }
 
@@ -201,7 +201,7 @@ class Judge {
     void add_bounds(Answer& answer, const Sample& sample, bool promised) {
         ++answer.bounded;
         const bool anything = std::ranges::any_of(sample.permitted, &Bounds::is_anything);
-        if (anything) answer.add_unbounded(sample);
+        if (anything && answer.unbounded++ == 0) answer.first_unbounded = sample;
         if (!anything && promised && sample.input_class <= InputClass::zero)
             answer.guarantee.raise(largest_permitted(sample));
     }
@@ -212,11 +212,12 @@ class Judge {
         std::size_t first = 0;
         for (const std::size_t words : scalars_.output_values) {
             const numeric::FloatFormat& format = format_of(scalars_.outputs[first]);
-            const double unit = budget_.unit_of(std::span(sample.want).subspan(first, words), format);
+            const double unit =
+                internal::unit_of(question_.budget, std::span(sample.want).subspan(first, words), format);
             for (std::size_t i = first; i < first + words; ++i) {
                 if (!module::is_float(scalars_.outputs[i])) continue;
                 for (const double end : {sample.permitted[i].low, sample.permitted[i].high})
-                    largest.raise(budget_.float_error(end, sample.want[i], unit, format));
+                    largest.raise(internal::float_error(question_.budget, end, sample.want[i], unit, format));
             }
             first += words;
         }
@@ -228,28 +229,25 @@ class Judge {
     const ImageSet& images_;
     const Plan& plan_;
     internal::Scalars scalars_;
-    internal::BudgetJudge budget_;
     bool predicate_;  // all results are boolean
     std::optional<Interpretation> rules_;
 };
 
-// The decoded modules. Empty if there are none. Also empty if they are not needed and the interpreter does
-// not know an instruction of them; then no input is judged by the rules.
-std::optional<Decoded> decoded_modules(const KernelModules& modules, const ImageSet& images, bool needed) {
-    if (modules.empty()) return std::nullopt;
+// The decoded modules. None if they are not needed and the interpreter does not know an instruction of them;
+// then no input is judged by the rules.
+Decoded decoded_modules(const KernelModules& modules, const ImageSet& images, bool needed) {
     try {
-        return std::optional<Decoded>(std::in_place, modules, images);
+        return decode(modules, images);
     } catch (const interpreter::Error& error) {
         if (needed || error.kind() != interpreter::Error::Kind::unknown_instruction) throw;
-        return std::nullopt;
+        return {};
     }
 }
 
 // The mean cost of the bounds of evenly distributed inputs of the run, in instructions.
 double mean_cost(const Decoded& decoded, const Question& question, const Domain::Inputs& inputs) {
     constexpr std::size_t probes = 32;
-    const internal::Scalars scalars(question.signature);
-    Interpretation rules(decoded, scalars.outputs, scalars.result_words);
+    Interpretation rules(decoded, question.signature);
     const std::size_t step = std::max<std::size_t>(inputs.count() / probes, 1);
     std::size_t probed = 0;
     for (std::size_t i = 0; i < inputs.count(); i += step, ++probed)
@@ -278,15 +276,14 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
             all.add_recorded(internal::class_of(inputs.row(i), scalars, inputs.branch[i]));
         return all;
     }
-    const std::optional<Decoded> decoded = decoded_modules(options.modules, images, needs_modules);
-    const Decoded* const modules = decoded ? &*decoded : nullptr;
+    const Decoded decoded = decoded_modules(options.modules, images, needs_modules);
     Plan plan(options.verdict, inputs.count(), !fractions.empty());
-    if (plan.needs_cost()) plan.set_cost(mean_cost(*decoded, question, inputs), inputs.count());
+    if (plan.needs_cost()) plan.set_cost(mean_cost(decoded, question, inputs), inputs.count());
     const std::size_t width = question.signature.output_words();
     const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
     std::vector<Answer> parts(shares.size());
     base::for_each_index(parts.size(), 0, [&](std::size_t part) {
-        Judge judge(question, options, images, modules, plan);
+        Judge judge(question, options, images, decoded, plan);
         for (std::size_t i = shares[part].begin; i < shares[part].end; ++i) {
             const auto row = inputs.row(i);
             const auto got = outputs.subspan(i * width, width);

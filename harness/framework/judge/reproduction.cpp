@@ -25,12 +25,8 @@ using Words = std::vector<Word>;
 
 Session session_of(const Lab& lab, const Question& question, const RunOptions& options,
                    const std::string& scenario) {
-    return {lab,
-            question,
-            lab.kernel(question.file, question.function, question.signature),
-            question.scenario_of(scenario),
-            options.seed,
-            question.verdict_in(lab.options().variant)};
+    return {lab, question, lab.kernel(question.file, question.function, question.signature),
+            question.scenario_of(scenario), options.seed};
 }
 
 // The inputs of a check and what they give, in memory in every variant.
@@ -44,27 +40,21 @@ Session::Evaluated evaluated(const Lab& lab, const Question& question, const Run
     return {std::move(inputs), std::move(result)};
 }
 
-// The generated shader for one input. If the variant makes inputs literals, the input is in the text.
-std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
-    if (constants == Constants::none) return kernel_code(source);
-    if (constants == Constants::literals) source.preserve_nan = false;  // as in a Session
-    return constant_kernel_code(source, constants, inputs, 1);
-}
-
 Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,
                              const ImageSet& images, std::vector<Word> inputs) {
     const KernelSource source = lab.source(question.file, question.function, question.signature);
     const Constants constants = lab.options().variant.constants;
     const source::Source text{.name = "kernel of " + question.function,
-                              .text = code_of(source, constants, inputs)};
-    module::CompileOptions in_stage = lab.compile_options();
-    in_stage.stage = stage_of(source.team);
-    KernelModule module = kernel_module(source, lab.cache().compile(text, in_stage));
+                              .text = constants == Constants::none
+                                          ? kernel_code(source)
+                                          : constant_kernel_code(source, constants, inputs, 1)};
+    const source::Stage stage = stage_of(source.team);
+    KernelModule module = kernel_module(source, lab.cache().compile(text, lab.compile_options(stage)));
     try {
         lab.take_steps(module, text);
     } catch (const module::StepError&) {  // the module before them is what there is
     }
-    Reproduction all{.glsl = module::pack({text}, {.stage = in_stage.stage}, lab.options().include_roots),
+    Reproduction all{.glsl = module::pack({text}, {.stage = stage}, lab.options().include_roots),
                      .spirv = std::move(module.spirv),
                      .steps = lab.options().variant.steps,
                      .before = std::move(module.before),

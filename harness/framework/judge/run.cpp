@@ -7,8 +7,8 @@
 
 #include "interpreter/program.hpp"
 #include "judge/explain.hpp"
+#include "judge/interpretation.hpp"
 #include "judge/session.hpp"
-#include "subject/interpreted_kernel.hpp"
 
 namespace gloam::judge {
 namespace {
@@ -36,24 +36,20 @@ std::size_t inputs_of_run(const Question& question, std::size_t wanted) {
 // kernel need not have.
 void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t seed) {
     constexpr std::size_t most_inputs = 4096;
-    const KernelModule module =
-        lined_module(lab, lab.source(question.file, question.function, question.signature));
-    const interpreter::Program program(module.spirv);
+    const KernelSource source = lab.source(question.file, question.function, question.signature);
     const ImageScenario scenario = question.first_scenario();
-    const ImageSet images = images_of(scenario, seed);
-    const std::vector<std::vector<Word>> words = image_words(module, images);
-    InterpretedKernel<double> kernel(program, module, words);
+    const Decoded decoded =
+        decode({std::make_shared<const KernelModule>(lined_module(lab, source))}, images_of(scenario, seed));
+    Interpretation doubles(decoded, question.signature);
+    std::vector<double> outputs;
     const Domain::Inputs inputs = question.domain.draw(most_inputs, seed, scenario.size);
     for (std::size_t i = 0; i < inputs.count(); ++i) {
-        for (const auto order : {interpreter::Order::backward, interpreter::Order::forward}) {
-            kernel.set_order(order);
-            try {
-                kernel.run(inputs.row(i));
-            } catch (const interpreter::Error& error) {
-                if (!error.is_of_group()) continue;
-                throw interpreter::Error(
-                    error.kind(), fmt::format("{}: {}: {}", question.file, question.function, error.what()));
-            }
+        try {
+            doubles.calculate({i, inputs.row(i)}, outputs);
+        } catch (const interpreter::Error& error) {
+            if (!error.is_of_group()) continue;
+            throw interpreter::Error(
+                error.kind(), fmt::format("{}: {}: {}", question.file, question.function, error.what()));
         }
     }
 }
@@ -63,13 +59,12 @@ void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t se
 Answer run(const Lab& lab, const Question& question, const RunOptions& options) {
     if (question.answers) return question.answers(lab);
     const module::Variant& variant = lab.options().variant;
-    const Verdict verdict = question.verdict_in(variant);
     try {
         const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
         const Domain domain = domain_of(lab, question, *kernel.module().source);
-        Answer answer = empty_answer(question, verdict);
+        Answer answer = empty_answer(question, question.verdict_in(variant));
         for (const auto& [scenario, share] : question.shares(inputs_of_run(question, options.inputs))) {
-            const Session session(lab, question, kernel, scenario, options.seed, verdict);
+            const Session session(lab, question, kernel, scenario, options.seed);
             const std::uint64_t seed = session.input_seed();
             const Domain::Inputs drawn =
                 variant.constants == module::Variant::Constants::none

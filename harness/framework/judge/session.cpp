@@ -19,23 +19,18 @@ namespace gloam::judge {
 using namespace subject;
 
 Session::Session(const Lab& lab, const Question& question, KernelCore kernel, ImageScenario scenario,
-                 std::uint64_t seed, Verdict verdict)
+                 std::uint64_t seed)
     : lab_(lab),
       question_(question),
       kernel_(std::move(kernel)),
+      has_constants_(lab.options().variant.constants != module::Variant::Constants::none),
       scenario_(std::move(scenario)),
       input_seed_(input_seed_of(question, scenario_, seed)),
       images_(images_of(scenario_, seed)),
-      options_{.edges = !question.only_rules && !lab.options().variant.relaxed,
-               .nan = lab.keeps_nan(),
-               .verdict = verdict} {
-    const auto constants = lab.options().variant.constants;
-    if (constants == module::Variant::Constants::none) return;
-    constants_ = source();
-    // SPIRV-Tools folds nothing where the shader declares that NaN keeps its meaning.
-    if (constants == module::Variant::Constants::literals) constants_->preserve_nan = false;
-    options_.nan = options_.nan && constants_->preserve_nan;
-}
+      options_{
+          .edges = !question.only_rules && !lab.options().variant.relaxed,
+          .nan = lab.keeps_nan() && lab.options().variant.constants != module::Variant::Constants::literals,
+          .verdict = question.verdict_in(lab.options().variant)} {}
 
 Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
     if (!options_.nan) internal::set_positive_zeros(inputs.words, question_.signature.input_scalars());
@@ -50,7 +45,7 @@ Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
         answer.fault = to_text(*outputs.fault);
         answer.reason = Reason::fault;
     }
-    if (!constants_) return {std::move(inputs), std::move(outputs)};
+    if (!has_constants_) return {std::move(inputs), std::move(outputs)};
     KernelCore::Result folded = run_constants(inputs);
     lab_.require_silent_validation();
     const std::size_t width = kernel_.output_words();
@@ -78,9 +73,8 @@ bool has_loop(const KernelModule& module) {
 
 // Rounded to float32 or not, a loop may take another number of rounds.
 std::vector<char> Session::long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const {
-    const KernelModules modules{std::make_shared<const KernelModule>(kernel_.module())};
-    const Decoded decoded(modules, images_);
-    const Decoded::Part& part = decoded.parts().front();
+    const Decoded decoded = decode({std::make_shared<const KernelModule>(kernel_.module())}, images_);
+    const DecodedModule& part = decoded.front();
     std::vector<char> is_long(inputs.count(), 0);
     const auto mark = [&](auto& kernel, std::size_t i) {
         kernel.machine().set_limit(limit);
@@ -92,8 +86,8 @@ std::vector<char> Session::long_runs(const Domain::Inputs& inputs, std::uint64_t
     };
     const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
     base::for_each_index(shares.size(), 0, [&](std::size_t share) {
-        InterpretedKernel<float> floats(part.program, part.module, part.images);
-        InterpretedKernel<double> doubles(part.program, part.module, part.images);
+        InterpretedKernel<float> floats(part.program, *part.module, part.images);
+        InterpretedKernel<double> doubles(part.program, *part.module, part.images);
         for (std::size_t i = shares[share].begin; i < shares[share].end; ++i) {
             mark(floats, i);
             if (is_long[i] == 0) mark(doubles, i);
@@ -149,7 +143,7 @@ KernelCore::Result Session::run_constants(const Domain::Inputs& inputs) const {
     for (std::size_t first = 0; first < inputs.count(); first += of_a_module) {
         const std::size_t count = std::min(of_a_module, inputs.count() - first);
         const auto words = std::span(inputs.words).subspan(first * inputs.width, count * inputs.width);
-        KernelCore::Result part = lab_.constant_kernel(*constants_, words, count).run({}, count, images_);
+        KernelCore::Result part = lab_.constant_kernel(source(), words, count).run({}, count, images_);
         all.outputs.insert(all.outputs.end(), part.outputs.begin(), part.outputs.end());
         all.modules.insert(all.modules.end(), part.modules.begin(), part.modules.end());
         if (!part.fault) continue;
@@ -168,13 +162,13 @@ void Session::judge(const Evaluated& evaluated, Answer& answer, std::span<double
 }
 
 std::optional<Sample> Session::first_failing(std::span<const std::vector<Word>> inputs) const {
-    const std::size_t at_once = constants_ ? most_constants : std::size_t{1} << 20U;
+    const std::size_t at_once = has_constants_ ? most_constants : std::size_t{1} << 20U;
     for (; !inputs.empty(); inputs = inputs.subspan(std::min(at_once, inputs.size()))) {
         Evaluated some{.inputs = {.width = kernel_.input_words()}, .result = {}};
         for (const std::vector<Word>& words : inputs.first(std::min(at_once, inputs.size())))
             some.inputs.add(words);
-        some.result = constants_ ? run_constants(some.inputs)
-                                 : kernel_.run(some.inputs.words, some.inputs.count(), images_);
+        some.result = has_constants_ ? run_constants(some.inputs)
+                                     : kernel_.run(some.inputs.words, some.inputs.count(), images_);
         Answer answer;
         judge(some, answer);
         std::optional<Sample> first;
@@ -237,18 +231,12 @@ std::string codomain_text(const Question& question, const Sample& sample) {
 // Whether the device may return this result for the module that it was given itself.
 bool is_right(const Lab& lab, const Question& question, KernelModule given, const Sample& sample,
               std::uint64_t seed) {
-    const auto constants = lab.options().variant.constants;
-    if (constants != module::Variant::Constants::none) {
-        KernelSource source = *given.source;
-        source.preserve_nan = source.preserve_nan && constants != module::Variant::Constants::literals;
-        given = lab.constant_kernel(source, sample.inputs, 1).module();
-    }
+    if (lab.options().variant.constants != module::Variant::Constants::none)
+        given = lab.constant_kernel(*given.source, sample.inputs, 1).module();
     given.before.clear();
-    const ImageSet images = images_of(question.scenario_of(sample.scenario), seed);
-    const KernelModules modules{std::make_shared<const KernelModule>(std::move(given))};
-    const Decoded decoded(modules, images);
-    const internal::Scalars scalars(question.signature);
-    Interpretation rules(decoded, scalars.outputs, scalars.result_words);
+    const Decoded decoded = decode({std::make_shared<const KernelModule>(std::move(given))},
+                                   images_of(question.scenario_of(sample.scenario), seed));
+    Interpretation rules(decoded, question.signature);
     const InputRow input{.words = sample.inputs};
     return rules.is_exact(input, sample.got) || rules.is_permitted(input, sample.got);
 }

@@ -19,7 +19,7 @@ class Session {
   public:
     // `seed` makes the images.
     Session(const subject::Lab& lab, const Question& question, subject::KernelCore kernel,
-            subject::ImageScenario scenario, std::uint64_t seed, Verdict verdict);
+            subject::ImageScenario scenario, std::uint64_t seed);
 
     // Inputs as the device was given them, with what it made of them.
     struct Evaluated {
@@ -60,7 +60,7 @@ class Session {
     const subject::Lab& lab_;
     const Question& question_;
     subject::KernelCore kernel_;
-    std::optional<subject::KernelSource> constants_;  // of kernels whose inputs are constants
+    bool has_constants_;  // the inputs are constants of the kernels
     subject::ImageScenario scenario_;
     std::uint64_t input_seed_;
     subject::ImageSet images_;

@@ -59,18 +59,6 @@ constexpr std::size_t number_part = 8;  // at most one in so many inputs has a n
 constexpr std::size_t nothing = SIZE_MAX;
 constexpr std::uint64_t chances = 16;
 
-// Calls visit(type, position, first word) for each in and inout parameter.
-template <class Visit>
-void for_each_input(const Signature& signature, Visit visit) {
-    std::size_t position = 0;
-    std::size_t first = 0;
-    for (const module::Parameter& parameter : signature.parameters) {
-        if (parameter.direction == source::Direction::out) continue;
-        visit(parameter.type, position++, first);
-        first += scalars_of(parameter.type).size();
-    }
-}
-
 }  // namespace
 
 // What may be changed in an input after it was drawn, so that it becomes a degenerate one.
@@ -128,9 +116,7 @@ void Domain::require_fits(const Signature& signature) const {
     std::vector<std::size_t> has;
     std::ranges::transform(parameters_, std::back_inserter(has), &Values::words);
     std::vector<std::size_t> wants;
-    for_each_input(signature, [&](const module::Type& type, std::size_t, std::size_t) {
-        wants.push_back(scalars_of(type).size());
-    });
+    std::ranges::transform(signature.inputs(), std::back_inserter(wants), &InputSlot::count);
     if (has != wants)
         throw std::invalid_argument(
             fmt::format("the domain has parameters of {} words, the function takes {}", fmt::join(has, ", "),
@@ -140,7 +126,10 @@ void Domain::require_fits(const Signature& signature) const {
 Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) const {
     require_fits(signature);
     Degenerate all;
-    for_each_input(signature, [&](const module::Type& type, std::size_t parameter, std::size_t first) {
+    std::size_t parameter = 0;
+    for (const InputSlot& slot : signature.inputs()) {
+        const module::Type& type = slot.parameter->type;
+        const std::size_t first = slot.first;
         const Values& values = parameters_[parameter];
         const bool composed = type.scalar == Scalar::structure || !type.sizes.empty();
         // Vectors in a struct or an array are only copied from: their valid values are unknown.
@@ -150,7 +139,8 @@ Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) con
                 all.vectors.push_back({at, size, values.only_drawn || composed ? nothing : parameter});
             at += size;
         });
-        if (values.only_drawn || only_vectors) return;
+        ++parameter;
+        if (values.only_drawn || only_vectors) continue;
         const std::vector<Scalar> scalars = scalars_of(type);
         for (std::size_t i = 0; composed && i < scalars.size(); ++i)
             for (const auto change : of_floats)
@@ -158,7 +148,7 @@ Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) con
         for (const std::size_t size : values.image_sizes)
             for (const std::size_t side : {size, size + 1})
                 for (const auto change : of_sides) all.changes.push_back({first + side, change});
-    });
+    }
     Domain more = *this;
     more.degenerate_ = std::make_shared<const Degenerate>(std::move(all));
     return more;
@@ -173,17 +163,19 @@ Domain Domain::and_numbers(const Signature& signature, std::span<const float> nu
             for (const int steps : {-1, 0, 1}) bits.push_back(to_word(numeric::step(sign * number, steps)));
     }
     Degenerate all = *degenerate_;
-    for_each_input(signature, [&](const module::Type& type, std::size_t parameter, std::size_t first) {
-        const std::vector<Scalar> scalars = scalars_of(type);
+    const std::vector<InputSlot> slots = signature.inputs();
+    for (std::size_t parameter = 0; parameter < slots.size(); ++parameter) {
+        const std::vector<Scalar> scalars = scalars_of(slots[parameter].parameter->type);
         const Values& values = parameters_[parameter];
         for (std::size_t k = 0; k < scalars.size() && values.contains && !values.only_drawn; ++k) {
             if (scalars[k] != Scalar::float_) continue;
             const bool anywhere = std::ranges::any_of(values.fixed, [k](const Values::Fixed& fixed) {
                 return std::isinf(from_word<float>(fixed.words[k]));
             });
-            for (const Word number : bits) all.numbers.push_back({first + k, number, parameter, anywhere});
+            for (const Word number : bits)
+                all.numbers.push_back({slots[parameter].first + k, number, parameter, anywhere});
         }
-    });
+    }
     Domain more = *this;
     more.degenerate_ = std::make_shared<const Degenerate>(std::move(all));
     return more;

@@ -70,9 +70,9 @@ using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
 
 // The text of a compute shader like that of kernel_code(), but with `count` inputs as constants; invocation i
 // evaluates input i. `inputs`: each of the same number of words, one after another. They stand in the text as
-// literals; or word w is the specialization constant w of type uint. Throws backend::Unsupported for a team.
-[[nodiscard]] std::string constant_kernel_code(const KernelSource& source,
-                                               module::Variant::Constants constants,
+// literals, in a shader that does not preserve NaN: SPIRV-Tools fold nothing in one that does; or word w is
+// the specialization constant w of type uint. Throws backend::Unsupported for a team.
+[[nodiscard]] std::string constant_kernel_code(KernelSource source, module::Variant::Constants constants,
                                                std::span<const Word> inputs, std::size_t count);
 
 // The kernel of a function as a device takes it whose kernels are texts in this language

@@ -188,15 +188,15 @@ KernelCore Lab::core(KernelModule module) const {
     return {*device_, std::move(module)};
 }
 
-module::CompileOptions Lab::compile_options() const {
-    return {.stage = source::Stage::compute,
+module::CompileOptions Lab::compile_options(source::Stage stage) const {
+    return {.stage = stage,
             .include_roots = options_.include_roots,
             .variant = options_.variant,
             .lines = options_.file != nullptr};
 }
 
-module::CompileOptions Lab::judged_options() const {
-    module::CompileOptions options = compile_options();
+module::CompileOptions Lab::judged_options(source::Stage stage) const {
+    module::CompileOptions options = compile_options(stage);
     options.variant.optimization = module::Optimization::none;
     return options;
 }
@@ -206,10 +206,9 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
     const std::shared_ptr<const OwnFile> whole = whole_shader(options_, file);
     const source::Excerpt* excerpt = whole ? whole->find(function) : nullptr;
     const std::string text = excerpt == nullptr ? "" : excerpt->text;
-    module::CompileOptions options = compile_options();
-    options.stage = stage_of(signature.team);
-    const std::vector<module::Function> all =
-        functions_for(signature, cache_.functions(probe_of(file, text), options), excerpt);
+    const std::vector<module::Function> all = functions_for(
+        signature, cache_.functions(probe_of(file, text), compile_options(stage_of(signature.team))),
+        excerpt);
     std::vector<std::string> named;
     for (const module::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;
@@ -276,11 +275,8 @@ KernelCore Lab::constant_kernel(const KernelSource& source, std::span<const Word
 
 void Lab::take_steps(KernelModule& module, const source::Source& text) const {
     const auto stage = stage_of(module.team);
-    if (options_.variant.optimization != module::Optimization::none) {
-        module::CompileOptions options = judged_options();
-        options.stage = stage;
-        module.before = cache_.compile(text, options);
-    }
+    if (options_.variant.optimization != module::Optimization::none)
+        module.before = cache_.compile(text, judged_options(stage));
     if (options_.variant.steps.empty()) return;
     const auto glsl = [&] { return module::pack({text}, {.stage = stage}, options_.include_roots); };
     module::Spirv after = module::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
@@ -290,9 +286,7 @@ void Lab::take_steps(KernelModule& module, const source::Source& text) const {
 
 module::Spirv Lab::compile_kernel(const source::Source& text, const std::vector<ImagePrototype>& images,
                                   source::Stage stage) const {
-    module::CompileOptions options = compile_options();
-    options.stage = stage;
-    module::Spirv module = cache_.compile(text, options);
+    module::Spirv module = cache_.compile(text, compile_options(stage));
     if (const std::string other = module::spirv::other_number(module); !other.empty())
         throw backend::Unsupported(text.name + ": " + module::spirv::not_judged(other));
     for (const module::Resource& resource : module::used_resources(module)) {

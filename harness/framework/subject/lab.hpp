@@ -180,9 +180,9 @@ class Lab {
     [[nodiscard]] const LabOptions& options() const { return options_; }
 
     // The options with which its shaders are compiled.
-    [[nodiscard]] module::CompileOptions compile_options() const;
+    [[nodiscard]] module::CompileOptions compile_options(source::Stage stage = source::Stage::compute) const;
     // The same without the optimizer: those of the module whose rules hold for the results.
-    [[nodiscard]] module::CompileOptions judged_options() const;
+    [[nodiscard]] module::CompileOptions judged_options(source::Stage stage = source::Stage::compute) const;
 
   private:
     LabOptions options_;

@@ -74,6 +74,17 @@ std::string text_of(Scalar scalar, Word word) {
     return fmt::format("{0} (0x{0:08x})", word);
 }
 
+std::vector<InputSlot> Signature::inputs() const {
+    std::vector<InputSlot> slots;
+    std::size_t first = 0;
+    for (const module::Parameter& p : parameters) {
+        if (p.direction == Direction::out) continue;
+        slots.push_back({&p, first, scalars_of(p.type).size()});
+        first += slots.back().count;
+    }
+    return slots;
+}
+
 std::vector<Scalar> Signature::input_scalars() const {
     std::vector<Scalar> scalars;
     for (const module::Parameter& p : parameters)

@@ -96,6 +96,13 @@ inline constexpr bool is_input = ParameterOf<P>::direction != source::Direction:
 template <class P>
 inline constexpr bool is_output = ParameterOf<P>::direction != source::Direction::in;
 
+// An in or inout parameter, and where its words stand in an input.
+struct InputSlot {
+    const module::Parameter* parameter;
+    std::size_t first;
+    std::size_t count;  // 0 of a sampler
+};
+
 // A signature without its C++ types, for the wrapper, the domain and the judge.
 struct Signature {
     module::Type result;
@@ -104,6 +111,8 @@ struct Signature {
     // function's own, with an element for each (together()).
     backend::Team team = {};
 
+    // In the order of the parameters, which it refers to.
+    [[nodiscard]] std::vector<InputSlot> inputs() const;
     [[nodiscard]] std::size_t input_words() const;
     // Number of words of the result (unless void) and of every out and inout parameter, in order.
     [[nodiscard]] std::size_t output_words() const;

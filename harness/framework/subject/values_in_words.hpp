@@ -158,32 +158,27 @@ template <class T>
 // The type of a C++ number in the shader.
 template <ScalarValue T>
 [[nodiscard]] constexpr module::Scalar scalar_of() {
-    using module::Scalar;
-    if (FloatValue<T>) return module::Scalar::float_;
-    if (std::same_as<T, Float16>) return module::Scalar::float16_;
-    if (std::same_as<T, bool>) return module::Scalar::bool_;
-    return std::same_as<T, int> ? module::Scalar::int_ : module::Scalar::uint_;
+    using enum module::Scalar;
+    if (FloatValue<T>) return float_;
+    if (std::same_as<T, Float16>) return float16_;
+    if (std::same_as<T, bool>) return bool_;
+    return std::same_as<T, int> ? int_ : uint_;
 }
 
 // The GLSL type of a C++ type. double means float, since references calculate with more precision than the
 // shader.
 template <class T>
 [[nodiscard]] module::Type type_of() {
-    using module::Scalar;
-    using module::Type;
     if constexpr (std::same_as<T, void>) {
-        return module::Type{.scalar = module::Scalar::void_};
+        return {.scalar = module::Scalar::void_};
     } else if constexpr (ScalarValue<T>) {
-        return module::Type{.scalar = scalar_of<T>()};
+        return {.scalar = scalar_of<T>()};
     } else if constexpr (is_vector<T>) {
-        module::Type type = type_of<typename T::value_type>();
-        type.rows = T::length();
-        return type;
+        return {.scalar = scalar_of<typename T::value_type>(), .rows = T::length()};
     } else if constexpr (is_matrix<T>) {
-        module::Type type = type_of<typename T::value_type>();
-        type.columns = T::length();
-        type.rows = T::col_type::length();
-        return type;
+        return {.scalar = scalar_of<typename T::value_type>(),
+                .columns = T::length(),
+                .rows = T::col_type::length()};
     } else if constexpr (is_array<T>) {
         module::Type type = type_of<typename T::value_type>();
         type.sizes.insert(type.sizes.begin(), static_cast<std::uint32_t>(T{}.size()));
@@ -203,27 +198,19 @@ template <class T>
 // Conversion of one scalar to and from its word. bool is 0 or 1; double is rounded to float.
 template <ScalarValue T>
 [[nodiscard]] Word to_word(T scalar) {
-    if constexpr (std::same_as<T, bool>) {
-        return scalar ? 1U : 0U;
-    } else if constexpr (std::same_as<T, Float16>) {
-        return std::bit_cast<Word>(scalar.value);
-    } else if constexpr (std::same_as<T, double>) {
+    if constexpr (FloatValue<T> || std::same_as<T, Float16>) {
         return std::bit_cast<Word>(static_cast<float>(scalar));
     } else {
-        return std::bit_cast<Word>(scalar);
+        return static_cast<Word>(scalar);
     }
 }
 
 template <ScalarValue T>
 [[nodiscard]] T from_word(Word word) {
-    if constexpr (std::same_as<T, bool>) {
-        return word != 0U;
-    } else if constexpr (std::same_as<T, Float16>) {
-        return std::bit_cast<float>(word);
-    } else if constexpr (std::same_as<T, double>) {
-        return static_cast<double>(std::bit_cast<float>(word));
+    if constexpr (FloatValue<T> || std::same_as<T, Float16>) {
+        return static_cast<T>(std::bit_cast<float>(word));
     } else {
-        return std::bit_cast<T>(word);
+        return static_cast<T>(word);
     }
 }
 

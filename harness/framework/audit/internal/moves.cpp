@@ -9,14 +9,10 @@ namespace gloam::audit::internal {
 
 std::vector<Slot> slots_of(const judge::Question& question) {
     std::vector<Slot> slots;
-    std::size_t first = 0;
     std::size_t at = 0;
-    for (const module::Parameter& parameter : question.signature.parameters) {
-        if (parameter.direction == source::Direction::out) continue;
-        const std::size_t count = subject::scalars_of(parameter.type).size();
+    for (const subject::InputSlot& slot : question.signature.inputs()) {
         const subject::Values& values = question.domain.parameters().at(at++);
-        if (count > 0) slots.push_back({&parameter, &values, first, count});
-        first += count;
+        if (slot.count > 0) slots.push_back({slot, &values});
     }
     return slots;
 }

@@ -12,12 +12,8 @@
 
 namespace gloam::audit::internal {
 
-// The words of one in or inout parameter in an input.
-struct Slot {
-    const module::Parameter* parameter;
+struct Slot : subject::InputSlot {
     const subject::Values* values;
-    std::size_t first;
-    std::size_t count;
 };
 
 // In the order of the parameters; without samplers, which have no words. The question must outlive them.

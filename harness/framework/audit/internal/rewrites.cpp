@@ -72,7 +72,7 @@ Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
 }
 
 double digits(double relative) {
-    return relative > 0x1p-24 ? std::min(std::log10(relative * 0x1p24), 7.2) : 0.0;
+    return std::min(digits_of(relative), float_digits);
 }
 
 bool harms(const Score& before, const Score& after) {

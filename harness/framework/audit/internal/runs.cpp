@@ -37,13 +37,12 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       sizes_(question.signature.output_values()),
       least_(scalars_.size(), std::numeric_limits<float>::min()),
       images_(std::move(images)),
-      modules_{std::make_shared<const KernelModule>(std::move(module))},
-      decoded_(modules_, images_),
-      interpretation_(decoded_, scalars_, scalars_.size(), false),
-      kernel_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
-      floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
-      doubles_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
-      drivers_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
+      decoded_(decode({std::make_shared<const KernelModule>(std::move(module))}, images_)),
+      interpretation_(decoded_, question.signature, false),
+      kernel_(decoded_[0].program, *decoded_[0].module, decoded_[0].images),
+      floats_(decoded_[0].program, *decoded_[0].module, decoded_[0].images),
+      doubles_(decoded_[0].program, *decoded_[0].module, decoded_[0].images),
+      drivers_(decoded_[0].program, *decoded_[0].module, decoded_[0].images) {
     drivers_.machine().set_sampling(1);
     const auto limit = [](auto&... kernel) { (kernel.machine().set_limit(most_audited_instructions), ...); };
     limit(kernel_, floats_, doubles_, drivers_);

@@ -94,11 +94,13 @@ class AuditRuns {
     [[nodiscard]] std::string named(std::span<const subject::Word> input) const;
 
     [[nodiscard]] const judge::Question& question() const { return question_; }
-    [[nodiscard]] const subject::KernelSource& source() const { return *modules_[0]->source; }
+    [[nodiscard]] const subject::KernelSource& source() const { return *decoded_[0].module->source; }
     [[nodiscard]] glm::ivec2 image_size() const { return question_.first_scenario().size; }
     [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
     // The float constants of the function's module.
-    [[nodiscard]] std::vector<float> numbers() const { return module::float_constants(modules_[0]->spirv); }
+    [[nodiscard]] std::vector<float> numbers() const {
+        return module::float_constants(decoded_[0].module->spirv);
+    }
 
   private:
     AuditRuns(subject::KernelModule module, const judge::Question& question, subject::ImageSet images);
@@ -131,7 +133,6 @@ class AuditRuns {
     std::vector<std::size_t> sizes_;  // of the result's vectors
     std::vector<double> least_;       // results in a word below count as large as this
     subject::ImageSet images_;
-    subject::KernelModules modules_;
     judge::Decoded decoded_;
     judge::Interpretation interpretation_;
     subject::InterpretedKernel<interpreter::Explained> kernel_;

@@ -195,6 +195,10 @@ AuditSearch search(AuditRuns& runs, const AuditOptions& options) {
     return Search(runs, options).run();
 }
 
+double digits_of(double relative, double unit) {
+    return relative > unit ? std::log10(relative / unit) : 0.0;
+}
+
 bool shows(Concern concern, const OutputReading& output) {
     const bool finite = std::isfinite(output.value);
     if (concern == Concern::not_finite) return !finite;

@@ -46,6 +46,9 @@ struct AuditSearch {
                                                                 const subject::Domain::Inputs& drawn,
                                                                 std::size_t most);
 
+// Decimal digits that a relative error of a float32 costs, of a correctly rounded one none.
+[[nodiscard]] double digits_of(double relative, double unit = 0x1p-24);
+
 // Whether a reading shows a concern; an unspecified result is an undefined one of a reading with open gaps.
 [[nodiscard]] bool shows(Concern concern, const OutputReading& output);
 [[nodiscard]] bool shows(Concern concern, const Reading& reading);

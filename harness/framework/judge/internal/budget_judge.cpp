@@ -135,84 +135,89 @@ bool visit_covered_inputs(const Budget& budget, const std::vector<Scalar>& scala
     return false;
 }
 
-bool BudgetJudge::has_codomain() const {
-    const bool bounded = question_.codomain.low > -infinity || question_.codomain.high < infinity;
+bool has_codomain(const Question& question, const Scalars& scalars) {
+    const bool bounded = question.codomain.low > -infinity || question.codomain.high < infinity;
     return bounded &&
-           std::ranges::any_of(scalars_.outputs, [](Scalar scalar) { return scalar != Scalar::bool_; });
+           std::ranges::any_of(scalars.outputs, [](Scalar scalar) { return scalar != Scalar::bool_; });
 }
 
-ErrorSize BudgetJudge::measure(const Sample& sample, bool promised) {
-    if (!inside_codomain(sample.got)) return {.ulp = infinity, .absolute = infinity, .fraction = infinity};
-    return promised ? best_error(sample) : ErrorSize{};
-}
-
-bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
-    for (std::size_t i = 0; i < got.size(); ++i) {
-        if (scalars_.outputs[i] == Scalar::bool_) continue;
-        const double value = number_at(scalars_.outputs[i], got[i]);
-        if (!(value >= question_.codomain.low && value <= question_.codomain.high)) return false;
-    }
-    return true;
-}
-
-ErrorSize BudgetJudge::error_against(std::span<const Word> got, const std::vector<double>& want) const {
-    ErrorSize error;
-    std::size_t first = 0;
-    for (const std::size_t words : scalars_.output_values) {
-        add_value(error, got.subspan(first, words), std::span(want).subspan(first, words),
-                  std::span(scalars_.outputs).subspan(first, words));
-        first += words;
-    }
-    return error;
-}
-
-void BudgetJudge::add_value(ErrorSize& error, std::span<const Word> got, std::span<const double> want,
-                            std::span<const Scalar> scalars) const {
-    const numeric::FloatFormat& format = format_of(scalars.front());
-    const double unit = unit_of(want, format);
-    for (std::size_t i = 0; i < got.size(); ++i) {
-        if (module::is_float(scalars[i])) {
-            ErrorSize here = float_error(number_at(scalars[i], got[i]), want[i], unit, format);
-            if (!(here.absolute > question_.budget.absolute)) here.ulp = 0.0;
-            error.raise(here);
-        } else if (number_at(scalars[i], got[i]) != want[i]) {
-            error = {.ulp = infinity, .absolute = infinity, .fraction = infinity};
-        }
-    }
-}
-
-double BudgetJudge::unit_of(std::span<const double> want, const numeric::FloatFormat& format) const {
+double unit_of(const Budget& budget, std::span<const double> want, const numeric::FloatFormat& format) {
     double unit = 0.0;
     for (const double w : want) {
-        if (question_.budget.of_largest_component && std::isfinite(w)) unit = std::max(unit, format.ulp(w));
+        if (budget.of_largest_component && std::isfinite(w)) unit = std::max(unit, format.ulp(w));
     }
     return unit;
 }
 
-ErrorSize BudgetJudge::float_error(double got, double want, double unit,
-                                   const numeric::FloatFormat& format) const {
+ErrorSize float_error(const Budget& budget, double got, double want, double unit,
+                      const numeric::FloatFormat& format) {
     // An end of permitted bounds may be between two values.
     const double value = format == numeric::float32 ? static_cast<double>(static_cast<float>(got)) : got;
     const double absolute = numeric::absolute_error(value, want, format);
     const double ulp =
         unit > 0.0 && std::isfinite(absolute) ? absolute / unit : numeric::ulp_error(value, want, format);
-    return {
-        ulp, absolute,
-        std::min(fraction_of(ulp, question_.budget.ulp), fraction_of(absolute, question_.budget.absolute))};
+    return {ulp, absolute, std::min(fraction_of(ulp, budget.ulp), fraction_of(absolute, budget.absolute))};
 }
+
+namespace {
+
+constexpr ErrorSize infinite{.ulp = infinity, .absolute = infinity, .fraction = infinity};
+
+bool inside_codomain(const Question& question, const Scalars& scalars, std::span<const Word> got) {
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        if (scalars.outputs[i] == Scalar::bool_) continue;
+        const double value = number_at(scalars.outputs[i], got[i]);
+        if (!(value >= question.codomain.low && value <= question.codomain.high)) return false;
+    }
+    return true;
+}
+
+void add_value(const Budget& budget, std::span<const Word> got, std::span<const double> want,
+               std::span<const Scalar> scalars, ErrorSize& error) {
+    const numeric::FloatFormat& format = format_of(scalars.front());
+    const double unit = unit_of(budget, want, format);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        if (module::is_float(scalars[i])) {
+            ErrorSize here = float_error(budget, number_at(scalars[i], got[i]), want[i], unit, format);
+            if (!(here.absolute > budget.absolute)) here.ulp = 0.0;
+            error.raise(here);
+        } else if (number_at(scalars[i], got[i]) != want[i]) {
+            error = infinite;
+        }
+    }
+}
+
+// Against one candidate for the exact result.
+ErrorSize error_against(const Budget& budget, const Scalars& scalars, std::span<const Word> got,
+                        const std::vector<double>& want) {
+    ErrorSize error;
+    std::size_t first = 0;
+    for (const std::size_t words : scalars.output_values) {
+        add_value(budget, got.subspan(first, words), std::span(want).subspan(first, words),
+                  std::span(scalars.outputs).subspan(first, words), error);
+        first += words;
+    }
+    return error;
+}
+
+}  // namespace
 
 // The error against the reference at the input itself. If that fails, the least error over the inputs that
 // the budget also covers: subnormals flushed to zero, and inputs within the backward budget.
-ErrorSize BudgetJudge::best_error(const Sample& sample) {
-    ErrorSize best = error_against(sample.got, sample.want);
+ErrorSize error_of(const Question& question, const ImageSet& images, const Scalars& scalars,
+                   const Sample& sample, bool promised) {
+    if (!inside_codomain(question, scalars, sample.got)) return infinite;
+    if (!promised) return {};
+    ErrorSize best = error_against(question.budget, scalars, sample.got, sample.want);
+    std::vector<double> candidate;
     const auto try_at = [&](const std::vector<Word>& inputs) {
-        question_.reference(images_, inputs, candidate_);
-        const ErrorSize error = error_against(sample.got, candidate_);
+        question.reference(images, inputs, candidate);
+        const ErrorSize error = error_against(question.budget, scalars, sample.got, candidate);
         if (error.fraction < best.fraction) best = error;
         return best.fraction <= 1.0;
     };
-    if (best.fraction > 1.0 && question_.reference)
-        visit_covered_inputs(question_.budget, scalars_.inputs, sample.inputs, try_at);
+    if (best.fraction > 1.0 && question.reference)
+        visit_covered_inputs(question.budget, scalars.inputs, sample.inputs, try_at);
     return best;
 }
 

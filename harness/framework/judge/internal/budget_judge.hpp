@@ -25,13 +25,11 @@ struct Scalars {
     explicit Scalars(const subject::Signature& signature)
         : inputs(signature.input_scalars()),
           outputs(signature.output_scalars()),
-          output_values(signature.output_values()),
-          result_words(module::scalar_count(signature.result)) {}
+          output_values(signature.output_values()) {}
 
     std::vector<module::Scalar> inputs;
     std::vector<module::Scalar> outputs;
     std::vector<std::size_t> output_values;
-    std::size_t result_words;  // of the outputs; those of out parameters follow
 };
 
 // What the budget allows of each output around these exact results.
@@ -46,39 +44,21 @@ using InputVisitor = std::function<bool(const std::vector<Word>& inputs)>;
 bool visit_covered_inputs(const Budget& budget, const std::vector<module::Scalar>& scalars,
                           std::span<const Word> inputs, const InputVisitor& visit);
 
-// Measures outputs against the documented budget.
-class BudgetJudge {
-  public:
-    BudgetJudge(const Question& question, const subject::ImageSet& images, const Scalars& scalars)
-        : question_(question), images_(images), scalars_(scalars) {}
+// The error of the outputs of an input against the documented budget; infinite if one is outside the
+// codomain, and otherwise 0 if the budget is not promised for the input.
+[[nodiscard]] ErrorSize error_of(const Question& question, const subject::ImageSet& images,
+                                 const Scalars& scalars, const Sample& sample, bool promised);
 
-    // The error of the outputs of an input; infinite if one is outside the codomain, and otherwise 0 if the
-    // budget is not promised for the input.
-    [[nodiscard]] ErrorSize measure(const Sample& sample, bool promised);
+// Whether some result other than NaN is outside the codomain.
+[[nodiscard]] bool has_codomain(const Question& question, const Scalars& scalars);
 
-    // Whether some result other than NaN is outside the codomain.
-    [[nodiscard]] bool has_codomain() const;
+// The error of a value against another.
+[[nodiscard]] ErrorSize float_error(const Budget& budget, double got, double want, double unit,
+                                    const numeric::FloatFormat& format);
 
-    // The error of a value against another.
-    [[nodiscard]] ErrorSize float_error(double got, double want, double unit,
-                                        const numeric::FloatFormat& format) const;
-
-    // ULP of the largest component of each value if the budget measures by it, otherwise 0.
-    [[nodiscard]] double unit_of(std::span<const double> want, const numeric::FloatFormat& format) const;
-
-  private:
-    [[nodiscard]] bool inside_codomain(std::span<const Word> got) const;
-    // Against one candidate for the exact result.
-    [[nodiscard]] ErrorSize error_against(std::span<const Word> got, const std::vector<double>& want) const;
-    void add_value(ErrorSize& error, std::span<const Word> got, std::span<const double> want,
-                   std::span<const module::Scalar> scalars) const;
-    [[nodiscard]] ErrorSize best_error(const Sample& sample);
-
-    const Question& question_;
-    const subject::ImageSet& images_;
-    const Scalars& scalars_;
-    std::vector<double> candidate_;
-};
+// ULP of the largest component of each value if the budget measures by it, otherwise 0.
+[[nodiscard]] double unit_of(const Budget& budget, std::span<const double> want,
+                             const numeric::FloatFormat& format);
 
 // Whether an input is an edge, for which functions document the result: it contains a zero, an infinity or a
 // NaN, and otherwise only values of usual size, so that neither overflow nor underflow occurs.

@@ -292,9 +292,10 @@ std::string literal(Scalar scalar, Word word) {
 
 }  // namespace
 
-std::string constant_kernel_code(const KernelSource& source, Constants constants,
-                                 std::span<const Word> inputs, std::size_t count) {
+std::string constant_kernel_code(KernelSource source, Constants constants, std::span<const Word> inputs,
+                                 std::size_t count) {
     internal::require_alone(source, "a kernel with constants");
+    source.preserve_nan = source.preserve_nan && constants != Constants::literals;
     std::string declared;
     for (std::size_t id = 0; constants == Constants::specialization && id < inputs.size(); ++id)
         declared += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
