@@ -9,7 +9,6 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -18,19 +17,6 @@
 #include "module/reflection.hpp"
 
 namespace gloam::cost {
-
-std::span<const CostField> cost_fields() {
-    static constexpr std::array<CostField, 9> fields{{{"instructions", &Cost::instructions},
-                                                      {"valu", &Cost::valu},
-                                                      {"loads", &Cost::loads},
-                                                      {"stores", &Cost::stores},
-                                                      {"registers", &Cost::registers},
-                                                      {"waves", &Cost::waves},
-                                                      {"spilled", &Cost::spilled},
-                                                      {"loops", &Cost::loops},
-                                                      {"in_loops", &Cost::in_loops}}};
-    return fields;
-}
 
 namespace {
 
@@ -70,16 +56,10 @@ std::string label_in(std::string_view text) {
     return end > at + 2 ? std::string(text.substr(at, end - at)) : std::string();
 }
 
-// A chip, and its names in RADV, the newest last.
-struct Family {
-    const char* name;
-    std::vector<std::string> chips;
-};
-
-const std::vector<Family>& family_table() {
-    static const std::vector<Family> table{
-        {"NAVI21", {"NAVI21"}}, {"NAVI31", {"GFX1100", "NAVI31"}}, {"POLARIS10", {"POLARIS10"}}};
-    return table;
+// The names of a chip in RADV, the newest last.
+std::vector<std::string> chips_of(const std::string& family) {
+    if (family == "NAVI31") return {"GFX1100", family};
+    return {family};
 }
 
 backend::vulkan::DescriptorKind kind_of(module::BindingType type) {
@@ -128,7 +108,7 @@ std::string compiled(std::span<const module::Spirv> modules, const CostOptions& 
     for (const backend::vulkan::RadvReport& report :
          backend::vulkan::compiled_by_radv(programs, chip, validation)) {
         const Cost cost = cost_from(report);
-        for (const CostField& field : cost_fields()) numbers.push_back(cost.*field.value);
+        for (const CostField& field : cost_fields) numbers.push_back(cost.*field.value);
     }
     return numbers.dump();
 }
@@ -161,32 +141,26 @@ Cost counted(std::string_view assembly) {
     return cost;
 }
 
-std::vector<std::string> families() {
-    std::vector<std::string> names;
-    for (const Family& family : family_table()) names.emplace_back(family.name);
-    return names;
-}
-
 Cost cost_of(const module::Spirv& module, const CostOptions& options) {
     return costs_of({&module, 1}, options).front();
 }
 
 std::vector<Cost> costs_of(std::span<const module::Spirv> modules, const CostOptions& options) {
-    const auto family = std::ranges::find(family_table(), options.family, &Family::name);
-    if (family == family_table().end())
+    if (std::ranges::find(families, options.family) == families.end())
         throw std::invalid_argument(
-            fmt::format("unknown family \"{}\": expected {}", options.family, fmt::join(families(), ", ")));
+            fmt::format("unknown family \"{}\": expected {}", options.family, fmt::join(families, ", ")));
+    const std::vector<std::string> chips = chips_of(options.family);
     for (std::size_t i = 0;; ++i) {
         try {
-            const auto numbers = nlohmann::json::parse(base::run_apart(
-                [&] { return compiled(modules, options, family->chips[i]); }, base::compiler_limits));
+            const auto numbers = nlohmann::json::parse(
+                base::run_apart([&] { return compiled(modules, options, chips[i]); }, base::compiler_limits));
             std::vector<Cost> costs(modules.size());
             std::size_t n = 0;
             for (Cost& cost : costs)
-                for (const CostField& field : cost_fields()) numbers.at(n++).get_to(cost.*field.value);
+                for (const CostField& field : cost_fields) numbers.at(n++).get_to(cost.*field.value);
             return costs;
         } catch (const base::LimitError& error) {  // RADV ends the process where it does not know the name
-            if (i + 1 == family->chips.size())
+            if (i + 1 == chips.size())
                 throw base::LimitError(std::string("the compiler of the GPU ") + error.what());
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -32,13 +33,21 @@ struct CostField {
     std::string_view name;
     std::uint64_t Cost::* value;
 };
-[[nodiscard]] std::span<const CostField> cost_fields();
+inline constexpr std::array cost_fields{CostField{"instructions", &Cost::instructions},
+                                        CostField{"valu", &Cost::valu},
+                                        CostField{"loads", &Cost::loads},
+                                        CostField{"stores", &Cost::stores},
+                                        CostField{"registers", &Cost::registers},
+                                        CostField{"waves", &Cost::waves},
+                                        CostField{"spilled", &Cost::spilled},
+                                        CostField{"loops", &Cost::loops},
+                                        CostField{"in_loops", &Cost::in_loops}};
 
 // The instructions, loads, stores and loops of RADV's text of a program: the rest stays 0.
 [[nodiscard]] Cost counted(std::string_view assembly);
 
 // The chips, the usual one first.
-[[nodiscard]] std::vector<std::string> families();
+inline constexpr std::array families{"NAVI21", "NAVI31", "POLARIS10"};
 
 struct CostOptions {
     std::string family = "NAVI21";

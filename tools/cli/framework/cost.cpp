@@ -113,7 +113,7 @@ std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>
     std::string text =
         fmt::format("{:{}}", command.options.family, std::max(width, command.options.family.size()));
     width = text.size();
-    for (const cost::CostField& field : cost::cost_fields())
+    for (const cost::CostField& field : cost::cost_fields)
         text += fmt::format(" {:>{}}", field.name, field.name.size());
     text += frame ? "  pixels  share  valu/px  bytes/px     us\n" : "\n";
     double valu = 0.0;
@@ -121,7 +121,7 @@ std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>
     double microseconds = 0.0;
     for (const CostRow& row : rows) {
         text += fmt::format("{:{}}", base::one_line(row.pass.name), width);
-        for (const cost::CostField& field : cost::cost_fields())
+        for (const cost::CostField& field : cost::cost_fields)
             text += fmt::format(" {:>{}}", row.cost.*field.value, field.name.size());
         if (frame)
             text += fmt::format(" {:>7.3g} {:>6.3g} {:>8.1f} {:>9.1f} {:>6.1f}", row.pass.pixels,
@@ -148,7 +148,7 @@ nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vect
     auto& shaders = json[frame ? "passes" : "shaders"] = nlohmann::ordered_json::array();
     for (const CostRow& row : rows) {
         nlohmann::ordered_json one{{"name", row.pass.name}};
-        for (const cost::CostField& field : cost::cost_fields())
+        for (const cost::CostField& field : cost::cost_fields)
             one[std::string(field.name)] = row.cost.*field.value;
         if (frame) {
             one["pixels"] = row.pass.pixels;
@@ -231,7 +231,7 @@ Command cost_command(EquationsNamed* equations, FrameOf* frame) {
              include_option(command.own.includes),
              define_option(command.own.defines),
              {"--family", &command.options.family,
-              fmt::format("the chip: {}", fmt::join(cost::families(), ", "))},
+              fmt::format("the chip: {}", fmt::join(cost::families, ", "))},
              {"--below", &command.below,
               "most vector instructions, of an invocation or of a frame's pixel; above it the status is 1"},
              validation_option(command.options.validation),
