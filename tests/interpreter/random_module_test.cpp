@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Random functions whose operations have one legal result each: every device at hand, and the module after
 // each compiler, give what the interpreter gives.
+#include "backend/vulkan/device.hpp"
 #include "judge/run.hpp"
 #include "subject/own_function.hpp"
-#include "support/devices.hpp"
 #include "support/lab.hpp"
 #include "support/random_function.hpp"
 
@@ -40,6 +40,12 @@ struct Subject {
 
 class RandomModule : public testing::TestWithParam<int> {
   protected:
+    // The process knows a browser's SwiftShader by its name then.
+    static void SetUpTestSuite() {
+        const auto manifest = backend::vulkan::find_swiftshader();
+        if (manifest && !backend::vulkan::drivers_are_chosen())
+            backend::vulkan::add_drivers(std::array{*manifest});
+    }
     [[nodiscard]] static std::vector<std::uint64_t> seeds() {
         std::vector<std::uint64_t> all(6);
         for (std::size_t i = 0; i < all.size(); ++i)
@@ -49,7 +55,7 @@ class RandomModule : public testing::TestWithParam<int> {
 };
 
 TEST_P(RandomModule, MeansTheSameToEveryDevice) {
-    for (const backend::DeviceInfo& info : test::devices_at_hand()) {
+    for (const backend::DeviceInfo& info : backend::vulkan::list_devices()) {
         const auto device =
             std::make_shared<backend::vulkan::Device>(backend::vulkan::DeviceOptions{.device = info.name});
         for (const std::uint64_t seed : seeds()) {

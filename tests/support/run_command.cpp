@@ -32,9 +32,4 @@ CommandResult run_command(const std::vector<std::string>& arguments, const Comma
     return run_program(GLOAM_BUILT_BINARY, arguments, options);
 }
 
-int line_count(const std::string& text) {
-    const auto newlines = std::count(text.begin(), text.end(), '\n');
-    return static_cast<int>(newlines) + (!text.empty() && text.back() != '\n' ? 1 : 0);
-}
-
 }  // namespace gloam::test

@@ -51,7 +51,4 @@ template <class... Texts>
     return run_command(words(line, arguments...));
 }
 
-// How many lines a message has; a last line without its newline counts.
-[[nodiscard]] int line_count(const std::string& text);
-
 }  // namespace gloam::test

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "support/seen_files.hpp"
-
+// Which tests read which shaders: what tools/test-readers asks.
+//
+// ctest gives each group of tests a list in GLOAM_DEPENDENCIES_OUTPUT, to which the shader compiler adds the
+// files that it reads. Here each test of the group gets a list of its own beside that: LIST:TEST, with commas
+// in the place of slashes. Its last line is "seconds " and how long the test took. What is read outside of a
+// test stays in the list of the group.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,13 +42,13 @@ class ListForEachTest : public testing::EmptyTestEventListener {
     std::string list_;
 };
 
+[[maybe_unused]] const bool listening = [] {
+    const char* const list = std::getenv(list_variable);
+    if (list != nullptr)  // GoogleTest owns the listener
+        testing::UnitTest::GetInstance()->listeners().Append(
+            std::make_unique<ListForEachTest>(list).release());
+    return true;
+}();
+
 }  // namespace
-
-void keep_a_list_for_each_test() {
-    const char* list = std::getenv(list_variable);
-    if (list == nullptr) return;
-    auto listener = std::make_unique<ListForEachTest>(list);
-    testing::UnitTest::GetInstance()->listeners().Append(listener.release());  // which owns it from now on
-}
-
 }  // namespace gloam::test

@@ -17,7 +17,7 @@ using nlohmann::json;
 inline void expect_could_not_run(const CommandResult& result, const std::string& named) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(line_count(result.err), 1) << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
     EXPECT_THAT(result.err, StartsWith("gloam: "));
     EXPECT_THAT(result.err, HasSubstr(named));
 }
