@@ -4,7 +4,6 @@
 #include "judge/question.hpp"
 #include "judge/run.hpp"
 #include "numeric/numbers.hpp"
-#include "subject/domain.hpp"
 #include "subject/fixture_functions.hpp"
 #include "subject/interpreted_kernel.hpp"
 
@@ -150,7 +149,7 @@ TEST_F(TamperedTest, AFailureTellsWhatWasPermitted) {
 // Each half is one of the two beside 1.0003.
 TEST_F(TamperedTest, AFailureHasEachOutcome) {
     const Domain input{constant(1.0003F), constant(0.0F)};
-    const Answer answer = moved("strict", "as_half", input, 100);
+    const Answer answer = moved("strict", "half_of", input, 100);
     ASSERT_TRUE(answer.worst);
     const Sample& one = *answer.worst;
     EXPECT_EQ(one.outcomes,

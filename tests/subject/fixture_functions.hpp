@@ -10,16 +10,18 @@
 // The functions of a file of the fixtures, and their answers on the shared device.
 namespace gloam::test {
 
-inline subject::LabOptions options_of(const std::string& file, const module::Variant& variant = {}) {
-    return options_for(FIXTURES, file, variant);
+// As `gloam check FILE` takes them.
+inline subject::LabOptions options_of(const std::string& name, const module::Variant& variant = {}) {
+    const std::filesystem::path fixtures = FIXTURES;
+    return {.device = variable("GLOAM_TEST_DEVICE"),
+            .cache_directory = cache_directory(),
+            .variant = variant,
+            .file = std::make_shared<const subject::OwnFile>(
+                fixtures / name, module::read_text(fixtures / name), std::vector{fixtures})};
 }
 
 inline subject::OwnFunction function_of(const std::string& file, const std::string& name) {
     return subject::own_functions(options_of(file), {name}).found.at(0);
-}
-
-inline std::string reason_of(const std::string& file, const std::string& name) {
-    return subject::own_functions(options_of(file), {name}).left_out.at(0).why;
 }
 
 inline judge::Answer answer_of(const subject::Lab& lab, const std::string& file, const std::string& name,
@@ -48,16 +50,6 @@ judge::Question question_with(const char* file, const char* function, const subj
 inline double exact_weight(double distance, double radius) {
     if (!(std::abs(distance) < radius)) return 0.0;
     return 1.0 - distance / radius * (distance / radius);
-}
-
-// Null where this machine has none.
-inline std::shared_ptr<backend::Backend> opengl_device(const std::string& name) {
-    try {
-        return std::make_shared<backend::gl::Device>(name);
-    } catch (const backend::gl::Unavailable& error) {
-        std::cerr << error.what() << '\n';
-        return nullptr;
-    }
 }
 
 }  // namespace gloam::test

@@ -21,15 +21,4 @@ inline subject::Lab make_lab(const std::filesystem::path& fixtures = {},
     return {std::move(options), SharedDevice::get()};
 }
 
-// The options of a lab for the functions that a fixture's file defines, as `gloam check FILE` takes them.
-inline subject::LabOptions options_for(const std::filesystem::path& fixtures, const std::string& name,
-                                       const module::Variant& variant = {}) {
-    const std::filesystem::path file = fixtures / name;
-    return {.device = variable("GLOAM_TEST_DEVICE"),
-            .cache_directory = cache_directory(),
-            .variant = variant,
-            .file = std::make_shared<const subject::OwnFile>(file, module::read_text(file),
-                                                             std::vector<std::filesystem::path>{fixtures})};
-}
-
 }  // namespace gloam::test
