@@ -252,7 +252,7 @@ PYBIND11_MODULE(_gloam, module) {
         .def_property_readonly("inputs", &judge::Answer::inputs)
         .def_property_readonly("outside", &judge::Answer::outside)
         .def_property_readonly("worst_ulp",
-                               [](const judge::Answer& a) { return a.worst ? a.worst->ulp : 0.0; });
+                               [](const judge::Answer& a) { return a.worst ? a.worst->error.ulp : 0.0; });
     py::class_<Function>(module, "Function")
         .def_property_readonly("declaration", &Function::declaration)
         .def_property_readonly("variables", &Function::variables)

@@ -2,7 +2,6 @@
 // Where a function itself goes wrong. NaN beyond the domain of a function: tests/tools/stories/own_files.txt.
 #include "audit/audit.hpp"
 #include "audit/internal/search.hpp"
-#include "audit/own_domain.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::audit::audit_test {

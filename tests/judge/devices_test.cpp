@@ -45,7 +45,7 @@ TEST_P(EachDevice, JudgesARightAndAWrongFunction) {
         const Answer answer = Function<float(float, float)>(*lab, "wrong.glsl", name)
                                   .compare(exact_weight, domain, budget, {.inputs = 3000});
         EXPECT_EQ(answer.passed(), right) << answer;
-        EXPECT_GT(answer.max_absolute, 0.0);
+        EXPECT_GT(answer.largest.absolute, 0.0);
         EXPECT_THAT(answer.story, HasSubstr(right ? "" : "wrong.glsl"));
     }
 }

@@ -54,7 +54,7 @@ TEST_F(JudgeTest, AWrongFunctionFailsInTheClassOfItsFault) {
         EXPECT_EQ(count(result, InputClass::nan).outside, count(result, InputClass::nan).inputs);
         EXPECT_THAT(result.story, AllOf(HasSubstr("nan"), HasSubstr("0x7fc00000")));
     }
-    EXPECT_NEAR(weight("weight_wrong_constant").max_absolute, 1e-4, 1e-6);
+    EXPECT_NEAR(weight("weight_wrong_constant").largest.absolute, 1e-4, 1e-6);
 }
 
 TEST_F(JudgeTest, OneUlpTooMuchFailsAndOneUlpAllowedPasses) {
@@ -65,7 +65,7 @@ TEST_F(JudgeTest, OneUlpTooMuchFailsAndOneUlpAllowedPasses) {
     EXPECT_TRUE(check(1.0).passed());
     const Answer strict = check(0.999);
     EXPECT_EQ(strict.outside(), strict.inputs());
-    EXPECT_EQ(strict.max_ulp, 1.0);
+    EXPECT_EQ(strict.largest.ulp, 1.0);
 }
 
 TEST_F(JudgeTest, DiscreteResultsMustBeEqualOrMeetTheBackwardBudget) {
@@ -158,7 +158,7 @@ TEST_F(JudgeTest, AnExplanationIsBounded) {
                 testing::ContainsRegex(R"(\[-3\.14.*\] or \[3\.14|\[3\.14.*\] or \[-3\.14)"));
     Sample unmeasured{.fraction = 2.0};
     EXPECT_THAT(error_text(unmeasured), HasSubstr("not measured"));
-    unmeasured.ulp = 3.0;
+    unmeasured.error.ulp = 3.0;
     EXPECT_EQ(error_text(unmeasured), "3 ulp, 0 absolute");
     const Explanation all =
         Function<float(float, float)>(lab, "wrong.glsl", "weight_wrong_constant").explain(0.3F, 0.7F);

@@ -77,7 +77,7 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
 // By the rules, an overflow may be right. By a budget it never is.
 TEST(CheckReport, AnInfiniteErrorIsSaidToBePermittedWhereItIs) {
     judge::Answer row = passing_row("EQ-2");
-    row.max_ulp = std::numeric_limits<double>::infinity();
+    row.largest.ulp = std::numeric_limits<double>::infinity();
     EXPECT_THAT(table_line(row), HasSubstr(" inf "));
     row.verdict = judge::Verdict::rules;
     EXPECT_THAT(table_line(row), AllOf(HasSubstr(" permitted "), Not(HasSubstr("inf"))));
@@ -135,7 +135,7 @@ TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
     judge::Answer little = passing_row("EQ-1");
     ordinary(little).outside = 1;
     judge::Answer larger_error = passing_row("EQ-1");
-    larger_error.budget_fraction = 0.9;
+    larger_error.largest.fraction = 0.9;
     judge::Answer fault = passing_row("EQ-1");
     fault.fault = "pixel";
     const std::vector<judge::Answer> ascending{passing_row("EQ-1"), larger_error, little, fault,
@@ -158,7 +158,7 @@ TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
 judge::Answer with_error(const std::string& equation, double fraction, const char* variant = "shipped") {
     judge::Answer row = passing_row(equation, variant);
     row.budget.ulp = 4;
-    row.budget_fraction = fraction;
+    row.largest.fraction = fraction;
     return row;
 }
 

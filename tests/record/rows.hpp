@@ -24,18 +24,15 @@ inline judge::Answer failing_row() {
                        .verdict = judge::Verdict::rules,
                        .budget = {.ulp = 4.0, .absolute = 1e-7, .backward_ulp = 1}},
                       {.by_rules = 93, .forbidden = 3, .bounded = 90, .unbounded = 5, .differs = 2},
-                      {.max_ulp = std::numeric_limits<double>::infinity(),
-                       .max_absolute = 0.1,
+                      {.largest = {std::numeric_limits<double>::infinity(), 0.1, 0.5},
                        .fraction = 1.25,
-                       .budget_fraction = 0.5,
                        .worst = judge::Sample{.index = 17,
                                               .scenario = "3 x 3",
                                               .values = "float 0.5 (0x3f000000)",
                                               .inputs = {0x3f000000U, 0xffffffffU},
                                               .got = {0x7fc00000U},
                                               .want = {0.1, std::numeric_limits<double>::infinity()},
-                                              .ulp = 1e9,
-                                              .absolute = 0.1,
+                                              .error = {.ulp = 1e9, .absolute = 0.1},
                                               .permitted = {{.low = 0.0, .high = 0.25, .nan = true}}},
                        .first_unbounded = judge::Sample{.values = "float 4 (0x40800000)"}},
                       {.ulp = 2.5, .absolute = 1e-6, .fraction = 0.75}};
@@ -51,7 +48,7 @@ inline judge::Answer failing_row() {
 
 inline judge::Answer passing_row(const std::string& equation, const std::string& variant = "shipped") {
     judge::Answer row{{.equation = equation, .function = "g", .file = "gloam/g.glsl", .variant = variant}};
-    row.budget_fraction = 0.25;
+    row.largest.fraction = 0.25;
     ordinary(row).inputs = 50;
     return row;
 }
@@ -60,7 +57,7 @@ inline judge::Answer passing_row(const std::string& equation, const std::string&
 inline judge::Answer unjudged_row(const std::string& equation) {
     judge::Answer row = passing_row(equation);
     ordinary(row).recorded = ordinary(row).inputs;
-    row.budget_fraction = 0.0;
+    row.largest.fraction = 0.0;
     return row;
 }
 

@@ -12,7 +12,6 @@
 #include "audit/internal/runs.hpp"
 #include "audit/internal/search.hpp"
 #include "module/spirv.hpp"
-#include "module/texts.hpp"
 #include "numeric/numbers.hpp"
 #include "subject/kernel_code.hpp"
 

@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
-#include <stdexcept>
 
 #include "audit/internal/parameter_meaning.hpp"
 #include "base/number.hpp"

@@ -2,8 +2,6 @@
 #include "judge/answer.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
 #include <numeric>
 #include <set>
 
@@ -50,9 +48,9 @@ std::size_t Answer::judged() const {
 }
 
 std::string error_text(const Sample& sample) {
-    if (sample.fraction > 1.0 && sample.ulp == 0.0 && sample.absolute == 0.0)
+    if (sample.fraction > 1.0 && sample.error.ulp == 0.0 && sample.error.absolute == 0.0)
         return "not measured: no accuracy is documented for this input";
-    return fmt::format("{:.6g} ulp, {:.6g} absolute", sample.ulp, sample.absolute);
+    return fmt::format("{:.6g} ulp, {:.6g} absolute", sample.error.ulp, sample.error.absolute);
 }
 
 std::vector<InputClass> Answer::not_promised() const {
@@ -107,10 +105,8 @@ std::string Answer::not_judged_because() const {
 
 void Answer::add(const Sample& sample, bool is_outside) {
     ++count(sample.input_class).inputs;
-    max_ulp = std::max(max_ulp, sample.ulp);
-    max_absolute = std::max(max_absolute, sample.absolute);
+    largest.raise(sample.error);
     fraction = std::max(fraction, sample.fraction);
-    budget_fraction = std::max(budget_fraction, sample.budget_fraction);
     if (sample.fraction > 0.0 && is_worse(sample, worst)) worst = sample;
     if (sample.forbidden) ++forbidden;
     if (!is_outside) return;
@@ -160,10 +156,8 @@ void AnswerCounts::merge(const AnswerCounts& later) {
 void WorstCases::merge(const WorstCases& later) {
     for (std::size_t i = 0; i < input_class_count; ++i)
         if (!first_outside[i]) first_outside[i] = later.first_outside[i];
-    max_ulp = std::max(max_ulp, later.max_ulp);
-    max_absolute = std::max(max_absolute, later.max_absolute);
+    largest.raise(later.largest);
     fraction = std::max(fraction, later.fraction);
-    budget_fraction = std::max(budget_fraction, later.budget_fraction);
     if (first_undefined.empty()) no_result = later.no_result, first_undefined = later.first_undefined;
     if (!first_unbounded) first_unbounded = later.first_unbounded;
     if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;

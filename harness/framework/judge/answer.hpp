@@ -70,6 +70,19 @@ inline constexpr std::size_t input_class_count = 7;
     return names.at(static_cast<std::size_t>(input_class));
 }
 
+// An error, or the largest of some by each measure.
+struct ErrorSize {
+    double ulp = 0.0;  // of outputs that the absolute part of the budget does not cover
+    double absolute = 0.0;
+    double fraction = 0.0;  // of the budget: ULP or absolute error, whichever is less
+
+    void raise(const ErrorSize& other) {
+        ulp = std::max(ulp, other.ulp);
+        absolute = std::max(absolute, other.absolute);
+        fraction = std::max(fraction, other.fraction);
+    }
+};
+
 // One evaluated input, with its errors.
 struct Sample {
     // The bounds of each output word that one way through the function permits together.
@@ -82,12 +95,9 @@ struct Sample {
     std::vector<Word> inputs;
     std::vector<Word> got;
     std::vector<double> want;
-    double ulp = 0.0;  // largest of its outputs
-    double absolute = 0.0;
-    double budget_fraction = 0.0;  // of the budget
-    double fraction =
-        0.0;            // of what the verdict allows: the budget, or the permitted width; above 1 is outside
-    Outcome permitted;  // the hull of all outcomes, if the rules were asked
+    ErrorSize error;         // the largest of its outputs
+    double fraction = 0.0;   // of what the verdict allows (budget, permitted width); above 1 is outside
+    Outcome permitted;       // the hull of all outcomes, if the rules were asked
     bool forbidden = false;  // the rules do not permit the outputs
     // If these are forbidden and there are several: each outcome. Beyond most_outcomes, neighbours are merged
     // as long as their hull does not contain the outputs.
@@ -116,19 +126,6 @@ struct ClassCount {
 struct PredicateCount {
     std::size_t inputs = 0;
     std::size_t judged = 0;  // of these, inputs for which some result would have failed
-};
-
-// The largest of some errors, by each measure.
-struct ErrorSize {
-    double ulp = 0.0;
-    double absolute = 0.0;
-    double fraction = 0.0;  // of the budget: ULP or absolute error, whichever is less
-
-    void raise(const ErrorSize& other) {
-        ulp = std::max(ulp, other.ulp);
-        absolute = std::max(absolute, other.absolute);
-        fraction = std::max(fraction, other.fraction);
-    }
 };
 
 using base::Reason;
@@ -200,11 +197,9 @@ struct AnswerCounts {
 
 // The largest errors, and the inputs that show most.
 struct WorstCases {
-    double max_ulp = 0.0;          // over judged outputs that the absolute part of the budget does not cover
-    double max_absolute = 0.0;     // over judged outputs
-    double fraction = 0.0;         // worst error as a fraction of what the verdict allows
-    double budget_fraction = 0.0;  // the same of the budget
-    std::optional<Sample> worst;   // largest fraction
+    ErrorSize largest;            // over judged outputs
+    double fraction = 0.0;        // worst error as a fraction of what the verdict allows
+    std::optional<Sample> worst;  // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
     std::optional<Sample> first_unbounded;
     NoResult no_result = NoResult::undefined;  // of the first undefined input
@@ -232,7 +227,7 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
     // the inputs whose bounds were calculated, and the same share is assumed of the others.
     [[nodiscard]] std::size_t judged() const;
     // The worst error as a fraction of the permitted width, or of the budget.
-    [[nodiscard]] double fraction_of_allowed() const { return rules_alone() ? fraction : budget_fraction; }
+    [[nodiscard]] double fraction_of_allowed() const { return rules_alone() ? fraction : largest.fraction; }
     [[nodiscard]] bool ran() const { return error.empty(); }
     [[nodiscard]] Outcome outcome() const;
     // Why the outcome is `not_judged`; empty otherwise.

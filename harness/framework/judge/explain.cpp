@@ -11,8 +11,6 @@
 
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"
-#include "numeric/paths.hpp"
-#include "subject/interpreted_kernel.hpp"
 
 namespace gloam::judge {
 namespace {

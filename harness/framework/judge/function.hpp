@@ -38,7 +38,7 @@ using HoldsFor = std::function<bool(std::span<const Word> input, std::span<const
 // A GLSL function that C++ can call and check: `Function<float(glm::vec2, Out<float>)> f(lab, "f.glsl",
 // "f")`.
 //   by value: GLSL `in`; Out<T>: `out`; T&: `inout`. Types: float, int, unsigned, bool, GLM vectors and
-//   matrices of float, vectors of the others, std::array and plain structs of up to 8 of these.
+//   matrices of float, vectors of the others, std::array and plain structs of up to 10 of these.
 // Calls take one value for each in and inout parameter. They return the result, followed by every out and
 // inout value: a plain value if there is one, a std::tuple if there are several. The lab must outlive it.
 template <class Type>

@@ -7,7 +7,6 @@
 #include "interpreter/program.hpp"
 #include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
-#include "numeric/paths.hpp"
 
 namespace gloam::judge {
 

@@ -8,7 +8,6 @@
 
 #include "base/threads.hpp"
 #include "interpreter/program.hpp"
-#include "judge/answer.hpp"
 #include "judge/internal/budget_judge.hpp"
 #include "judge/interpretation.hpp"
 #include "numeric/numbers.hpp"
@@ -26,37 +25,16 @@ bool covers(const Sample::Outcome& bounds, const Sample::Outcome& others) {
     return std::ranges::equal(bounds, others, [](const auto& a, const auto& b) { return a.contains(b); });
 }
 
-// Decides which inputs of a run are judged by the rules, and for which of these all permitted results are
-// calculated. If the verdict is the budget, the rules are a second criterion for the first inputs, which
-// contain all kinds, and for a share of the others.
-class Plan {
-  public:
+// Which inputs of a run are judged by the rules, and for which of these all permitted results are calculated.
+// If the verdict is the budget, the rules are a second criterion for the first inputs, which contain all
+// kinds, and for a share of the others.
+struct Plan {
+    std::size_t rules_every = 1;
+    std::size_t bounds_every = 0;  // 0: for none
+
     static constexpr std::size_t first_inputs = 512;
-    static constexpr std::size_t other_inputs = 512;
-    // Limits for the inputs whose bounds are calculated, and for the instructions of all these bounds: less
-    // than half a second.
-    static constexpr std::size_t most_bounded = 2048;
-    static constexpr double most_steps = 4e6;
-
-    Plan(Verdict verdict, std::size_t count, bool every_bound)
-        : bounds_(verdict == Verdict::rules),
-          every_(bounds_ ? 1 : std::max<std::size_t>(count / other_inputs, 1)),
-          bounds_every_(every_bound ? 1 : 0) {}
-
-    // Sets the number of instructions for the bounds of one input.
-    void set_cost(double steps, std::size_t count) {
-        if (bounds_every_ != 0) return;
-        const auto by_cost = static_cast<std::size_t>(steps * static_cast<double>(count) / most_steps);
-        bounds_every_ = 1 + std::max(by_cost, (count - 1) / most_bounded);
-    }
-    [[nodiscard]] bool needs_cost() const { return bounds_ && bounds_every_ == 0; }
-    [[nodiscard]] bool by_rules(std::size_t i) const { return i < first_inputs || i % every_ == 0; }
-    [[nodiscard]] bool bounded(std::size_t i) const { return bounds_ && i % bounds_every_ == 0; }
-
-  private:
-    bool bounds_;
-    std::size_t every_;
-    std::size_t bounds_every_;
+    [[nodiscard]] bool by_rules(std::size_t i) const { return i < first_inputs || i % rules_every == 0; }
+    [[nodiscard]] bool bounded(std::size_t i) const { return bounds_every != 0 && i % bounds_every == 0; }
 };
 
 class Judge {
@@ -91,17 +69,14 @@ class Judge {
         }
         const bool promised = !question_.promised || question_.promised(sample.inputs);
         const bool edge = options_.edges && question_.reference && internal::is_edge(sample, scalars_);
-        const ErrorSize error = internal::error_of(question_, images_, scalars_, sample, promised);
-        sample.ulp = error.ulp;
-        sample.absolute = error.absolute;
-        sample.budget_fraction = error.fraction;
-        sample.fraction = error.fraction;
+        sample.error = internal::error_of(question_, images_, scalars_, sample, promised);
+        sample.fraction = sample.error.fraction;
         const bool by_budget =
             options_.verdict == Verdict::budget && (promised || internal::has_codomain(question_, scalars_));
         const bool free = rules_ && plan_.by_rules(sample.index)
                               ? ask_rules(answer, sample, promised, !by_budget && !edge)
                               : true;
-        const bool accurate = promised && sample.budget_fraction <= 1.0;
+        const bool accurate = promised && sample.error.fraction <= 1.0;
         if (edge && !accurate && !internal::holds_at_edge(question_, images_, scalars_, sample))
             sample.fraction = infinity;
         answer.add(sample, sample.fraction > 1.0);
@@ -148,7 +123,7 @@ class Judge {
         if (sample.forbidden) sample.outcomes = outcomes_beside(permitted, sample.got);
         if (bounded) add_bounds(answer, sample, promised);
         if (options_.verdict == Verdict::budget)
-            sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
+            sample.fraction = sample.forbidden ? infinity : sample.error.fraction;
         return (bounded || must_know) && permits_every(sample);
     }
 
@@ -255,6 +230,22 @@ double mean_cost(const Decoded& decoded, const Question& question, const Domain:
     return static_cast<double>(rules.steps()) / static_cast<double>(std::max<std::size_t>(probed, 1));
 }
 
+// `every_bound`: where the rules are the verdict, bounds are calculated for each input.
+Plan plan_of(Verdict verdict, bool every_bound, const Decoded& decoded, const Question& question,
+             const Domain::Inputs& inputs) {
+    constexpr std::size_t other_inputs = 512;
+    // Limits for the inputs whose bounds are calculated, and for the instructions of all these bounds: less
+    // than half a second.
+    constexpr std::size_t most_bounded = 2048;
+    constexpr double most_steps = 4e6;
+    const std::size_t count = inputs.count();
+    if (verdict == Verdict::budget) return {.rules_every = std::max<std::size_t>(count / other_inputs, 1)};
+    if (every_bound) return {.bounds_every = 1};
+    const double steps = mean_cost(decoded, question, inputs) * static_cast<double>(count);
+    return {.bounds_every =
+                1 + std::max(static_cast<std::size_t>(steps / most_steps), (count - 1) / most_bounded)};
+}
+
 }  // namespace
 
 Answer empty_answer(const Question& question, Verdict verdict) {
@@ -277,8 +268,7 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
         return all;
     }
     const Decoded decoded = decoded_modules(options.modules, images, needs_modules);
-    Plan plan(options.verdict, inputs.count(), !fractions.empty());
-    if (plan.needs_cost()) plan.set_cost(mean_cost(decoded, question, inputs), inputs.count());
+    const Plan plan = plan_of(options.verdict, !fractions.empty(), decoded, question, inputs);
     const std::size_t width = question.signature.output_words();
     const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
     std::vector<Answer> parts(shares.size());

@@ -78,13 +78,13 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
 using Steps = std::vector<std::string>;
 
 // The shortest list, one word at a time, that still fails: halves first, then quarters, to single words.
-Steps shortest(Steps words, std::size_t least, const std::function<bool(const Steps&)>& fails) {
+Steps shortest(Steps words, const std::function<bool(const Steps&)>& fails) {
     for (std::size_t size = std::max<std::size_t>(words.size() / 2, 1); size > 0; size /= 2) {
-        for (std::size_t at = 0; at < words.size() && words.size() > least;) {
+        for (std::size_t at = 0; at < words.size() && words.size() > 1;) {
             Steps fewer = words;
             const auto begin = fewer.begin() + static_cast<std::ptrdiff_t>(at);
             fewer.erase(begin, begin + static_cast<std::ptrdiff_t>(std::min(size, words.size() - at)));
-            if (fewer.size() >= least && fails(fewer)) {
+            if (!fewer.empty() && fails(fewer)) {
                 words = std::move(fewer);
             } else {
                 at += size;
@@ -97,7 +97,7 @@ Steps shortest(Steps words, std::size_t least, const std::function<bool(const St
 // The fewest of these steps, and the fewest parts of each, for which `fails` holds: no step and no part can
 // be left out alone. `fails` holds for all of them.
 Steps shortest_steps(const Steps& steps, const std::function<bool(const Steps&)>& fails) {
-    Steps left = shortest(steps, 1, fails);
+    Steps left = shortest(steps, fails);
     for (std::size_t i = 0; i < left.size(); ++i) {
         const Steps parts = module::parts_of(left[i]);
         if (parts.size() < 2) continue;
@@ -106,7 +106,7 @@ Steps shortest_steps(const Steps& steps, const std::function<bool(const Steps&)>
             changed[i] = module::with_parts(left[i], fewer);
             return changed;
         };
-        left = with(shortest(parts, 1, [&](const Steps& fewer) { return fails(with(fewer)); }));
+        left = with(shortest(parts, [&](const Steps& fewer) { return fails(with(fewer)); }));
     }
     return left;
 }

@@ -56,7 +56,7 @@ template <class Io>
 void members(Io& io, judge::Sample& sample) {
     each(io, "input", sample.index, "class", sample.input_class, "images", sample.scenario, "values",
          sample.values, "input_words", sample.inputs, "got_words", sample.got, "want", sample.want, "allowed",
-         sample.permitted, "ulp", sample.ulp, "abs", sample.absolute);
+         sample.permitted, "ulp", sample.error.ulp, "abs", sample.error.absolute);
     io.member("outcomes", sample.outcomes, Present::if_any);
 }
 
@@ -92,10 +92,10 @@ void members(Io& io, judge::Answer& answer) {
          "unbounded", answer.unbounded, "undefined", answer.undefined, "undefined_at",
          answer.first_undefined);
     if (answer.undefined > 0) io.member("undefined_because", answer.no_result, Present::later);
-    each(io, "differs", answer.differs, "max_ulp", answer.max_ulp, "max_abs", answer.max_absolute);
+    each(io, "differs", answer.differs, "max_ulp", answer.largest.ulp, "max_abs", answer.largest.absolute);
     const bool by_rules = answer.rules_alone();
     io.member("width_fraction", answer.fraction, Present::if_given, by_rules);
-    io.member("budget_fraction", answer.budget_fraction);
+    io.member("budget_fraction", answer.largest.fraction);
     io.member("guarantee", answer.guarantee, Present::if_given, by_rules);
     io.member("unbounded_at", answer.first_unbounded ? answer.first_unbounded->values : std::string{},
               Present::derived);

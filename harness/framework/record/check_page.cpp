@@ -107,7 +107,7 @@ struct EquationAccuracy {
         }
         if (by_rules || !row.ran() || row.judged() == 0) return;
         const judge::Answer*& most = worst[report];
-        if (most == nullptr || row.budget_fraction > most->budget_fraction) most = &row;
+        if (most == nullptr || row.largest.fraction > most->largest.fraction) most = &row;
     }
 };
 
@@ -131,7 +131,7 @@ std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports
 // "0.50 optimized".
 Cell measured_cell(const judge::Answer* worst) {
     if (worst == nullptr) return "-";
-    const double fraction = worst->budget_fraction;
+    const double fraction = worst->largest.fraction;
     return {fraction == 0.0 ? "exact" : numeric::to_short_text(fraction) + " " + worst->variant, fraction};
 }
 

@@ -30,7 +30,7 @@ void complete(const JsonReader& json, judge::Answer& answer) {
     for (std::size_t i = 0; answer.worst && i < answer.worst->outcomes.size(); ++i)
         if (answer.worst->outcomes[i].size() != answer.worst->permitted.size())
             json.member("worst").member("outcomes").elements()[i].expected("a range for each of \"allowed\"");
-    if (!answer.rules_alone()) answer.fraction = answer.budget_fraction;
+    if (!answer.rules_alone()) answer.fraction = answer.largest.fraction;
     const std::string unbounded_at = json.member("unbounded_at").text();
     if (!unbounded_at.empty()) answer.first_unbounded = judge::Sample{.values = unbounded_at};
 }
@@ -180,8 +180,8 @@ std::vector<Cell> error_cells(const judge::Answer& row) {
     if (!row.ran()) return std::vector<Cell>(error_columns().size(), "-");
     const double used = row.fraction_of_allowed();
     return {row.judged(),
-            error_cell(row, row.max_ulp, fmt::format("{:.3g}", row.max_ulp)),
-            error_cell(row, row.max_absolute, fmt::format("{:.2e}", row.max_absolute)),
+            error_cell(row, row.largest.ulp, fmt::format("{:.3g}", row.largest.ulp)),
+            error_cell(row, row.largest.absolute, fmt::format("{:.2e}", row.largest.absolute)),
             {numeric::to_short_text(used), used}};
 }
 

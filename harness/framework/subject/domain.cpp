@@ -61,31 +61,7 @@ constexpr std::uint64_t chances = 16;
 
 }  // namespace
 
-// What may be changed in an input after it was drawn, so that it becomes a degenerate one.
-struct Domain::Degenerate {
-    struct Change {
-        std::size_t word;
-        Changed changed;
-    };
-    // A float becomes a number if its parameter still has one of its Values then.
-    struct Number {
-        std::size_t word;
-        Word bits;
-        std::size_t parameter;
-        bool anywhere;  // the float may be infinite, and therefore any number
-    };
-    struct Vector {
-        std::size_t first;
-        std::size_t size;
-        std::size_t parameter;  // whose Values decide; nothing: it may not be changed
-    };
-    std::vector<Change> changes;
-    std::vector<Number> numbers;
-    std::vector<Vector> vectors;
-};
-
-Domain::Domain(std::vector<Values> parameters)
-    : parameters_(std::move(parameters)), degenerate_(std::make_shared<const Degenerate>()) {
+Domain::Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {
     for (const Values& values : parameters_)
         for (const std::size_t words = values.words(); const Values::Fixed& fixed : values.fixed)
             if (fixed.words.size() != words)
@@ -125,7 +101,9 @@ void Domain::require_fits(const Signature& signature) const {
 
 Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) const {
     require_fits(signature);
-    Degenerate all;
+    Domain more = *this;
+    more.degenerate_ = {};
+    Degenerate& all = more.degenerate_;
     std::size_t parameter = 0;
     for (const InputSlot& slot : signature.inputs()) {
         const module::Type& type = slot.parameter->type;
@@ -136,7 +114,8 @@ Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) con
         for_each_value(type, [&, at = first](const module::Type& one) mutable {
             const auto size = static_cast<std::size_t>(one.columns * one.rows);
             if (one.scalar == Scalar::float_ && one.columns == 1 && one.rows > 1)
-                all.vectors.push_back({at, size, values.only_drawn || composed ? nothing : parameter});
+                all.vectors.push_back(
+                    {at, size, values.only_drawn || composed ? std::nullopt : std::optional(parameter)});
             at += size;
         });
         ++parameter;
@@ -149,8 +128,6 @@ Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) con
             for (const std::size_t side : {size, size + 1})
                 for (const auto change : of_sides) all.changes.push_back({first + side, change});
     }
-    Domain more = *this;
-    more.degenerate_ = std::make_shared<const Degenerate>(std::move(all));
     return more;
 }
 
@@ -162,7 +139,7 @@ Domain Domain::and_numbers(const Signature& signature, std::span<const float> nu
         for (const float sign : {1.0F, -1.0F})
             for (const int steps : {-1, 0, 1}) bits.push_back(to_word(numeric::step(sign * number, steps)));
     }
-    Degenerate all = *degenerate_;
+    Domain more = *this;
     const std::vector<InputSlot> slots = signature.inputs();
     for (std::size_t parameter = 0; parameter < slots.size(); ++parameter) {
         const std::vector<Scalar> scalars = scalars_of(slots[parameter].parameter->type);
@@ -173,11 +150,9 @@ Domain Domain::and_numbers(const Signature& signature, std::span<const float> nu
                 return std::isinf(from_word<float>(fixed.words[k]));
             });
             for (const Word number : bits)
-                all.numbers.push_back({slots[parameter].first + k, number, parameter, anywhere});
+                more.degenerate_.numbers.push_back({slots[parameter].first + k, number, parameter, anywhere});
         }
     }
-    Domain more = *this;
-    more.degenerate_ = std::make_shared<const Degenerate>(std::move(all));
     return more;
 }
 
@@ -187,7 +162,7 @@ class Domain::Drawing {
     Drawing(const Domain& domain, std::uint64_t seed, glm::ivec2 image_size)
         : parameters_(domain.parameters_),
           ties_(domain.ties_),
-          degenerate_(*domain.degenerate_),
+          degenerate_(domain.degenerate_),
           random_(seed),
           context_{.random = random_, .image_size = image_size} {
         for (const Values& values : parameters_) offsets_.push_back(offsets_.back() + values.words());
@@ -288,13 +263,13 @@ class Domain::Drawing {
         if (vectors.empty()) return false;
         const Degenerate::Vector& target = vectors[random_.below(vectors.size())];
         const Degenerate::Vector& source = vectors[random_.below(vectors.size())];
-        if (target.parameter == nothing) return false;
+        if (!target.parameter) return false;
         const std::span<Word> old = row.subspan(target.first, target.size);
         const double length = length_of(old);
         const bool related = source.size == target.size && source.first != target.first;
         std::vector<Word> words = related ? scaled(row.subspan(source.first, source.size), factor_of(random_))
                                           : along_axis(random_, target.size, length);
-        const Values& values = parameters_[target.parameter];
+        const Values& values = parameters_[*target.parameter];
         if (!values.contains || !values.admits(words)) {
             const double factor = length / length_of(words);
             if (!std::isfinite(factor)) return false;

@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <map>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -194,7 +194,28 @@ class Domain {
         std::size_t source;
         double factor;
     };
-    struct Degenerate;
+    // What may be changed in an input after it was drawn, so that it becomes a degenerate one.
+    struct Degenerate {
+        struct Change {
+            std::size_t word;
+            Word (*changed)(Word before);
+        };
+        // A float becomes a number if its parameter still has one of its Values then.
+        struct Number {
+            std::size_t word;
+            Word bits;
+            std::size_t parameter;
+            bool anywhere;  // the float may be infinite, and therefore any number
+        };
+        struct Vector {
+            std::size_t first;
+            std::size_t size;
+            std::optional<std::size_t> parameter;  // whose Values decide; none: it may not be changed
+        };
+        std::vector<Change> changes;
+        std::vector<Number> numbers;
+        std::vector<Vector> vectors;
+    };
     class Drawing;
     void require_fits(const Signature& signature) const;
 
@@ -202,7 +223,7 @@ class Domain {
     std::vector<Tie> ties_;
     std::vector<std::function<void(std::span<Word>)>> adjustments_;
     std::vector<std::vector<Word>> given_;
-    std::shared_ptr<const Degenerate> degenerate_;
+    Degenerate degenerate_;
 };
 
 // The range of values for a float or integer parameter, ends included.

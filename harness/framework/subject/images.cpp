@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "subject/kernel_code.hpp"
 

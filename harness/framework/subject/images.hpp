@@ -51,7 +51,7 @@ struct Image {
                                         module::to_glsl(type_of<T>()));
         }
         pixel = glm::clamp(pixel, glm::ivec2(0), size - 1);
-        const std::size_t scalars = word_count<T>();
+        const std::size_t scalars = module::scalar_count(element);
         const std::size_t index = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) +
                                   static_cast<std::size_t>(pixel.x);
         std::span<const Word> rest = std::span(words).subspan(index * scalars, scalars);

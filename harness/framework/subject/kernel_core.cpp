@@ -2,7 +2,6 @@
 #include "subject/lab.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <limits>
 #include <random>
 #include <utility>

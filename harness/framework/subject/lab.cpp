@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -14,7 +13,6 @@
 #include "module/module.hpp"
 #include "module/spirv.hpp"
 #include "module/steps.hpp"
-#include "module/texts.hpp"
 #include "subject/internal/kernel_text.hpp"
 
 namespace gloam::subject {

@@ -47,33 +47,35 @@ struct Out {
     using type = T;
 };
 
-// A type of the signature with double in place of float and Float16, for references.
+// A type with Float in place of float, double and Float16: references calculate in double.
+template <class T, class Float>
+struct InFloatsOf {
+    using type = std::conditional_t<FloatValue<T> || std::same_as<T, Float16>, Float, T>;
+};
+template <glm::length_t N, class T, class Float>
+struct InFloatsOf<glm::vec<N, T>, Float> {
+    using type = glm::vec<N, typename InFloatsOf<T, Float>::type>;
+};
+template <glm::length_t C, glm::length_t R, class T, class Float>
+struct InFloatsOf<glm::mat<C, R, T>, Float> {
+    using type = glm::mat<C, R, typename InFloatsOf<T, Float>::type>;
+};
+template <class T, std::size_t N, class Float>
+struct InFloatsOf<std::array<T, N>, Float> {
+    using type = std::array<typename InFloatsOf<T, Float>::type, N>;
+};
+template <class T, class Float>
+struct InFloatsOf<Quad<T>, Float> {
+    using type = Quad<typename InFloatsOf<T, Float>::type>;
+};
+template <class T, std::uint32_t X, std::uint32_t Y, std::uint32_t Z, class Float>
+struct InFloatsOf<Group<T, X, Y, Z>, Float> {
+    using type = Group<typename InFloatsOf<T, Float>::type, X, Y, Z>;
+};
 template <class T>
-struct InDoubleOf {
-    using type = std::conditional_t<std::same_as<T, float> || std::same_as<T, Float16>, double, T>;
-};
-template <glm::length_t N, class T>
-struct InDoubleOf<glm::vec<N, T>> {
-    using type = glm::vec<N, typename InDoubleOf<T>::type>;
-};
-template <glm::length_t C, glm::length_t R, class T>
-struct InDoubleOf<glm::mat<C, R, T>> {
-    using type = glm::mat<C, R, typename InDoubleOf<T>::type>;
-};
-template <class T, std::size_t N>
-struct InDoubleOf<std::array<T, N>> {
-    using type = std::array<typename InDoubleOf<T>::type, N>;
-};
+using InDouble = typename InFloatsOf<T, double>::type;
 template <class T>
-struct InDoubleOf<Quad<T>> {
-    using type = Quad<typename InDoubleOf<T>::type>;
-};
-template <class T, std::uint32_t X, std::uint32_t Y, std::uint32_t Z>
-struct InDoubleOf<Group<T, X, Y, Z>> {
-    using type = Group<typename InDoubleOf<T>::type, X, Y, Z>;
-};
-template <class T>
-using InDouble = typename InDoubleOf<T>::type;
+using InFloat = typename InFloatsOf<T, float>::type;
 
 // One parameter type of a C++ signature.
 template <class P>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 #include "base/number.hpp"
@@ -36,8 +35,8 @@ double squared_length(std::span<const Word> vector) {
     return squared;
 }
 
-void add_number(Values& values, Scalar scalar, double number) {
-    values.fixed.push_back({.words = {float_word(scalar, number)}});
+void add_numbers(Values& values, Scalar scalar, std::initializer_list<double> numbers) {
+    for (const double number : numbers) values.fixed.push_back({.words = {float_word(scalar, number)}});
 }
 
 void require_order(double low, double high) {
@@ -108,11 +107,11 @@ Values uniform(double low, double high, Scalar scalar) {
     require_order(low, high);
     Values values = float_values(scalar, low, high,
                                  [low, high](numeric::Random& random) { return random.uniform(low, high); });
-    for (const double end : {low, high}) add_number(values, scalar, end);
+    add_numbers(values, scalar, {low, high});
     const numeric::FloatFormat& format = format_of(scalar);
     for (const double size : {0.0, format.smallest_subnormal(), format.smallest_normal()})
         for (const double side : {size, -size})
-            if (side >= low && side <= high) add_number(values, scalar, side);
+            if (side >= low && side <= high) add_numbers(values, scalar, {side});
     return values;
 }
 
@@ -122,7 +121,7 @@ Values log_uniform(double low, double high, Scalar scalar) {
     Values values = float_values(scalar, low, high, [low, high](numeric::Random& random) {
         return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low, high);
     });
-    for (const double end : {low, high}) add_number(values, scalar, end);
+    add_numbers(values, scalar, {low, high});
     return values;
 }
 
@@ -137,7 +136,7 @@ Values signed_log_uniform(double low, double high, Scalar scalar) {
         const Word positive = words.front() & 0x7fffffffU;
         return magnitude.contains(std::span(&positive, 1));
     };
-    for (const double end : {low, -low, high, -high}) add_number(values, scalar, end);
+    add_numbers(values, scalar, {low, -low, high, -high});
     return values;
 }
 

@@ -147,14 +147,6 @@ void visit_scalars(T& value, Visit&& visit) {
     }
 }
 
-template <class T>
-[[nodiscard]] std::size_t word_count() {
-    T value{};
-    std::size_t count = 0;
-    visit_scalars(value, [&count](auto&) { ++count; });
-    return count;
-}
-
 // The type of a C++ number in the shader.
 template <ScalarValue T>
 [[nodiscard]] constexpr module::Scalar scalar_of() {

@@ -45,23 +45,7 @@ namespace detail {
 
 // The type that GLSL has for a type of a reference.
 template <class T>
-struct InFloatOf {
-    using type = T;
-};
-template <>
-struct InFloatOf<double> {
-    using type = float;
-};
-template <glm::length_t N>
-struct InFloatOf<glm::vec<N, double>> {
-    using type = glm::vec<N, float>;
-};
-template <glm::length_t C, glm::length_t R>
-struct InFloatOf<glm::mat<C, R, double>> {
-    using type = glm::mat<C, R, float>;
-};
-template <class T>
-using InFloat = typename InFloatOf<std::remove_cvref_t<T>>::type;
+using InFloat = subject::InFloat<std::remove_cvref_t<T>>;
 
 template <class P>
 inline constexpr bool is_out = std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>>;

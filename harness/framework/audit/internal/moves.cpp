@@ -43,7 +43,7 @@ void Moves::keep_the_worst(std::vector<Candidate>& pool) {
 void Moves::climb(std::vector<Candidate>& pool, std::size_t inputs, std::size_t generation,
                   const std::function<void(std::vector<Candidate>&)>& run,
                   const std::function<bool()>& goes_on) {
-    for (std::size_t done = 0; done < inputs && goes_on(); done += generation) {
+    for (std::size_t done = 0; !slots_.empty() && done < inputs && goes_on(); done += generation) {
         std::vector<Candidate> next(std::min(generation, inputs - done));
         for (Candidate& candidate : next) candidate.words = from_pool(pool);
         run(next);

@@ -29,8 +29,6 @@ class Moves {
           std::uint64_t seed);
 
     [[nodiscard]] const subject::Domain::Inputs& drawn() const { return drawn_; }  // before adjustment
-    // Whether a candidate can differ from another.
-    [[nodiscard]] bool possible() const { return !slots_.empty(); }
 
     // An input and how bad it is.
     struct Candidate {
@@ -43,7 +41,8 @@ class Moves {
     static void keep_the_worst(std::vector<Candidate>& pool);
 
     // Runs so many candidates beside the worst of the pool, where those are chosen more often, a generation
-    // at a time, as long as it goes on. `run` sets their scores.
+    // at a time, as long as it goes on; none where no candidate can differ from another. `run` sets their
+    // scores.
     void climb(std::vector<Candidate>& pool, std::size_t inputs, std::size_t generation,
                const std::function<void(std::vector<Candidate>&)>& run, const std::function<bool()>& goes_on);
 

@@ -3,7 +3,6 @@
 // another driver.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "audit/internal/runs.hpp"
 #include "numeric/numbers.hpp"

@@ -113,16 +113,16 @@ std::vector<double> AuditRuns::in_double(std::span<const Word> input) {
 }
 
 std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
-    std::vector<double> outputs;
     const std::uint64_t before = floats_.machine().steps();
     try {
         floats_.run(input);
-        instructions_ += floats_.machine().steps() - before;
-        for (std::size_t w = 0; w < scalars_.size(); ++w)
-            outputs.push_back(number_at(scalars_[w], floats_.output(w).bits()));
     } catch (const interpreter::Error&) {
-        outputs.clear();
+        return {};
     }
+    instructions_ += floats_.machine().steps() - before;
+    std::vector<double> outputs;
+    for (std::size_t w = 0; w < scalars_.size(); ++w)
+        outputs.push_back(number_at(scalars_[w], floats_.output(w).bits()));
     return outputs;
 }
 

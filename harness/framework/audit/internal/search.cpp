@@ -48,8 +48,8 @@ class Search {
         if (moves.drawn().count() > 0) try_decimals(moves.drawn().row(0));
         try_places(usual);
         const std::size_t rest = (options_.inputs - draws) / 2;
-        if (moves.possible())
-            climb(moves, Concern::digits, rest, 0.75), climb(moves, Concern::drivers, rest, 1.0);
+        climb(moves, Concern::digits, rest, 0.75);
+        climb(moves, Concern::drivers, rest, 1.0);
         return std::move(found_);
     }
 
