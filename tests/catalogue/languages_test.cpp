@@ -194,7 +194,7 @@ TEST_P(Sweep, IsPermittedWhenStrict) {
     const subject::Lab lab = test::make_lab({}, module::variant("strict"));
     const judge::Answer result = judge::run(lab, entry_.question, {.inputs = strict_inputs});
     expect_ok(result);
-    EXPECT_EQ(result.verdict, judge::Verdict::rules);
+    EXPECT_EQ(result.criterion, judge::Criterion::rules);
     EXPECT_EQ(result.by_rules, strict_inputs);
 }
 

@@ -83,7 +83,7 @@ TEST_F(Floats, WhateverOrderADriverTakesTheErrorIsBounded) {
         {.device = std::string(subject::interpreter_name), .include_roots = {GLOAM_GLSL_DIR}});
     const auto expect_within = [&](const auto& function, const subject::Domain& domain, double most) {
         const judge::Answer answer = function.check_rules(domain, {.inputs = 1024});
-        EXPECT_EQ(answer.verdict, judge::Verdict::rules);
+        EXPECT_EQ(answer.criterion, judge::Criterion::rules);
         EXPECT_EQ(answer.unbounded, 0U) << answer.function;
         EXPECT_LT(answer.guarantee.absolute, most) << answer.function;
     };

@@ -251,7 +251,7 @@ TEST(OutcomeTest, ErrorsSayOfWhichKindTheyAre) {
 // By the rules alone it is known of some inputs that any result would pass, and assumed of as many others.
 TEST(OutcomeTest, ByTheRulesTheShareIsThatOfTheBoundedInputs) {
     Answer answer = answer_of({.inputs = 1000, .recorded = 200, .open = 30});
-    answer.verdict = Verdict::rules;
+    answer.criterion = Criterion::rules;
     answer.bounded = 40;
     EXPECT_EQ(answer.judged(), 200U) << "a quarter of the 800 that are not recorded";
     EXPECT_EQ(answer.outcome(), Outcome::not_judged);

@@ -218,8 +218,8 @@ bool is_found(const Question& question, const KernelCore& kernel, std::uint64_t 
     const Domain::Inputs inputs = question.domain.draw(inputs_of_each, seed);
     try {
         const KernelCore::Result result = kernel.run(inputs.words, inputs.count());
-        return judge(question, {.edges = false, .verdict = Verdict::rules, .modules = result.modules}, inputs,
-                     result.outputs)
+        return judge(question, {.edges = false, .criterion = Criterion::rules, .modules = result.modules},
+                     inputs, result.outputs)
                    .outside() > 0;
     } catch (const backend::Fault&) {  // it never ends, or reads outside an array
         return true;

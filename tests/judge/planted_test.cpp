@@ -76,7 +76,7 @@ void expect_noticed(const Entry& entry, Evaluate evaluate) {
 }
 
 Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& question, std::size_t inputs) {
-    Verdicts verdicts(empty_answer(question, question.verdict_in(lab.options().variant)));
+    Verdicts verdicts(empty_answer(question, question.criterion_in(lab.options().variant)));
     for (const auto& [scenario, share] : question.shares(inputs)) {
         const Session session(lab, question, kernel, scenario, 1);
         auto evaluated =

@@ -82,7 +82,7 @@ class TamperedTest : public RulesTest {
             other.kernel("rules.glsl", function, signature).run(inputs.words, inputs.count());
         for (Word& word : result.outputs) word = to_word(change(from_word<float>(word)));
         return judge({.function = function, .signature = signature},
-                     {.verdict = Verdict::rules, .modules = result.modules}, inputs, result.outputs);
+                     {.criterion = Criterion::rules, .modules = result.modules}, inputs, result.outputs);
     }
     // Moved by that many floats.
     static Answer moved(const char* variant, const std::string& function, const Domain& domain, int floats) {
@@ -252,12 +252,12 @@ TEST_F(RulesTest, EveryVariantIsAskedTheRulesAndSomeTheRulesAlone) {
         const bool constants = variant.constants != module::Variant::Constants::none;
         EXPECT_EQ(result.inputs(), constants ? 64U : 512U) << variant.name;
         EXPECT_EQ(result.by_rules, result.inputs()) << variant.name;
-        EXPECT_EQ(result.verdict, variant.strict ? Verdict::rules : Verdict::budget) << variant.name;
+        EXPECT_EQ(result.criterion, variant.strict ? Criterion::rules : Criterion::budget) << variant.name;
         Question wrong = question;
         wrong.reference =
             make_reference<float(float, float)>([](double x, double y) { return 1.001 * x / y; });
         // A wrong shader is no wrong driver.
-        EXPECT_EQ(run(other, wrong, {.inputs = 512}).failed(), result.verdict == Verdict::budget)
+        EXPECT_EQ(run(other, wrong, {.inputs = 512}).failed(), result.criterion == Criterion::budget)
             << variant.name;
     }
 }

@@ -79,7 +79,7 @@ TEST(CheckReport, AnInfiniteErrorIsSaidToBePermittedWhereItIs) {
     judge::Answer row = passing_row("EQ-2");
     row.largest.ulp = std::numeric_limits<double>::infinity();
     EXPECT_THAT(table_line(row), HasSubstr(" inf "));
-    row.verdict = judge::Verdict::rules;
+    row.criterion = judge::Criterion::rules;
     EXPECT_THAT(table_line(row), AllOf(HasSubstr(" permitted "), Not(HasSubstr("inf"))));
     ordinary(row).outside = 1;
     EXPECT_THAT(table_line(row), HasSubstr(" inf "));
@@ -189,7 +189,7 @@ std::vector<CheckReport> two_drivers() {
     lost.error = "the device cannot be opened";
     lost.reason = judge::Reason::crash;
     judge::Answer strict = passing_row("EQ-2", "strict");
-    strict.verdict = judge::Verdict::rules;
+    strict.criterion = judge::Criterion::rules;
     strict.fraction = 0.5;
     judge::Answer wrong = passing_row("EQ-2");
     ordinary(wrong).outside = 3;
@@ -234,7 +234,7 @@ TEST(Matrix, MarkdownHoldsTheSame) {
 
 judge::Answer strict(const std::string& equation, double width, double guaranteed_ulp) {
     judge::Answer by_rules = with_error(equation, 0.2, "strict");
-    by_rules.verdict = judge::Verdict::rules;
+    by_rules.criterion = judge::Criterion::rules;
     by_rules.fraction = width;
     by_rules.bounded = 500;
     by_rules.guarantee = {.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = guaranteed_ulp / 4};

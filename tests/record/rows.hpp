@@ -21,7 +21,7 @@ inline judge::Answer failing_row() {
                        .function = "f",
                        .file = "gloam/f.glsl",
                        .variant = "strict",
-                       .verdict = judge::Verdict::rules,
+                       .criterion = judge::Criterion::rules,
                        .budget = {.ulp = 4.0, .absolute = 1e-7, .backward_ulp = 1}},
                       {.by_rules = 93, .forbidden = 3, .bounded = 90, .unbounded = 5, .differs = 2},
                       {.largest = {std::numeric_limits<double>::infinity(), 0.1, 0.5},

@@ -117,7 +117,7 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
                 }
                 const Answer got = answer();
                 EXPECT_FALSE(got.failed()) << got;
-                EXPECT_EQ(got.verdict, Verdict::rules);
+                EXPECT_EQ(got.criterion, Criterion::rules);
                 EXPECT_GT(got.by_rules, 0U);
                 EXPECT_GT(got.judged(), 0U);
             }

@@ -33,7 +33,7 @@ void evaluate(const Session& session, const Domain& domain, Answer& answer,
 SearchResult search(const Lab& lab, const Question& question, const RunOptions& options) {
     using internal::Moves;
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
-    SearchResult found{.answer = empty_answer(question, question.verdict_in(lab.options().variant))};
+    SearchResult found{.answer = empty_answer(question, question.criterion_in(lab.options().variant))};
     for (const auto& [scenario, share] : question.shares(options.inputs)) {
         if (question.domain.parameters().empty() || share == 0) continue;
         const Session session(lab, question, kernel, scenario, options.seed);

@@ -55,9 +55,9 @@ struct Coverage {
 [[nodiscard]] std::string to_text(const Coverage& coverage);
 
 // What an output is judged by: the function's documented budget, or Vulkan's precision rules.
-enum class Verdict { budget, rules };
-[[nodiscard]] constexpr std::string_view name_of(Verdict verdict) {
-    return verdict == Verdict::budget ? "budget" : "rules";
+enum class Criterion { budget, rules };
+[[nodiscard]] constexpr std::string_view name_of(Criterion criterion) {
+    return criterion == Criterion::budget ? "budget" : "rules";
 }
 
 // The class of an input: the most unusual of its float values, in this order (NaN is the most unusual).
@@ -96,7 +96,7 @@ struct Sample {
     std::vector<Word> got;
     std::vector<double> want;
     ErrorSize error;         // the largest of its outputs
-    double fraction = 0.0;   // of what the verdict allows (budget, permitted width); above 1 is outside
+    double fraction = 0.0;   // of what the criterion allows (budget, permitted width); above 1 is outside
     Outcome permitted;       // the hull of all outcomes, if the rules were asked
     bool forbidden = false;  // the rules do not permit the outputs
     // If these are forbidden and there are several: each outcome. Beyond most_outcomes, neighbours are merged
@@ -157,11 +157,11 @@ struct AnswerIdentity {
     std::string function;
     std::string file;
     std::string variant;
-    Verdict verdict = Verdict::budget;
+    Criterion criterion = Criterion::budget;
     Budget budget;
 
     // Whether Vulkan's rules alone judge; the budget is measured then.
-    [[nodiscard]] bool rules_alone() const { return verdict == Verdict::rules; }
+    [[nodiscard]] bool rules_alone() const { return criterion == Criterion::rules; }
     // The two parts of `variant`: "shipped" and "spirv-opt -O", which can be empty.
     [[nodiscard]] std::string variant_before_steps() const;
     [[nodiscard]] std::string steps() const;
@@ -198,7 +198,7 @@ struct AnswerCounts {
 // The largest errors, and the inputs that show most.
 struct WorstCases {
     ErrorSize largest;            // over judged outputs
-    double fraction = 0.0;        // worst error as a fraction of what the verdict allows
+    double fraction = 0.0;        // worst error as a fraction of what the criterion allows
     std::optional<Sample> worst;  // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
     std::optional<Sample> first_unbounded;
@@ -223,7 +223,7 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
     double seconds = 0.0;
     std::string story;  // of a failure, in several lines for people
 
-    // Inputs for which some result would have failed. Where the rules alone are the verdict, it is known of
+    // Inputs for which some result would have failed. Where the rules alone are the criterion, it is known of
     // the inputs whose bounds were calculated, and the same share is assumed of the others.
     [[nodiscard]] std::size_t judged() const;
     // The worst error as a fraction of the permitted width, or of the budget.
@@ -233,7 +233,7 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
     // Why the outcome is `not_judged`; empty otherwise.
     [[nodiscard]] std::string not_judged_because() const;
     // The classes for which nothing is promised for any input: by the device, or, where the rules alone are
-    // the verdict, by the rules.
+    // the criterion, by the rules.
     [[nodiscard]] std::vector<InputClass> not_promised() const;
     [[nodiscard]] bool passed() const { return outcome() == Outcome::ok; }
     [[nodiscard]] bool failed() const { return outcome() == Outcome::failed; }
@@ -253,7 +253,7 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
 [[nodiscard]] std::string describe_outputs(const subject::Signature& signature,
                                            const std::vector<Word>& outputs);
 
-// Verdict, counts by class of input, and the worst input with its outputs and the expected ones.
+// Criterion, counts by class of input, and the worst input with its outputs and the expected ones.
 [[nodiscard]] std::string describe(const subject::Signature& signature, const Answer& answer);
 
 // Sets Sample::values of every sample of an answer.

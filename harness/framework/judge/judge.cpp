@@ -26,7 +26,7 @@ bool covers(const Sample::Outcome& bounds, const Sample::Outcome& others) {
 }
 
 // Which inputs of a run are judged by the rules, and for which of these all permitted results are calculated.
-// If the verdict is the budget, the rules are a second criterion for the first inputs, which contain all
+// Where the budget is the criterion, the rules are asked as well for the first inputs, which contain all
 // kinds, and for a share of the others.
 struct Plan {
     std::size_t rules_every = 1;
@@ -71,8 +71,8 @@ class Judge {
         const bool edge = options_.edges && question_.reference && internal::is_edge(sample, scalars_);
         sample.error = internal::error_of(question_, images_, scalars_, sample, promised);
         sample.fraction = sample.error.fraction;
-        const bool by_budget =
-            options_.verdict == Verdict::budget && (promised || internal::has_codomain(question_, scalars_));
+        const bool by_budget = options_.criterion == Criterion::budget &&
+                               (promised || internal::has_codomain(question_, scalars_));
         const bool free = rules_ && plan_.by_rules(sample.index)
                               ? ask_rules(answer, sample, promised, !by_budget && !edge)
                               : true;
@@ -107,11 +107,11 @@ class Judge {
     bool ask_rules(Answer& answer, Sample& sample, bool promised, bool only_rules) {
         const InputRow input{sample.index, sample.inputs};
         const bool bounded = plan_.bounded(sample.index);
-        const bool must_know = only_rules && options_.verdict == Verdict::budget;
+        const bool must_know = only_rules && options_.criterion == Criterion::budget;
         ++answer.by_rules;
         if (!bounded && !must_know &&
             (rules_->is_exact(input, sample.got) || rules_->is_permitted(input, sample.got))) {
-            if (options_.verdict == Verdict::rules) sample.fraction = 0.0;
+            if (options_.criterion == Criterion::rules) sample.fraction = 0.0;
             return false;
         }
         const Permitted permitted = rules_->all_permitted(input);
@@ -122,7 +122,7 @@ class Judge {
         sample.forbidden = sample.fraction > 1.0;
         if (sample.forbidden) sample.outcomes = outcomes_beside(permitted, sample.got);
         if (bounded) add_bounds(answer, sample, promised);
-        if (options_.verdict == Verdict::budget)
+        if (options_.criterion == Criterion::budget)
             sample.fraction = sample.forbidden ? infinity : sample.error.fraction;
         return (bounded || must_know) && permits_every(sample);
     }
@@ -230,8 +230,8 @@ double mean_cost(const Decoded& decoded, const Question& question, const Domain:
     return static_cast<double>(rules.steps()) / static_cast<double>(std::max<std::size_t>(probed, 1));
 }
 
-// `every_bound`: where the rules are the verdict, bounds are calculated for each input.
-Plan plan_of(Verdict verdict, bool every_bound, const Decoded& decoded, const Question& question,
+// `every_bound`: where the rules are the criterion, bounds are calculated for each input.
+Plan plan_of(Criterion criterion, bool every_bound, const Decoded& decoded, const Question& question,
              const Domain::Inputs& inputs) {
     constexpr std::size_t other_inputs = 512;
     // Limits for the inputs whose bounds are calculated, and for the instructions of all these bounds: less
@@ -239,7 +239,8 @@ Plan plan_of(Verdict verdict, bool every_bound, const Decoded& decoded, const Qu
     constexpr std::size_t most_bounded = 2048;
     constexpr double most_steps = 4e6;
     const std::size_t count = inputs.count();
-    if (verdict == Verdict::budget) return {.rules_every = std::max<std::size_t>(count / other_inputs, 1)};
+    if (criterion == Criterion::budget)
+        return {.rules_every = std::max<std::size_t>(count / other_inputs, 1)};
     if (every_bound) return {.bounds_every = 1};
     const double steps = mean_cost(decoded, question, inputs) * static_cast<double>(count);
     return {.bounds_every =
@@ -248,19 +249,19 @@ Plan plan_of(Verdict verdict, bool every_bound, const Decoded& decoded, const Qu
 
 }  // namespace
 
-Answer empty_answer(const Question& question, Verdict verdict) {
+Answer empty_answer(const Question& question, Criterion criterion) {
     return {{.equation = question.name.empty() ? question.function : question.name,
              .function = question.function,
              .file = question.file,
-             .verdict = verdict,
+             .criterion = criterion,
              .budget = question.budget}};
 }
 
 Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,
              std::span<const Word> outputs, const ImageSet& images, const std::string& scenario,
              std::span<double> fractions) {
-    Answer all = empty_answer(question, options.verdict);
-    const bool needs_modules = options.verdict == Verdict::rules || !question.reference;
+    Answer all = empty_answer(question, options.criterion);
+    const bool needs_modules = options.criterion == Criterion::rules || !question.reference;
     if (needs_modules && options.modules.empty()) {
         const std::vector<module::Scalar> scalars = question.signature.input_scalars();
         for (std::size_t i = 0; i < inputs.count(); ++i)
@@ -268,7 +269,7 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
         return all;
     }
     const Decoded decoded = decoded_modules(options.modules, images, needs_modules);
-    const Plan plan = plan_of(options.verdict, !fractions.empty(), decoded, question, inputs);
+    const Plan plan = plan_of(options.criterion, !fractions.empty(), decoded, question, inputs);
     const std::size_t width = question.signature.output_words();
     const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
     std::vector<Answer> parts(shares.size());

@@ -10,10 +10,10 @@ namespace gloam::judge {
 
 using namespace subject;
 
-Verdict Question::verdict_in(const module::Variant& variant) const {
+Criterion Question::criterion_in(const module::Variant& variant) const {
     const bool by_rules =
         variant.strict || variant.relaxed || !variant.steps.empty() || only_rules || !reference;
-    return by_rules ? Verdict::rules : Verdict::budget;
+    return by_rules ? Criterion::rules : Criterion::budget;
 }
 
 std::vector<std::pair<ImageScenario, std::size_t>> Question::shares(std::size_t inputs) const {

@@ -56,7 +56,7 @@ struct Question {
     // What judges its results in a variant: in strict and relaxed ones and after steps the rules alone, in
     // all others the documented budget and the rules. With only_rules or without a reference it is never a
     // budget.
-    [[nodiscard]] Verdict verdict_in(const module::Variant& variant) const;
+    [[nodiscard]] Criterion criterion_in(const module::Variant& variant) const;
     // Its scenarios, each with its share of so many inputs, 1 at least; if it reads no image, all inputs with
     // an empty scenario.
     [[nodiscard]] std::vector<std::pair<subject::ImageScenario, std::size_t>> shares(

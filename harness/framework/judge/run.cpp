@@ -62,7 +62,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
     try {
         const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
         const Domain domain = domain_of(lab, question, *kernel.module().source);
-        Answer answer = empty_answer(question, question.verdict_in(variant));
+        Answer answer = empty_answer(question, question.criterion_in(variant));
         for (const auto& [scenario, share] : question.shares(inputs_of_run(question, options.inputs))) {
             const Session session(lab, question, kernel, scenario, options.seed);
             const std::uint64_t seed = session.input_seed();

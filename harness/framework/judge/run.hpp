@@ -16,27 +16,27 @@ namespace gloam::judge {
 // How the outputs of a run are judged, besides the question.
 struct JudgeOptions {
     // Judge the results for zero, infinity and NaN beside values of usual size against the reference, in
-    // every verdict. Set it to false if the reference documents none (a built-in function of GLSL), and for
+    // each criterion. Set it to false if the reference documents none (a built-in function of GLSL), and for
     // other arithmetic than float32. Without a reference they are not judged.
     bool edges = true;
     // Whether the device preserves NaN, infinity and signed zero. If not, inputs that contain one, and those
     // whose reference is NaN or infinite, are only recorded.
     bool nan = true;
-    // With Verdict::rules the budget and the codomain are measured, but do not fail.
-    Verdict verdict = Verdict::budget;
-    // The modules that produced the outputs. Whatever the verdict, an output that the rules do not permit for
-    // these modules fails. Without modules the rules are not asked;
-    // where the verdict needs them, inputs are only recorded then.
+    // With Criterion::rules the budget and the codomain are measured, but do not fail.
+    Criterion criterion = Criterion::budget;
+    // The modules that produced the outputs. Whatever the criterion, an output that the rules do not permit
+    // for these modules fails. Without modules the rules are not asked; where the criterion needs them,
+    // inputs are only recorded then.
     subject::KernelModules modules;
 };
 
 // An answer to a question, without any inputs.
-[[nodiscard]] Answer empty_answer(const Question& question, Verdict verdict);
+[[nodiscard]] Answer empty_answer(const Question& question, Criterion criterion);
 
 // Judges every output of a run. Throws interpreter::Error for a module that the interpreter cannot run.
 // `outputs`: count x output words, in the order of the inputs.
-// `fractions`: if not empty, it receives each input's fraction of what the verdict allows, 0 if the input is
-// only recorded.
+// `fractions`: if not empty, it receives each input's fraction of what the criterion allows, 0 if the input
+// is only recorded.
 [[nodiscard]] Answer judge(const Question& question, const JudgeOptions& options,
                            const subject::Domain::Inputs& inputs, std::span<const Word> outputs,
                            const subject::ImageSet& images = {}, const std::string& scenario = {},

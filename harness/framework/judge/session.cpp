@@ -30,7 +30,7 @@ Session::Session(const Lab& lab, const Question& question, KernelCore kernel, Im
       options_{
           .edges = !question.only_rules && !lab.options().variant.relaxed,
           .nan = lab.keeps_nan() && lab.options().variant.constants != module::Variant::Constants::literals,
-          .verdict = question.verdict_in(lab.options().variant)} {}
+          .criterion = question.criterion_in(lab.options().variant)} {}
 
 Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
     if (!options_.nan) internal::set_positive_zeros(inputs.words, question_.signature.input_scalars());

@@ -14,7 +14,7 @@ inline constexpr Names names_of<judge::Reason>{
     base::reason_names.size(),
     "\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier"};
 template <>
-inline constexpr Names names_of<judge::Verdict>{2, "budget or rules"};
+inline constexpr Names names_of<judge::Criterion>{2, "budget or rules"};
 template <>
 inline constexpr Names names_of<judge::NoResult>{2, "undefined or too long"};
 template <>
@@ -79,12 +79,12 @@ void members(Io& io, judge::Coverage::Point& point) {
 }
 GLOAM_MEMBERS(judge::Coverage, inputs, points)
 
-// What the rules permit is calculated only where the verdict is theirs.
+// What the rules permit is calculated only where they alone judge.
 template <class Io>
 void members(Io& io, judge::Answer& answer) {
     each<Present::name>(io, "equation", answer.equation, "function", answer.function, "file", answer.file,
                         "variant", answer.variant);
-    io.member("verdict", answer.verdict);
+    io.member("verdict", answer.criterion);
     each<Present::derived>(io, "outcome", std::string(name_of(answer.outcome())), "not_judged_because",
                            answer.not_judged_because(), "inputs", answer.inputs(), "judged", answer.judged(),
                            "outside", answer.outside(), "recorded", answer.recorded());

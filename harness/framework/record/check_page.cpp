@@ -44,7 +44,7 @@ std::vector<Cell> cells_of(const judge::Answer& row) {
                             row.equation,
                             row.function,
                             row.variant,
-                            row.ran() ? std::string(name_of(row.verdict)) : "-"};
+                            row.ran() ? std::string(name_of(row.criterion)) : "-"};
     std::ranges::copy(error_cells(row), std::back_inserter(cells));
     cells.emplace_back(base::shortened(remark_on(row), longest_value));
     const std::string worst = !row.ran() ? row.error : row.worst ? row.worst->values : "-";

@@ -229,7 +229,7 @@ std::string table_line(const judge::Answer& row, const std::string& verdict) {
     const std::string why = row.reason == judge::Reason::unsupported ? base::one_line(row.error) : "";
     const std::string remark = row.ran() ? remark_on(row) : why;
     return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), cells[0].text,
-                       cells[1].text, cells[2].text, cells[3].text, row.ran() ? name_of(row.verdict) : "-",
+                       cells[1].text, cells[2].text, cells[3].text, row.ran() ? name_of(row.criterion) : "-",
                        verdict.empty() ? verdict_of(row) : verdict) +
            (remark.empty() ? "" : "; " + remark) + (row.steps().empty() ? "" : "; after " + row.steps());
 }

@@ -213,7 +213,7 @@ bool is_tied(const subject::Image& image, ivec2 pixel, const Wanted& wanted) {
 
 // The answer to the question of a pass of that name.
 judge::Answer answered(const subject::Lab& lab, const judge::Question& question, const std::string& pass) {
-    judge::Answer answer = judge::empty_answer(question, judge::Verdict::budget);
+    judge::Answer answer = judge::empty_answer(question, judge::Criterion::budget);
     for (const Case& one : cases) {
         if (pass == "remap" && &one != cases) break;  // it has no other
         Frames(lab, one, pass, [&](const subject::Image& image, const std::function<Wanted(ivec2)>& wanted) {
@@ -308,7 +308,7 @@ judge::Answer frame_answer(const subject::Lab& lab, const judge::Question& quest
     const subject::Lab interpreter({.device = std::string(subject::interpreter_name)});
     effect::Plan plan = effect::plan_of(settings, {.view = view.extent}, passes);
     effect::PlanMemory memory(plan, view);
-    judge::Answer answer = judge::empty_answer(question, judge::Verdict::budget);
+    judge::Answer answer = judge::empty_answer(question, judge::Criterion::budget);
     for (const effect::PlannedPass& pass : std::vector(plan.passes)) {
         plan.passes = {pass};
         const effect::PlanMemory before = memory;
