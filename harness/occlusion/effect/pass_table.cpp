@@ -21,11 +21,7 @@ std::vector<PassRow> rows_of_inputs() {
             {.name = "normals_from_depth",
              .when = [](const Moment& m) { return m.new_view && !m.has_normals; },
              .source = file("study/normals_from_depth.comp"),
-             .resources = {"depth", "normal"}},
-            {.name = "positions_from_motion",
-             .when = [](const Moment& m) { return m.new_view && m.from_motion; },
-             .source = file("study/positions_from_motion.comp"),
-             .resources = {"depth", "motion", "positions"}}};
+             .resources = {"depth", "normal"}}};
 }
 
 std::vector<PassRow> rows_of_samples() {
@@ -33,7 +29,7 @@ std::vector<PassRow> rows_of_samples() {
         {.name = "reproject",
          .when = [](const Moment& m) { return m.moves_history(); },
          .source = file("study/reproject.comp"),
-         .resources = {"depth", "positions", "history_before", "history_reprojected"}},
+         .resources = {"depth", "previous_position", "history_before", "history_reprojected"}},
         {.name = "preparation",
          .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
          .source = [](const Moment& m) { return preparation_source(m, m.preparation->passes[m.step].file); },
@@ -44,8 +40,8 @@ std::vector<PassRow> rows_of_samples() {
         {.name = "ambient_occlusion",
          .when = [](const Moment&) { return 1; },
          .source = occlusion_source,
-         .resources = {"depth", "normal", "history", "history_after", "positions", "method", "prepared",
-                       "layers", "filtered"}}};
+         .resources = {"depth", "normal", "history", "history_after", "previous_position", "method",
+                       "prepared", "layers", "filtered"}}};
 }
 
 // A pass of the filter along one axis.

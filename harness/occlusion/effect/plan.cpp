@@ -35,8 +35,7 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.look(view, view);
     if (options.encoding != scene::Encoding{}) moment.converted = options.encoding;
     moment.has_normals = options.normals;
-    moment.has_positions = options.moving_objects || options.motion_vectors;
-    moment.from_motion = options.motion_vectors;
+    moment.has_positions = options.moving_objects;
     if (options.first) {
         moment.shows_unfiltered = true;
         moment.moved = false;

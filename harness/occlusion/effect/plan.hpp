@@ -85,7 +85,6 @@ struct Plan {
 struct PlanOptions {
     backend::Extent view{1920, 1080};
     bool moving_objects = false;  // the engine gives the previous positions of surface points
-    bool motion_vectors = false;  // it gives motion vectors, from which these follow
     bool orthographic = false;
     bool first = false;        // the first frame of AmbientOcclusion
     bool normals = true;       // the engine has normals; otherwise they are reconstructed from depth

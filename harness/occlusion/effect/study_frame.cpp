@@ -29,22 +29,20 @@ std::vector<ImageRow> images_of(const Moment& m) {
     const bool alone = shows_alone(m.settings);
     const bool filtered = filters(m.settings);
     const backend::vulkan::Format output = format_of(m.settings.output);
-    return {
-        {"depth", true, r32f, Origin::engine},  // as it is stored, or eye-linear in world units
-        {"normal", m.has_normals || !converts, rgba32f, m.has_normals ? Origin::engine : Origin::frame},
-        {"linear_depth", converts, r32f},  // of what is stored otherwise; background 0 or not finite
-        {"view_normal", converts, rgba32f},
-        {"motion", m.from_motion, rgba32f, Origin::engine},  // in the image, since the frame before, in xy
-        // Where each surface point was, in the view space of the frame before.
-        {"previous_position", m.has_positions, rgba32f, m.from_motion ? Origin::frame : Origin::engine},
-        {"layers", m.settings.own.layers > 1, rgba32f, Origin::engine},  // 1 to 3 behind the first in xyz
-        {"history_before", !alone, rgba32f, Origin::history},
-        {"history_reprojected", m.settings.history, rgba32f},  // the same at the pixels of this frame
-        {"history_after", !alone, rgba32f},
-        {"half_filtered", filtered, r32f},  // along x
-        {"filtered", alone || filtered, r32f},
-        {"mapped", remapped, output},  // what is shown of the occlusion
-        {"filtered_mapped", remapped && filtered, output}};
+    return {{"depth", true, r32f, Origin::engine},  // as it is stored, or eye-linear in world units
+            {"normal", m.has_normals || !converts, rgba32f, m.has_normals ? Origin::engine : Origin::frame},
+            {"linear_depth", converts, r32f},  // of what is stored otherwise; background 0 or not finite
+            {"view_normal", converts, rgba32f},
+            // Where each surface point was, in the view space of the frame before.
+            {"previous_position", m.has_positions, rgba32f, Origin::engine},
+            {"layers", m.settings.own.layers > 1, rgba32f, Origin::engine},  // 1 to 3 behind the first in xyz
+            {"history_before", !alone, rgba32f, Origin::history},
+            {"history_reprojected", m.settings.history, rgba32f},  // the same at the pixels of this frame
+            {"history_after", !alone, rgba32f},
+            {"half_filtered", filtered, r32f},  // along x
+            {"filtered", alone || filtered, r32f},
+            {"mapped", remapped, output},  // what is shown of the occlusion
+            {"filtered_mapped", remapped && filtered, output}};
 }
 
 // The resource that the table names.
@@ -53,7 +51,6 @@ std::string_view resource_of(std::string_view name, const Moment& moment) {
     if (name == "stored_normal") return "normal";
     if (name == "depth" && moment.converted) return "linear_depth";
     if (name == "normal" && moment.converted) return "view_normal";
-    if (name == "positions") return "previous_position";
     if (name == "history") return moment.moves_history() ? "history_reprojected" : "history_before";
     if (name == "occlusion") return shows_alone(moment.settings) ? "filtered" : "history_after";
     return name;

@@ -55,7 +55,6 @@ void add_view(const Moment& m, Values& all) {
     all.set("border", vector_of_size(m.view.border.each_side()));
     all.set("depth_buffer", encoding.depth_buffer);
     all.set("has_normals", m.has_normals);
-    all.set("motion_unit", glm::vec2(1.0F));  // motion vectors in pixels
     all.set("moving_objects", m.has_positions);
     all.set("octahedral_normals", encoding.octahedral);
     all.set("orthographic", camera.orthographic());

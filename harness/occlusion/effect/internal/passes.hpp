@@ -42,7 +42,6 @@ struct Moment {
     std::optional<scene::Encoding> converted;
     bool has_normals = true;        // the engine gives normals; otherwise they are reconstructed
     bool has_positions = false;     // the engine gives previous positions of surface points
-    bool from_motion = false;       // these follow from its motion vectors
     bool new_view = true;           // the view was not that of the frame before
     bool moved = true;              // the history, if there is one, belongs to another view
     bool shows_unfiltered = false;  // the unfiltered occlusion is remapped, too
