@@ -5,9 +5,7 @@
 #include <passes/frame/gloam_frame.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
-#include <glm/gtc/packing.hpp>
 #include <utility>
 
 #include "effect/internal/executor.hpp"
@@ -305,14 +303,6 @@ EngineInputs inputs_of(const scene::GBuffer& view, const Settings& settings) {
             .deep = starts_deep(settings, view.camera)};
 }
 
-// texels: the bits of rgb10_a2.
-std::vector<glm::vec3> bends_of(const std::vector<float>& texels) {
-    std::vector<glm::vec3> bends;
-    for (const float texel : texels)
-        bends.emplace_back(2.0F * glm::unpackUnorm3x10_1x2(std::bit_cast<std::uint32_t>(texel)) - 1.0F);
-    return bends;
-}
-
 scene::GBuffer shape_of(const View& view) {
     return {.extent = view.extent, .camera = view.camera, .border = view.border};
 }
@@ -348,7 +338,8 @@ class ThreePasses : public FramePasses {
         if (has_tiles(settings_))
             for (const float mark : resources_.image("marks").download())
                 frame.tiles.push_back(mark > 0.5F ? TileWork::full : TileWork::half);
-        if (settings_.bent_normals) frame.bent = bends_of(resources_.image("bent").download());
+        if (settings_.bent_normals) frame.bent = vectors_of(resources_.image("bent").download());
+        for (glm::vec3& bend : frame.bent) bend = 2.0F * bend - 1.0F;
         crop(shape_of(inputs_.view), frame);
         frame.memory_bytes = memory_of(steps);
         resources_.exchange(plan.exchanged);

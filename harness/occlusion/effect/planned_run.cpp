@@ -13,7 +13,7 @@ module::Type texel_of(backend::vulkan::Format format) {
     using enum backend::vulkan::Format;
     const bool whole = format == r32ui || format == rg32ui || format == rgba16ui;
     return {.scalar = whole ? module::Scalar::uint_ : module::Scalar::float_,
-            .rows = format == rgb10_a2 ? 4 : backend::vulkan::channels(format)};
+            .rows = backend::vulkan::channels(format)};
 }
 
 Image level_of(const PlannedImage& planned, std::uint32_t level) {

@@ -23,12 +23,6 @@ Program program_of(const Device& device, const backend::KernelProgram& kernel) {
             {"kernel of " + kernel.name, kernel.text}};
 }
 
-Buffer filled(const Device& device, std::span<const Word> words) {
-    Buffer buffer(device, words.size());
-    buffer.write(0, words);
-    return buffer;
-}
-
 class ComputeKernel : public backend::Kernel {
   public:
     ComputeKernel(const Device& device, const backend::KernelProgram& program)
@@ -50,15 +44,15 @@ class ComputeKernel : public backend::Kernel {
         const backend::KernelRun run{.count = static_cast<Word>(count),
                                      .row_length = groups * backend::kernel_group_size,
                                      .canary = canary};
-        const Buffer uniforms = filled(device_, std::vector<Word>{run.count, run.row_length, run.canary, 0});
-        const Buffer faults(device_, sizeof memory.faults / sizeof(Word));
-        const Buffer inputs = filled(device_, memory.inputs);
-        const Buffer outputs = filled(device_, memory.outputs);
+        const Buffer uniforms(device_, std::vector<Word>{run.count, run.row_length, run.canary, 0});
+        const Buffer faults(device_, {}, sizeof memory.faults / sizeof(Word));
+        const Buffer inputs(device_, memory.inputs);
+        const Buffer outputs(device_, memory.outputs);
         std::vector<Buffer> images;
         std::vector<SampledTexture> textures;
         for (std::size_t i = 0; i < memory.images.size(); ++i) {
             const std::span<const Word> words = memory.images[i];
-            images.push_back(filled(device_, images_[i].sampled ? words.first(1) : words));
+            images.emplace_back(device_, images_[i].sampled ? words.first(1) : words);
             if (!images_[i].sampled) continue;
             textures.emplace_back(device_, words);
             textures.back().bind(static_cast<std::uint32_t>(backend::KernelBinding::first_image + i));

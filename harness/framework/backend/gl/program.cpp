@@ -139,8 +139,6 @@ Program::Program(const Device& device, Stage stage, const ShaderText& shader)
 void dispatch(const Device& device, const Dispatch& work) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    if (!has_compute(device.info().id.version))
-        throw backend::Error(to_string(device.info().id.version) + " has no compute shaders");
     gl.UseProgram(work.program.handle());
     for (const auto& [binding, image] : work.images) {
         gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE,

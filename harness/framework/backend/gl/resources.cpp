@@ -44,7 +44,7 @@ constexpr std::array image_formats{
 const ImageFormat& format_named(const Device& device, const std::string& name) {
     const Version& version = device.info().id.version;
     const auto found = std::ranges::find(image_formats, name, &ImageFormat::name);
-    if (found == image_formats.end() || !has_compute(version) || (version.api == Api::es && !found->es))
+    if (found == image_formats.end() || (version.api == Api::es && !found->es))
         throw backend::Unsupported(to_string(version) + " has no images of format " + name);
     return *found;
 }
@@ -68,22 +68,15 @@ Handle::~Handle() {
     if (kind_ == Kind::framebuffer) gl.DeleteFramebuffers(1, &name_);
 }
 
-Buffer::Buffer(const Device& device, std::size_t words)
-    : words_(std::max<std::size_t>(words, 1)), handle_(device, Handle::Kind::buffer) {
+Buffer::Buffer(const Device& device, std::span<const Word> words, std::size_t size)
+    : words_(std::max(words.size(), size)), handle_(device, Handle::Kind::buffer) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    const std::vector<Word> zeros(words_);
+    std::vector<Word> contents(words.begin(), words.end());
+    contents.resize(words_);
     gl.BindBuffer(target, handle_.name());
-    gl.BufferData(target, static_cast<GLsizeiptr>(words_ * sizeof(Word)), zeros.data(), GL_DYNAMIC_COPY);
+    gl.BufferData(target, static_cast<GLsizeiptr>(words_ * sizeof(Word)), contents.data(), GL_DYNAMIC_COPY);
     context.check("a buffer");
-}
-
-void Buffer::write(std::size_t first, std::span<const Word> words) {
-    const internal::Functions& gl = handle_.device().context().use();
-    gl.BindBuffer(target, handle_.name());
-    gl.BufferSubData(target, static_cast<GLintptr>(first * sizeof(Word)),
-                     static_cast<GLsizeiptr>(words.size_bytes()), words.data());
-    handle_.device().context().check("writing a buffer");
 }
 
 std::vector<Word> Buffer::read() const {

@@ -37,14 +37,11 @@ class Handle {
 // Memory of the device, in words of 32 bits; at least one.
 class Buffer {
   public:
-    // All zero. Throws backend::OutOfMemory.
-    Buffer(const Device& device, std::size_t words);
+    // These words; behind them zeros, where `size` is more. Throws backend::OutOfMemory.
+    Buffer(const Device& device, std::span<const Word> words, std::size_t size = 1);
 
-    // `first + words.size()` is at most size().
-    void write(std::size_t first, std::span<const Word> words);
     [[nodiscard]] std::vector<Word> read() const;
 
-    [[nodiscard]] std::size_t size() const { return words_; }
     [[nodiscard]] std::uint32_t handle() const { return handle_.name(); }
 
   private:

@@ -2,6 +2,7 @@
 #include "backend/vulkan/resources.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -49,8 +50,9 @@ std::span<const std::byte> Buffer::bytes() const {
 
 namespace {
 
-// How a copy keeps a channel: 32 bits as they are; float16; integers of 16 bits; steps of 1/255.
-enum class TexelKind { words, halves, shorts, unorm8 };
+// How an image keeps a channel: 32 bits as they are; float16; integers of 16 bits; steps of 1/255; of three
+// channels steps of 1/1023, of the fourth of 1/3.
+enum class TexelKind { words, halves, shorts, unorm8, unorm10 };
 
 // Properties of a Format for Vulkan and for copies.
 struct FormatTraits {
@@ -77,7 +79,7 @@ constexpr std::array all_traits{
     FormatTraits{"rg16ui", vk::Format::eR16G16Uint, 2, 4, TexelKind::shorts},
     FormatTraits{"rg32ui", vk::Format::eR32G32Uint, 2, 8, TexelKind::words},
     FormatTraits{"rgba32ui", vk::Format::eR32G32B32A32Uint, 4, 16, TexelKind::words},
-    FormatTraits{"rgb10_a2", vk::Format::eA2B10G10R10UnormPack32, 1, 4, TexelKind::words},
+    FormatTraits{"rgb10_a2", vk::Format::eA2B10G10R10UnormPack32, 4, 4, TexelKind::unorm10},
     FormatTraits{"r32i", vk::Format::eR32Sint, 1, 4, TexelKind::words},
     FormatTraits{"rg32i", vk::Format::eR32G32Sint, 2, 8, TexelKind::words},
     FormatTraits{"rgba32i", vk::Format::eR32G32B32A32Sint, 4, 16, TexelKind::words}};
@@ -184,26 +186,33 @@ vk::BufferImageCopy copy_region(const Image::Handles& image, Band band) {
             .imageExtent = {image.extent.width, band.rows, 1}};
 }
 
-// The nearest integer of 16 bits; 0 for NaN.
-std::uint16_t to_uint16(float value) {
-    return value > 0.0F ? static_cast<std::uint16_t>(std::lround(std::min(value, 65535.0F)))
-                        : std::uint16_t{0};
+// The nearest of 0 to 1 in so many steps; 0 for NaN.
+std::uint32_t to_unorm(float value, float steps) {
+    return value > 0.0F ? static_cast<std::uint32_t>(std::lround(std::min(value, 1.0F) * steps)) : 0U;
 }
 
-// The nearest of 0 to 1 in steps of 1/255; 0 for NaN.
-std::uint8_t to_unorm8(float value) {
-    return value > 0.0F ? static_cast<std::uint8_t>(std::lround(std::min(value, 1.0F) * 255.0F))
-                        : std::uint8_t{0};
+// Those of a channel of rgb10_a2, whose channels stand beside each other in a word.
+float steps_of(std::size_t channel) {
+    return channel < 3 ? 1023.0F : 3.0F;
 }
 
 void encode(TexelKind kind, std::span<const float> texels, std::byte* staging) {
     auto* shorts = reinterpret_cast<std::uint16_t*>(staging);
+    auto* words = reinterpret_cast<std::uint32_t*>(staging);
     if (kind == TexelKind::unorm8) {
-        std::ranges::transform(texels, reinterpret_cast<std::uint8_t*>(staging), to_unorm8);
+        std::ranges::transform(texels, reinterpret_cast<std::uint8_t*>(staging), [](float value) {
+            return static_cast<std::uint8_t>(to_unorm(value, 255.0F));
+        });
+    } else if (kind == TexelKind::unorm10) {
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            words[i / 4] = (i % 4 == 0 ? 0U : words[i / 4]) | to_unorm(texels[i], steps_of(i % 4))
+                                                                  << i % 4 * 10;
     } else if (kind == TexelKind::halves) {
         std::ranges::transform(texels, shorts, base::to_half);
     } else if (kind == TexelKind::shorts) {
-        std::ranges::transform(texels, shorts, to_uint16);
+        std::ranges::transform(texels, shorts, [](float bits) {
+            return static_cast<std::uint16_t>(std::min(std::bit_cast<std::uint32_t>(bits), 0xFFFFU));
+        });
     } else {
         std::memcpy(staging, texels.data(), texels.size_bytes());
     }
@@ -211,14 +220,20 @@ void encode(TexelKind kind, std::span<const float> texels, std::byte* staging) {
 
 void decode(TexelKind kind, const std::byte* staging, std::span<float> texels) {
     const auto* shorts = reinterpret_cast<const std::uint16_t*>(staging);
+    const auto* words = reinterpret_cast<const std::uint32_t*>(staging);
     if (kind == TexelKind::unorm8) {
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(staging);
         std::transform(bytes, bytes + texels.size(), texels.begin(),
                        [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0F; });
+    } else if (kind == TexelKind::unorm10) {
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            texels[i] = static_cast<float>(words[i / 4] >> i % 4 * 10 & (i % 4 < 3 ? 1023U : 3U)) *
+                        (1.0F / steps_of(i % 4));
     } else if (kind == TexelKind::halves) {
         std::transform(shorts, shorts + texels.size(), texels.begin(), base::from_half);
     } else if (kind == TexelKind::shorts) {
-        std::copy(shorts, shorts + texels.size(), texels.begin());
+        std::transform(shorts, shorts + texels.size(), texels.begin(),
+                       [](std::uint16_t value) { return std::bit_cast<float>(std::uint32_t{value}); });
     } else {
         std::memcpy(texels.data(), staging, texels.size_bytes());
     }

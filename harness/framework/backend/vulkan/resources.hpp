@@ -66,7 +66,7 @@ enum class Format {
 // The format that GLSL calls so: "rgba8".
 [[nodiscard]] std::optional<Format> format_from(std::string_view name);
 
-// Floats for each texel in uploads and downloads.
+// Those of a texel, each a float in uploads and downloads.
 [[nodiscard]] int channels(Format format);
 
 // Bytes of a texel in the image.
@@ -87,10 +87,10 @@ class Image {
     [[nodiscard]] std::uint32_t levels() const;
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
-    // Floats of 16 bits are converted from and to float32 (round to nearest even). Integers of 16 bits are
-    // the nearest in 0 to 65535; r8 and rgba8 the nearest of 0 to 1 in steps of 1/255. A float of an
-    // image of 32-bit integers, or of rgb10_a2, is the bits of its texel. Throws std::invalid_argument for
-    // another count, std::runtime_error like Commands::submit().
+    // Floats of 16 bits are converted from and to float32 (round to nearest even); r8, rgba8 and rgb10_a2
+    // hold the nearest of 0 to 1 in their steps. A float of an image of integers has the bits of the integer,
+    // of which one of 16 bits holds at most 65535. Throws std::invalid_argument for another count,
+    // std::runtime_error like Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 

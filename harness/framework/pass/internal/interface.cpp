@@ -96,7 +96,8 @@ void add_members(const module::BlockLayout& block, PassSlot::Kind kind, std::siz
 PassSlot image_slot(const Binding& binding, std::size_t index) {
     const bool sampled = binding.type == BindingType::sampled_image;
     const module::Type pixel = vector_type(
-        binding.texel, sampled ? 4U : static_cast<unsigned>(channels_of(*format_named(binding.format))));
+        binding.texel,
+        sampled ? 4U : static_cast<unsigned>(backend::vulkan::channels(*format_named(binding.format))));
     return {.name = binding.name,
             .says = sampled ? sampler_name(binding) : "image of " + module::name_of(pixel),
             .type = pixel,
@@ -148,12 +149,6 @@ void append_places(const LaidOut& member, std::size_t at, std::size_t depth, std
 std::optional<backend::vulkan::Format> format_named(const std::string& name) {
     return name.ends_with("32i") ? std::nullopt
                                  : backend::vulkan::format_from(name);  // signed ones: of functions alone
-}
-
-std::size_t channels_of(backend::vulkan::Format format) {
-    return format == backend::vulkan::Format::rgb10_a2
-               ? 4
-               : static_cast<std::size_t>(backend::vulkan::channels(format));
 }
 
 std::vector<std::size_t> places_of(const LaidOut& member, std::size_t elements) {

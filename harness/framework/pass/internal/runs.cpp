@@ -10,6 +10,7 @@
 #include "backend/gl/program.hpp"
 #include "backend/vulkan/commands.hpp"
 #include "interpreter/machine.hpp"
+#include "module/spirv.hpp"
 #include "pass/internal/work.hpp"
 
 namespace gloam::pass::internal {
@@ -17,25 +18,13 @@ namespace {
 
 using At = Bound::Kind;
 
-bool has_short_integers(backend::vulkan::Format format) {
-    return format == backend::vulkan::Format::r16ui || format == backend::vulkan::Format::rg16ui ||
-           format == backend::vulkan::Format::rgba16ui;
-}
-
 std::vector<Word> push_words(const PassWork& work) {
     std::vector<Word> words(work.push_constants.size() / sizeof(Word));
     std::ranges::copy(work.push_constants, std::as_writable_bytes(std::span(words)).begin());
     return words;
 }
 
-// A texel of rgb10_a2.
-Word packed(std::span<const Word> texel) {
-    const auto number = [&](std::size_t i) { return std::bit_cast<float>(texel[i]); };
-    return glm::packUnorm3x10_1x2({number(0), number(1), number(2), number(3)});
-}
-
-// The memory of a run on the device. Uploads and downloads of images take floats: integers of 16 bits by
-// value, those of 32 by their bits.
+// The memory of a run on the device.
 class DeviceMemory {
   public:
     DeviceMemory(const backend::vulkan::Device& device, const PassWork& work) : device_(device) {
@@ -79,12 +68,7 @@ class DeviceMemory {
         std::vector<float> texels;
         const std::span<const Word> words = bound.texels();
         for (std::size_t w = 0; w < words.size(); ++w)
-            if (bound.format == backend::vulkan::Format::rgb10_a2) {
-                if (w % texel_words == 0) texels.push_back(std::bit_cast<float>(packed(words.subspan(w, 4))));
-            } else if (w % texel_words < bound.channels()) {
-                texels.push_back(has_short_integers(bound.format) ? static_cast<float>(words[w])
-                                                                  : std::bit_cast<float>(words[w]));
-            }
+            if (w % texel_words < bound.channels()) texels.push_back(std::bit_cast<float>(words[w]));
         const backend::Extent extent{static_cast<std::uint32_t>(bound.size.x),
                                      static_cast<std::uint32_t>(bound.size.y)};
         backend::vulkan::Image& made = images_.emplace_back(device_, extent, bound.format);
@@ -95,14 +79,8 @@ class DeviceMemory {
     static void read(const backend::vulkan::Image& from, Bound& bound) {
         const std::vector<float> texels = from.download();
         for (std::size_t i = 0; i < texels.size(); ++i)
-            if (bound.format == backend::vulkan::Format::rgb10_a2) {
-                const glm::vec4 texel = glm::unpackUnorm3x10_1x2(std::bit_cast<Word>(texels[i]));
-                for (std::size_t c = 0; c < texel_words; ++c)
-                    bound.words[i * texel_words + c] = std::bit_cast<Word>(texel[static_cast<int>(c)]);
-            } else
-                bound.words[i / bound.channels() * texel_words + i % bound.channels()] =
-                    has_short_integers(bound.format) ? static_cast<Word>(texels[i])
-                                                     : std::bit_cast<Word>(texels[i]);
+            bound.words[i / bound.channels() * texel_words + i % bound.channels()] =
+                std::bit_cast<Word>(texels[i]);
     }
 
     const backend::vulkan::Device& device_;
@@ -172,8 +150,7 @@ void run_once(const backend::gl::Device& device, const backend::gl::Program& pro
     std::deque<backend::gl::Buffer> buffers;
     std::map<std::uint32_t, backend::gl::SampledTexture> textures;
     const auto buffer = [&](std::span<const Word> words, std::size_t size) {
-        buffers.emplace_back(device, size).write(0, words);
-        return std::cref(buffers.back());
+        return std::cref(buffers.emplace_back(device, words, size));
     };
     const auto uniforms = [&](std::span<const Word> words) {
         return buffer(words, (words.size() + 3) / 4 * 4);  // a uniform block ends with a vec4
@@ -230,8 +207,12 @@ Word stored(backend::vulkan::Format format, std::size_t component, Word word) {
             return rounded(255.0F);
         case backend::vulkan::Format::rgb10_a2:
             return rounded(component < 3 ? 1023.0F : 3.0F);
+        case backend::vulkan::Format::r16ui:
+        case backend::vulkan::Format::rg16ui:
+        case backend::vulkan::Format::rgba16ui:
+            return std::min(word, 0xFFFFU);
         default:
-            return has_short_integers(format) ? std::min(word, 0xFFFFU) : word;
+            return word;
     }
 }
 

@@ -48,9 +48,8 @@ struct PassInterface {
 // unbounded array.
 [[nodiscard]] std::vector<std::size_t> places_of(const module::LaidOut& member, std::size_t elements);
 
-// The format that GLSL calls so, and the components that a shader sees of it.
+// The format that GLSL calls so.
 [[nodiscard]] std::optional<backend::vulkan::Format> format_named(const std::string& name);
-[[nodiscard]] std::size_t channels_of(backend::vulkan::Format format);
 
 // What stands at a binding during a run, in the host's memory. A run changes it as the pass does.
 struct Bound {
@@ -68,7 +67,9 @@ struct Bound {
     bool written = false;    // the shader may write to it
     bool stateless = false;  // a sampler
 
-    [[nodiscard]] std::size_t channels() const { return channels_of(format); }
+    [[nodiscard]] std::size_t channels() const {
+        return static_cast<std::size_t>(backend::vulkan::channels(format));
+    }
     // Of an image, and of a sampler's one level.
     [[nodiscard]] std::span<const Word> texels() const {
         return std::span(words).subspan(kind == Kind::sampler ? backend::sampled_header_words : 0);

@@ -60,7 +60,7 @@ class Display {
 // clang-format off
 #define GLOAM_GL_FUNCTIONS(X)                                                                             \
     X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindFramebuffer) X(BindTexture)    \
-    X(BindVertexArray) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(CompileShader)          \
+    X(BindVertexArray) X(BufferData) X(CheckFramebufferStatus) X(CompileShader)          \
     X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram)              \
     X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(Disable) X(DrawArrays) X(DrawBuffers) X(Enable) \
     X(Finish) X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) X(GenTextures)                     \
