@@ -48,7 +48,7 @@ using Resource = std::variant<std::reference_wrapper<const Buffer>, std::referen
 
 // Work that is recorded in order and run once. Each command sees the writes of all commands before it.
 // Resources and pipelines passed to it must live until submit() returns. After submit() only times_ms() may
-// be called; recording or submitting again throws std::runtime_error.
+// be called; only the validation layer checks this.
 class Commands {
   public:
     explicit Commands(const Device& device);
@@ -72,7 +72,7 @@ class Commands {
     void submit();
 
     // The readings in milliseconds since the first one, after submit(). Empty without calls of timestamp();
-    // NaN where DeviceInfo::timestamp_period_ns is 0. Throws std::runtime_error unless submit() succeeded.
+    // NaN where DeviceInfo::timestamp_period_ns is 0.
     [[nodiscard]] std::vector<double> times_ms() const;
 
     struct Handles;  // of Vulkan; defined inside this room only

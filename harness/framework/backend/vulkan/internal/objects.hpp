@@ -80,8 +80,7 @@ struct RasterPipeline::Handles {
 
 // What must outlive the execution of a recording.
 struct Commands::Handles {
-    // Throws std::runtime_error after submit().
-    [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
+    [[nodiscard]] const vk::raii::CommandBuffer& recording() const { return buffers.front(); }
     // A descriptor set with this layout, from a pool of its own: binding i has kinds[i] and resources[i].
     [[nodiscard]] vk::DescriptorSet set_of(const vk::raii::DescriptorSetLayout& layout,
                                            std::span<const BindingKind> kinds,
@@ -89,7 +88,6 @@ struct Commands::Handles {
     void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
               std::span<const std::byte> push_constants);
 
-    enum class State { recording, submitted, finished };
     Context& context;
     vk::raii::CommandBuffers buffers;
     std::vector<vk::raii::DescriptorPool> pools{};
@@ -97,7 +95,6 @@ struct Commands::Handles {
     std::size_t readings = 0;                     // of the device's clock
     std::vector<vk::raii::QueryPool> queries{};
     std::vector<vk::raii::Framebuffer> framebuffers{};
-    State state = State::recording;
 };
 
 }  // namespace gloam::backend::vulkan
