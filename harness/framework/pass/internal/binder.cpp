@@ -50,24 +50,17 @@ class Binder {
     }
 
     PassWork run(const PassBindings& all) {
-        std::vector<PassValue> images;
-        images.reserve(given_.size());
         make_bindings();
         work_.push_constants = all.push_constants;
         work_.constants = all.constants;
-        for (std::size_t i = 0; i < given_.size(); ++i) {
-            const PassSlot& slot = pass_.slots[i];
+        for (const PassSlot& slot : pass_.slots) {
             if (slot.kind != Kind::image) continue;
             const auto found = all.images.find(pass_.declared.bindings[slot.index].number);
-            given_[i] = &images.emplace_back(
-                found != all.images.end()
-                    ? found->second
-                    : Image{slot.type,
-                            {1, 1},
-                            {},
-                            std::vector<Word>(static_cast<std::size_t>(slot.type.rows))});
-            require_image(slot, *given_[i]);
-            bind_image(slot, given_[i]);
+            const Image nothing{
+                slot.type, {1, 1}, {}, std::vector<Word>(static_cast<std::size_t>(slot.type.rows))};
+            const Image& image = found == all.images.end() ? nothing : found->second;
+            require_image(slot, image);
+            bind_image(slot, &image);
         }
         for (const auto& [number, words] : all.buffers)
             if (number < work_.bindings.size()) work_.bindings[number].words = words;
@@ -96,20 +89,17 @@ class Binder {
         const PassValue*& given = given_[static_cast<std::size_t>(slot - pass_.slots.begin())];
         if (given != nullptr) refuse(name, "is given twice, by either of its names");
         given = &value;
-        if (slot->kind == Kind::image)
-            require_image(*slot, value);
-        else
-            require_type(*slot, value);
+        if (slot->kind != Kind::image) return require_type(*slot, value);
+        if (!value.image())
+            refuse(slot->name, fmt::format("is {}, expected {}", module::name_of(value.type()), slot->says));
+        require_image(*slot, *value.image());
     }
 
     [[noreturn]] void refuse_missing(const PassSlot& slot, const std::string& why = "") const {
         refuse(slot.name, fmt::format("({}) is not given{}; the pass takes: {}", slot.says, why, known()));
     }
 
-    void require_image(const PassSlot& slot, const PassValue& value) const {
-        if (!value.image())
-            refuse(slot.name, fmt::format("is {}, expected {}", module::name_of(value.type()), slot.says));
-        const Image& image = *value.image();
+    void require_image(const PassSlot& slot, const Image& image) const {
         const module::Type& found = image.element;
         if (image.size.x < 1 || image.size.y < 1) refuse(slot.name, "has no pixels, expected 1 x 1 at least");
         const std::size_t words = static_cast<std::size_t>(image.size.x) *
@@ -182,7 +172,7 @@ class Binder {
     }
 
     void bind(const PassSlot& slot, const PassValue* value) {
-        if (slot.kind == Kind::image) return bind_image(slot, value);
+        if (slot.kind == Kind::image) return bind_image(slot, value ? &*value->image() : nullptr);
         if (slot.kind == Kind::buffer_member) return bind_member(slot, value);
         if (slot.kind == Kind::push_constant) {
             if (value == nullptr) refuse_missing(slot);
@@ -219,24 +209,23 @@ class Binder {
         return all;
     }
 
-    void bind_image(const PassSlot& slot, const PassValue* value) {
+    void bind_image(const PassSlot& slot, const Image* image) {
         const module::Binding& binding = pass_.declared.bindings[slot.index];
         Bound& bound = work_.bindings[binding.number];
         const bool sampled = binding.type == BindingType::sampled_image;
-        if (value == nullptr && (sampled || binding.reads))
+        if (image == nullptr && (sampled || binding.reads))
             refuse_missing(slot, sampled || !binding.writes ? "" : ", and it is not `writeonly`");
-        bound.size = value == nullptr ? size_for(slot.name) : value->image()->size;
+        bound.size = image == nullptr ? size_for(slot.name) : image->size;
         bound.integers = binding.texel != "float";
-        if (sampled) return bind_sampler(slot, *value->image(), bound);
+        if (sampled) return bind_sampler(slot, *image, bound);
         bound.kind = Bound::Kind::image;
         bound.format = *format_named(binding.format);
         bound.written = binding.writes;
         const std::size_t texels =
             static_cast<std::size_t>(bound.size.x) * static_cast<std::size_t>(bound.size.y);
-        bound.words =
-            widened(value == nullptr ? std::vector<Word>(texels * bound.channels()) : value->image()->words,
-                    bound.channels(), bound.integers);
-        for (std::size_t w = 0; value == nullptr && w < bound.words.size(); ++w)
+        bound.words = widened(image == nullptr ? std::vector<Word>(texels * bound.channels()) : image->words,
+                              bound.channels(), bound.integers);
+        for (std::size_t w = 0; image == nullptr && w < bound.words.size(); ++w)
             bound.fresh.push_back(w % texel_words < bound.channels());
     }
 
