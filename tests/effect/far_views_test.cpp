@@ -14,9 +14,7 @@ constexpr double radius = 0.5;
 class FarViews : public OnDevice<testing::TestWithParam<Preset>> {
   protected:
     [[nodiscard]] static Settings settings() {
-        Settings own = with_radius(GetParam().settings, radius);
-        own.output = OutputFormat::r32f;
-        return own;
+        return with(with_radius(GetParam().settings, radius), "output=r32f");
     }
 };
 
@@ -84,14 +82,12 @@ scene::Scene seen_in_parallel() {
 }
 
 TEST_P(FarViews, ANarrowViewIsAsRightAsAUsualOne) {
-    const auto error = [&](const scene::Scene& scene, const char* depth, bool deep = false) {
+    const auto error = [&](const scene::Scene& scene, const char* depth, const char* changes = "") {
         scene::GBuffer view = drawn(scene, extent);
         const Truth truth = truth_from(
             view, scene::trace_geometry(scene, 0, view, {.rays = {.radius = radius, .rays = 256}}).occlusion);
         store({depth, "view", scene.camera.reversed_z, scene.camera.far}, view);
-        Settings own = settings();
-        own.deep = deep;
-        return errors_of(run(view, own).filtered, truth).rmse;
+        return errors_of(run(view, with(settings(), changes)).filtered, truth).rmse;
     };
     const double parallel = error(seen_in_parallel(), "linear");
     EXPECT_LE(error(seen_at(1.0), "linear"), 1.02 * parallel);
@@ -99,7 +95,7 @@ TEST_P(FarViews, ANarrowViewIsAsRightAsAUsualOne) {
     reversed.camera.reversed_z = true;
     EXPECT_LE(error(reversed, "buffer"), 1.02 * parallel);
     // 16 bits serve it.
-    EXPECT_LE(error(seen_at(25.0), "buffer"), 1.1 * error(seen_at(25.0), "buffer", true));
+    EXPECT_LE(error(seen_at(25.0), "buffer"), 1.1 * error(seen_at(25.0), "buffer", "deep=on"));
 }
 
 // Of a standard buffer, a quarter of its steps are above the tangent plane: no stripes.
@@ -128,10 +124,8 @@ TEST_P(FarViews, AZoomChangesThePictureSmoothly) {
         camera.fovy_rad = glm::radians(std::pow(60.0, 1.0 - frame / (frame_count - 1.0)));
         return camera;
     };
-    std::vector<scene::GBuffer> views;
-    for (int frame = 0; frame < frame_count; ++frame) views.push_back(drawn(scene, extent, {.frame = frame}));
-    Settings deep = settings();
-    deep.deep = true;
+    const std::vector<scene::GBuffer> views = sequence_of(scene, extent, frame_count);
+    const Settings deep = with(settings(), "deep=on");
     const std::vector<Frame> frames = run(views, deep);
     std::vector<double> changes;
     for (int i = 1; i < frame_count; ++i)

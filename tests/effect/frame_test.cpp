@@ -13,20 +13,18 @@ constexpr backend::Extent odd{83, 45};
 class Frames : public OnDevice<testing::TestWithParam<Preset>> {
   protected:
     [[nodiscard]] Frame frame(const scene::GBuffer& view, double radius) const {
-        Settings exact = GetParam().settings;
-        exact.radius = static_cast<float>(radius);
-        exact.output = OutputFormat::r32f;
-        exact.history = false;
-        exact.bent_normals = true;
-        return run(view, exact);
+        const Settings settings = with_radius(GetParam().settings, static_cast<float>(radius));
+        return run(view, with(settings, "output=r32f history=off bent_normals=on"));
     }
 };
 
-// The mean of a noisy frame is that of the same method with many slices, and follows the radius.
+// The mean of a noisy frame is that of the study's sweep with many slices, and follows the radius.
 TEST_P(Frames, EstimateWhatTheSweepEstimates) {
+    const Settings many = with({}, "method=sweep history=off filter=none c_rot=2 steps=16 samples=1024");
     const scene::GBuffer& view = drawn("columns", {192, 108});
     for (const double radius : {1.0, 0.4}) {
-        const Truth limit = truth_from(view, run(view, many_slices(static_cast<float>(radius))).filtered);
+        const Truth limit =
+            truth_from(view, run(view, with_radius(many, static_cast<float>(radius))).filtered);
         const Errors errors = errors_of(frame(view, radius).filtered, limit);
         EXPECT_LT(errors.rmse, 0.08);
         EXPECT_LT(std::abs(errors.bias), 0.02);
@@ -102,11 +100,8 @@ TEST_P(Frames, HaveBentNormalsAndBounces) {
     const Frame shown = frame(view, 1.0);
     const glm::vec3 open = glm::normalize(glm::vec3(2.0 / std::numbers::pi, 0.0, 1.0));  // by the cosine
     EXPECT_LT(glm::distance(glm::normalize(view.normal[beside] + shown.bent[beside]), open), 0.2F);
-    Settings bouncing = GetParam().settings;
-    bouncing.output = OutputFormat::r32f;
-    bouncing.history = false;
-    bouncing.bounce_albedo = 0.5F;
-    const std::vector<float> brighter = run(view, bouncing).filtered;
+    const std::vector<float> brighter =
+        run(view, with(GetParam().settings, "output=r32f history=off bounce_albedo=0.5")).filtered;
     for (std::size_t i = 0; i < brighter.size(); ++i)
         ASSERT_NEAR(brighter[i],
                     1.0 - reference::gloam_multi_bounce(double{shown.filtered[i]}, glm::dvec3(0.5)).x, 1e-5);
@@ -115,10 +110,8 @@ TEST_P(Frames, HaveBentNormalsAndBounces) {
 // Tiles of background are left out on a CPU's driver: after frames in which they were, and in which they were
 // not, and after another size whose texels are as many.
 TEST_P(Frames, TilesThatAreLeftOutChangeNoPixel) {
-    Settings settings = with_radius(GetParam().settings, 0.6F);
-    settings.history = false;
-    Settings all = settings;
-    all.skips = false;
+    const Settings settings = with(GetParam().settings, "radius=0.6 history=off");
+    const Settings all = with(settings, "skips=off");
     std::vector<scene::GBuffer> views;
     for (const char* name : {"sky", "columns", "sky", "far", "sky"}) views.push_back(drawn(name, odd));
     for (const bool first : {false, true})
@@ -129,7 +122,7 @@ TEST_P(Frames, TilesThatAreLeftOutChangeNoPixel) {
                 if (before == first) views.back().depth[i] = infinity;
             }
         }
-    AmbientOcclusion effect(device_, passes_, odd);
+    AmbientOcclusion effect(device_, passes_);
     const auto shown = [&](const scene::GBuffer& view, const Settings& chosen) {
         effect.begin(view, chosen);
         return effect.next().filtered;
@@ -140,9 +133,7 @@ TEST_P(Frames, TilesThatAreLeftOutChangeNoPixel) {
     };
     for (std::size_t i = 0; i < views.size(); ++i) expect_same(views[i], i % 2 == 0);
     const scene::GBuffer& twice = drawn("columns", {2 * odd.width, 2 * odd.height});
-    Settings full = settings;
-    full.resolution = Resolution::full;
-    (void)shown(drawn("sky", odd), full);
+    (void)shown(drawn("sky", odd), with(settings, "resolution=full"));
     effect.advance(twice);
     expect_same(twice, true);
 }
@@ -154,14 +145,13 @@ TEST_P(Frames, BackgroundIsSweptOnce) {
     scene::GBuffer view = drawn("columns", odd);
     for (std::uint32_t i = 0; i < odd.width * odd.height; ++i)
         if (i % odd.width >= 32) view.depth[i] = infinity;
-    AmbientOcclusion effect(device_, passes_, odd);
+    AmbientOcclusion effect(device_, passes_);
     std::vector<std::uint32_t> swept;
     effect.watch([&](const Step& pass, bool after) {
         if (!after && pass.name == "sweep")
             swept.push_back(pass.groups_from->as<std::uint32_t>()[pass.groups_at / 4]);
     });
-    Settings settings = with_radius(GetParam().settings, 0.6F);
-    settings.history = false;
+    const Settings settings = with(GetParam().settings, "radius=0.6 history=off");
     effect.begin(view, settings);
     for (int i = 0; i < 2; ++i) (void)effect.next();
     const bool full = settings.resolution == Resolution::full;
@@ -180,8 +170,7 @@ TEST_P(Frames, ASettledViewStaysUntilSomethingMoves) {
     };
     std::vector<scene::GBuffer> views = standing(empty);
     views.insert(views.end(), settled, entered);
-    Settings settings = with_radius(GetParam().settings, 0.5F);
-    settings.bent_normals = true;
+    const Settings settings = with(GetParam().settings, "radius=0.5 bent_normals=on");
     const std::vector<Frame> frames = run(views, settings);
     const auto differ = [&](std::size_t one, std::size_t other) {
         return largest_difference(frames[one].filtered, frames[other].filtered);
@@ -199,8 +188,7 @@ TEST_P(Frames, ASettledViewStaysUntilSomethingMoves) {
 // To the bit, whatever the device's memory holds from frames before.
 TEST_P(Frames, AFirstFrameIsAlwaysTheSame) {
     const scene::GBuffer& view = drawn("columns", odd);
-    Settings settings = GetParam().settings;
-    settings.output = OutputFormat::r32f;
+    const Settings settings = with(GetParam().settings, "output=r32f");
     const std::vector<float> first = run(view, settings).filtered;
     (void)run(std::vector<scene::GBuffer>(3, drawn("room", odd)), settings);
     EXPECT_TRUE(same_bits(first, run(view, settings).filtered, odd.width));

@@ -10,7 +10,6 @@
 namespace gloam::effect::further_view_test {
 
 constexpr backend::Extent extent{95, 63};
-constexpr std::uint32_t samples = 128;
 
 // The pass's push constants.
 struct Parameters {
@@ -77,7 +76,7 @@ class FurtherView : public OnDevice<testing::Test> {
                 .defines = {"METHOD(position, normal, camera, kernel, values) " + call_of(method)},
                 .replaced = {{file_of(methods().front()), file_of(method)}},
                 .constants = {{.id = 1, .bits = other.camera.orthographic() ? 1U : 0U},
-                              {.id = 2, .bits = samples},
+                              {.id = 2, .bits = settings.samples},
                               {.id = 3, .bits = settings.own.steps}}};
     }
 };
@@ -88,10 +87,7 @@ class FurtherView : public OnDevice<testing::Test> {
 // something hides every point changes nothing either.
 TEST_F(FurtherView, WhatOneEyeMissesAnotherSees) {
     const scene::GBuffer view = drawn(table(0, 89), extent);
-    Settings settings = with_radius(with_method({}, "gtao"), 0.6F);
-    settings.samples = settings.samples_converged = samples;
-    settings.history = false;
-    settings.least_radius = 0.0F;
+    const Settings settings = with({}, "method=gtao radius=0.6 samples=128 history=off least_radius=0");
     const std::vector<float> once = run(view, settings).occlusion;
     EXPECT_THAT(raised(view, once, std::span(&view, 1), settings),
                 testing::Pointwise(testing::FloatNear(2e-3F), once));

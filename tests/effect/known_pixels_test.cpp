@@ -84,14 +84,9 @@ class KnownPixels : public OnDevice<testing::TestWithParam<Row>> {};
 TEST_P(KnownPixels, AreShown) {
     if (!device_.info().name.starts_with("llvmpipe")) GTEST_SKIP() << "known of llvmpipe alone";
     const Row& row = GetParam();
-    std::vector<scene::GBuffer> views;
-    for (int i = 0; i < row.frames; ++i)
-        views.push_back(drawn(row.scene, row.extent,
-                              {.frame = i,
-                               .motion = true,
-                               .layers = row.settings.own.layers,
-                               .guard = double{row.settings.guard}}));
-    const Frame frame = run(views, row.settings).back();
+    const scene::DrawOptions options{
+        .motion = true, .layers = row.settings.own.layers, .guard = double{row.settings.guard}};
+    const Frame frame = run(sequence_of(row.scene, row.extent, row.frames, options), row.settings).back();
     const std::vector<float>& shown = frame.filtered;
     const double mean = 1000.0 * mean_of(shown);
     const double kept = frame.kept.empty() ? 0.0 : mean_of(frame.kept);

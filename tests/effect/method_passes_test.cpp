@@ -28,15 +28,15 @@ class ClosedForm : public OnDevice<testing::TestWithParam<std::string>> {
 // precision takes from the sum of a thousand contributions.
 TEST_P(ClosedForm, ConvergesToItsOwnValue) {
     if (!known_.none.empty()) GTEST_SKIP() << known_.none;
-    Settings settings = with_method(Settings{}, GetParam());
-    settings.own.mip_distance = 0.0F;  // whose taps lie elsewhere; the entry of sao has them
+    // The taps of other levels lie elsewhere; the entry of sao has them.
+    const Settings settings = with({}, "method=" + GetParam() + " mip_distance=0");
     for (const auto& [projection, name] : {std::pair(scene::Projection::perspective, "perspective"),
                                            {scene::Projection::orthographic, "orthographic"}}) {
         for (const scene::ClosedFormView& view : scene::closed_form_views(projection)) {
             const std::string& at = view.scene.name;
             const double own = at.starts_with("plane") ? method_named(GetParam()).on_a_plane
                                                        : known_.values.at(std::string(name) + ' ' + at);
-            const Estimate found = measured(effect_for({129, 129}), 129, view, settings, 8);
+            const Estimate found = measured(shared_effect(), 129, view, settings, 8);
             EXPECT_NEAR(found.value, own, 5.0 * std::hypot(5e-5, found.error) + 2e-4) << name << ' ' << at;
             RecordProperty(at, fmt::format("{:.4f} of {:.4f}", found.value, own));
         }
@@ -45,14 +45,10 @@ TEST_P(ClosedForm, ConvergesToItsOwnValue) {
 
 INSTANTIATE_TEST_SUITE_P(All, ClosedForm, testing::ValuesIn(test::method_names()), test::parameter_name);
 
-Settings settings_for(const std::string& method, float radius) {
-    return with_radius(with_method(preset_named("tssao-paper").settings, method), radius);
-}
-
 class Prepared : public OnDevice<testing::TestWithParam<std::string>> {};
 
 TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
-    const Settings settings = settings_for(GetParam(), 0.5F);
+    const Settings settings = with({}, "method=" + GetParam() + " radius=0.5");
     for (const backend::Extent extent :
          {backend::Extent{1, 1}, backend::Extent{3, 1}, backend::Extent{17, 9}}) {
         for (const float depth : {infinity, 0.0F, -1.0F, nan}) {
@@ -69,7 +65,7 @@ TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
 
 TEST_P(Prepared, RepeatsChangeNothing) {
     const scene::GBuffer view = drawn("corner", {63, 37});
-    const Settings settings = settings_for(GetParam(), 1.0F);
+    const Settings settings = with({}, "method=" + GetParam());
     const Frame once = run(view, settings, 3);
     expect_same_images(once, run(view, settings, 3, 3));
     EXPECT_GT(*std::ranges::max_element(once.occlusion), 0.05F);

@@ -9,7 +9,6 @@
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
 #include "support/shared_device.hpp"
-#include "surface_views.hpp"
 
 namespace gloam::effect {
 
@@ -86,17 +85,6 @@ inline std::string preset_name(const testing::TestParamInfo<Preset>& info) {
     return info.param.name;
 }
 
-// The study's sweep, one frame of many slices: what the frame estimates, without its noise.
-inline Settings many_slices(float radius) {
-    Settings many = with_radius(with_method({}, "sweep"), radius);
-    many.history = false;
-    many.filter = Filter::none;
-    many.c_rot = 2.0F;
-    many.own.steps = 16;
-    many.samples = many.samples_converged = 2 * 16 * 32;
-    return many;
-}
-
 // A test of passes on the device that tests run on, under validation: any message fails it.
 // Base: testing::Test, or testing::TestWithParam of something.
 // lavapipe compiles a pass anew for images whose width or height is a power of two: tests of all methods take
@@ -112,19 +100,9 @@ class OnDevice : public Base {
     backend::vulkan::Device& device_ = *test::SharedDevice::get();
     const scene::PassLibrary& passes_ = shared_->passes;
 
-    // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until
-    // the next call with another. begin() leaves no trace of what it held before
-    // (tests/experiment/configuration_study_test.cpp).
-    [[nodiscard]] AmbientOcclusion& effect_for(backend::Extent extent) const {
-        if (!shared_->effect) shared_->effect.emplace(device_, passes_, extent);
-        AmbientOcclusion& effect = *shared_->effect;
-        if (shared_->extent && *shared_->extent != extent) {
-            effect.begin(wall(*shared_->extent, 1.0F), {});
-            effect.advance(wall(extent, 1.0F));
-        }
-        shared_->extent = extent;
-        return effect;
-    }
+    // The same for all tests of a suite, so that pipelines are compiled once. begin() leaves no trace of what
+    // it held before (tests/experiment/configuration_study_test.cpp).
+    [[nodiscard]] static AmbientOcclusion& shared_effect() { return shared_->effect; }
 
     [[nodiscard]] scene::GBuffer drawn(const scene::Scene& scene, backend::Extent extent,
                                        const scene::DrawOptions& options = {}) const {
@@ -141,10 +119,19 @@ class OnDevice : public Base {
             .first->second;
     }
 
+    // So many frames of a scene, from that of the options on.
+    template <class Scene>
+    [[nodiscard]] std::vector<scene::GBuffer> sequence_of(const Scene& scene, backend::Extent extent,
+                                                          int frames, scene::DrawOptions options = {}) const {
+        std::vector<scene::GBuffer> views;
+        for (; frames > 0; --frames, ++options.frame) views.push_back(drawn(scene, extent, options));
+        return views;
+    }
+
     // The last of so many frames of one view, each of its passes run `repeat` times.
     [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1,
                             int repeat = 1) const {
-        AmbientOcclusion& effect = effect_for(view.extent);
+        AmbientOcclusion& effect = shared_effect();
         effect.begin(view, settings);
         for (int i = 1; i < frames; ++i) (void)effect.next(repeat);
         return effect.next(repeat);
@@ -153,7 +140,7 @@ class OnDevice : public Base {
     // A sequence: a frame of each view.
     [[nodiscard]] std::vector<Frame> run(const std::vector<scene::GBuffer>& views,
                                          const Settings& settings) const {
-        AmbientOcclusion& effect = effect_for(views.front().extent);
+        AmbientOcclusion& effect = shared_effect();
         std::vector<Frame> frames;
         for (const scene::GBuffer& view : views) {
             frames.empty() ? effect.begin(view, settings) : effect.advance(view);
@@ -168,8 +155,7 @@ class OnDevice : public Base {
 
     struct Shared {
         scene::PassLibrary passes{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
-        std::optional<AmbientOcclusion> effect;
-        std::optional<backend::Extent> extent;
+        AmbientOcclusion effect{*test::SharedDevice::get(), passes};
         std::map<Drawing, scene::GBuffer> drawn;
     };
 

@@ -19,9 +19,8 @@ Settings settings_of(const Preset& preset, double radius) {
 
 class Pictures : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame,
-                                      backend::Extent size = extent) const {
-        return drawn(scene, size, {.frame = frame, .motion = true});
+    [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, backend::Extent size = extent) const {
+        return drawn(scene, size, {.motion = true});
     }
 
     [[nodiscard]] static Truth truth(const scene::Scene& scene, int frame, const scene::GBuffer& view) {
@@ -32,7 +31,7 @@ class Pictures : public OnDevice<testing::Test> {
     // What is displayed of `frames` frames of one view.
     [[nodiscard]] std::vector<std::vector<float>> still(const scene::GBuffer& view, const Settings& settings,
                                                         int frames) const {
-        AmbientOcclusion& effect = effect_for(view.extent);
+        AmbientOcclusion& effect = shared_effect();
         effect.begin(view, settings);
         std::vector<std::vector<float>> shown;
         for (int i = 0; i < frames; ++i) shown.push_back(effect.next().filtered);
@@ -139,12 +138,8 @@ TEST_F(Pictures, MovingObjectsLeaveNoGhostAndNoPixelAlone) {
     scene::Scene stopped = scene;
     for (scene::MovingObject& object : stopped.objects)
         object.transform = [at_the_end = object.transform(frames - 1)](int) { return at_the_end; };
-    std::vector<scene::GBuffer> moving;
-    std::vector<scene::GBuffer> standing;
-    for (int i = 0; i < frames; ++i) {
-        moving.push_back(view(scene, i));
-        standing.push_back(view(stopped, i));
-    }
+    const auto moving = sequence_of(scene, extent, frames, {.motion = true, .ids = true});
+    const auto standing = sequence_of(stopped, extent, frames, {.motion = true, .ids = true});
     const Truth traced = truth(scene, frames - 1, moving.back());
     for (const Preset& preset : presets()) {
         if (!preset.settings.history) continue;
@@ -162,7 +157,7 @@ TEST_F(Pictures, MovingObjectsLeaveNoGhostAndNoPixelAlone) {
 TEST_F(Pictures, NoPixelIsAloneInAStillView) {
     for (const char* name : {"moving", "room"}) {
         const scene::Scene scene = scene::make_scene(name);
-        const scene::GBuffer now = view(scene, 0);
+        const scene::GBuffer now = view(scene);
         const Truth traced = truth(scene, 0, now);
         const Settings settings = settings_of(preset_named("fast"), scene.ao_radius);
         const auto shown = still(now, settings, still_frames.back() + 1);
@@ -180,7 +175,7 @@ TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
     const scene::Scene scene =
         scene::mesh_scene(scene::standing(scene::read_mesh(file), {0, 1, 0}, 1.0), "horse",
                           {.aspect = double{size.width} / double{size.height}});
-    const scene::GBuffer now = view(scene, 0, size);
+    const scene::GBuffer now = view(scene, size);
     const Truth traced = truth(scene, 0, now);
     // One slice is noise at a surface seen edge-on, of which the filter finds no neighbours.
     for (const auto& [preset, frames] :

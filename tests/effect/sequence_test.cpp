@@ -16,11 +16,8 @@ constexpr float radius = 1.0F;
 class Sequences : public OnDevice<testing::TestWithParam<Preset>> {
   protected:
     [[nodiscard]] static Settings settings(bool history, float of_radius = radius) {
-        Settings exact = with_radius(GetParam().settings, of_radius);
-        exact.output = OutputFormat::r32f;
-        exact.history = history;
-        exact.bent_normals = true;
-        return exact;
+        return with(with_radius(GetParam().settings, of_radius),
+                    std::string("output=r32f bent_normals=on history=") + (history ? "on" : "off"));
     }
     [[nodiscard]] std::vector<float> single(const scene::GBuffer& view, float of_radius = radius) const {
         return run(view, settings(false, of_radius)).filtered;
@@ -29,16 +26,11 @@ class Sequences : public OnDevice<testing::TestWithParam<Preset>> {
     [[nodiscard]] std::vector<float> sequence(const std::vector<scene::GBuffer>& views) const {
         return run(views, settings(true)).back().filtered;
     }
-    [[nodiscard]] std::vector<scene::GBuffer> moving(int frames) const {
-        std::vector<scene::GBuffer> views;
-        for (int i = 0; i < frames; ++i) views.push_back(drawn("moving", small, {.frame = i}));
-        return views;
-    }
 };
 
 // Where nothing is known of a frame before, it is a single frame.
 TEST_P(Sequences, BeginAnewWhereTheHistoryEnds) {
-    const std::vector<scene::GBuffer> views = moving(3);
+    const std::vector<scene::GBuffer> views = sequence_of("moving", small, 3);
     scene::GBuffer cut = views[2];
     cut.camera.previous_from_current.reset();
     scene::GBuffer larger = drawn("moving", {83, 45}, {.frame = 2});
@@ -48,13 +40,12 @@ TEST_P(Sequences, BeginAnewWhereTheHistoryEnds) {
     };
     EXPECT_TRUE(same(sequence({cut}), expected));
     EXPECT_TRUE(same(sequence({views[0], views[1], cut}), expected));
-    AmbientOcclusion resized(device_, passes_, small);
-    resized.begin(views[1], settings(true));
-    (void)resized.next();
-    resized.advance(larger);
-    EXPECT_TRUE(same(resized.next().filtered, single(larger)));
+    AmbientOcclusion& effect = shared_effect();
+    effect.begin(views[1], settings(true));
+    (void)effect.next();
+    effect.advance(larger);
+    EXPECT_TRUE(same(effect.next().filtered, single(larger)));
     EXPECT_FALSE(same(sequence(views), expected));
-    AmbientOcclusion& effect = effect_for(small);
     effect.begin(views[1], settings(true));
     (void)effect.next();
     effect.begin(views[2], settings(true));
@@ -65,7 +56,7 @@ TEST_P(Sequences, BeginAnewWhereTheHistoryEnds) {
 
 // A camera that jumps: the engine still names the camera that stood where the last one did not.
 TEST_P(Sequences, AJumpKeepsNothing) {
-    std::vector<scene::GBuffer> views = moving(8);
+    std::vector<scene::GBuffer> views = sequence_of("moving", small, 8);
     const scene::GBuffer after = views[7];
     views.assign({views[0], views[1], views[2], after});
     EXPECT_LT(errors_of(sequence(views), single(after)).rmse, 0.002);
@@ -89,7 +80,7 @@ TEST_P(Sequences, AStillViewConverges) {
 
 // A history follows a camera that moves, and lowers the noise where it moves slowly.
 TEST_P(Sequences, AMovingViewIsFollowed) {
-    std::vector<scene::GBuffer> views = moving(9);
+    std::vector<scene::GBuffer> views = sequence_of("moving", small, 9);
     const auto limit_of = [&](const scene::GBuffer& view) {
         return truth_from(view, sequence(std::vector<scene::GBuffer>(32, view)));
     };

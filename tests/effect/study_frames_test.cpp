@@ -22,8 +22,7 @@ TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
                 .occlusion;
         for (std::uint32_t y = 4; y + 4 < extent.height; ++y)
             std::fill_n(edge.begin() + y * extent.width + 4, extent.width - 8, nan);
-        Settings settings =
-            with_radius(preset_named("tssao-paper").settings, static_cast<float>(scene.ao_radius));
+        Settings settings = with_radius({}, static_cast<float>(scene.ao_radius));
         settings.guard = guard;
         return errors_of(run(wide, settings, 8).occlusion, edge).rmse;
     };
@@ -48,8 +47,7 @@ class Poison : public OnDevice<testing::Test> {
 TEST_F(Poison, OfOneFrameDoesNotStay) {
     constexpr std::size_t frame = 3;
     constexpr std::size_t pixel = 7 * 9 * 18;  // one of those that are poisoned
-    std::vector<scene::GBuffer> views;
-    for (int i = 0; i < 8; ++i) views.push_back(drawn("moving", small, {.frame = 20 + i, .motion = true}));
+    const std::vector<scene::GBuffer> views = sequence_of("moving", small, 8, {.frame = 20, .motion = true});
     const Settings settings = with_radius(Settings{}, static_cast<float>(scene_.ao_radius));
     const std::vector<Frame> clean = run(views, settings);
     EXPECT_GT(clean[frame].kept[pixel], 0.0F);
@@ -82,9 +80,7 @@ TEST_F(Poison, AnotherKindOfProjectionIsNone) {
         return camera;
     };
     scene_.objects.clear();
-    std::vector<scene::GBuffer> views;
-    for (int i = 0; i < 4; ++i) views.push_back(drawn(scene_, small, {.frame = i}));
-    const std::vector<Frame> frames = run(views, with_radius(Settings{}, 0.4F));
+    const std::vector<Frame> frames = run(sequence_of(scene_, small, 4), with_radius(Settings{}, 0.4F));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const auto kept = std::ranges::count_if(frames[i].kept, [](float v) { return v > 0.0F; });
         EXPECT_EQ(kept > small.width * small.height / 3, i > 0) << "frame " << i << ": " << kept;
@@ -94,16 +90,14 @@ TEST_F(Poison, AnotherKindOfProjectionIsNone) {
 
 constexpr backend::Extent extent{96, 64};
 
-Settings paper() {
-    return with_radius(preset_named("tssao-paper").settings, 0.5F);
-}
+const Settings paper = with_radius({}, 0.5F);
 
 using Temporal = OnDevice<testing::Test>;
 
 TEST_F(Temporal, ACutAndAnotherSizeForget) {
     const scene::Scene scene = panned(floor_and_wall(false), 0.01);
-    AmbientOcclusion effect(device_, passes_, extent);
-    effect.begin(drawn(scene, extent), paper());
+    AmbientOcclusion& effect = shared_effect();
+    effect.begin(drawn(scene, extent), paper);
     (void)effect.next();
     const backend::Extent other{40, 30};
     effect.advance(drawn(scene, other, {.frame = 1, .motion = true}));
@@ -122,35 +116,25 @@ TEST_F(Temporal, AZoomKeepsTheHistoryWhereItWasInView) {
         camera.fovy_rad = 0.9 - 0.05 * frame;
         return camera;
     };
-    std::vector<scene::GBuffer> views;
-    for (int i = 0; i < 4; ++i) views.push_back(drawn(scene, extent, {.frame = i, .motion = true}));
-    EXPECT_GT(mean_of(run(views, paper()).back().convergence), 0.9 * 4 * 32 / 500.0)
+    const std::vector<scene::GBuffer> views = sequence_of(scene, extent, 4, {.motion = true});
+    EXPECT_GT(mean_of(run(views, paper).back().convergence), 0.9 * 4 * 32 / 500.0)
         << "the projection of each frame is its own";
 }
 
 TEST_F(Temporal, WhatCannotBeIsRefused) {
     const scene::GBuffer view = wall({8, 8}, 3.0F);
-    AmbientOcclusion effect(device_, passes_, {8, 8});
-    EXPECT_THROW((void)effect.next(), std::logic_error);
-    EXPECT_THROW(effect.advance(view), std::logic_error);
-    EXPECT_THROW((AmbientOcclusion{device_, passes_, {0, 0}}), std::runtime_error);
     using Change = std::function<void(scene::GBuffer&, Settings&)>;
     const std::vector<std::pair<Change, const char*>> rows{
-        {[](scene::GBuffer& changed, Settings&) { changed = wall({8, 7}, 3.0F); }, ""},
         {[](scene::GBuffer&, Settings& settings) { settings.radius = nan; }, "radius"},
         {[](scene::GBuffer&, Settings& settings) { settings.guard = 0.1F; }, "no guard band"},
         {[](scene::GBuffer& changed, Settings&) { changed.off_centre = {4, 0}; }, "centred"},
         {[](scene::GBuffer& changed, Settings&) { changed.border = backend::Extent{4, 0}; }, "no frame"},
-        {[](scene::GBuffer&, Settings& settings) { settings.own.layers = 2; }, "layers 2: the view has 1"},
-        {[](scene::GBuffer& changed, Settings&) { changed.layers = {{1.0F}}; }, ""},
-        {[](scene::GBuffer& changed, Settings&) { changed.layers.assign(4, changed.depth); }, ""},
-        {[](scene::GBuffer& changed, Settings&) { changed.previous_position.resize(7); },
-         "previous positions: 7 pixels"}};
+        {[](scene::GBuffer&, Settings& settings) { settings.own.layers = 2; }, "layers 2: the view has 1"}};
     for (const auto& [change, named] : rows) {
         scene::GBuffer changed = view;
-        Settings settings = paper();
+        Settings settings = paper;
         change(changed, settings);
-        expect_error<std::invalid_argument>([&] { effect.begin(changed, settings); }, {named});
+        expect_error<std::invalid_argument>([&] { shared_effect().begin(changed, settings); }, {named});
     }
 }
 

@@ -13,25 +13,12 @@ namespace gloam::effect::tiles_test {
 
 constexpr backend::Extent odd{83, 45};
 
-// Of the preset `quality`, with another mark.
-Settings tiles(float mark, float radius) {
-    Settings settings = with_radius(preset_named("quality").settings, radius);
-    settings.mark = mark;
-    settings.output = OutputFormat::r32f;
-    settings.bent_normals = true;
-    return settings;
+Settings tiles(const std::string& changes) {
+    return with({}, "preset=quality output=r32f bent_normals=on " + changes);
 }
 
 class Tiles : public OnDevice<testing::Test> {
   protected:
-    // Frames of a moving camera.
-    [[nodiscard]] std::vector<scene::GBuffer> moving(const std::string& scene, backend::Extent extent,
-                                                     int frames) const {
-        std::vector<scene::GBuffer> views;
-        for (int i = 0; i < frames; ++i) views.push_back(drawn(scene, extent, {.frame = i}));
-        return views;
-    }
-
     void expect_same(const std::vector<scene::GBuffer>& views, const Settings& one, const Settings& other,
                      const char* what) const {
         const std::vector<Frame> left = run(views, one);
@@ -47,22 +34,16 @@ class Tiles : public OnDevice<testing::Test> {
 // Where all tiles are marked it is the frame that sweeps each pixel, and where none is the one at half size,
 // to the bit: for each kind of camera, poisoned depth, and in sequences.
 TEST_F(Tiles, AreFullSizeOrHalf) {
-    std::vector<scene::GBuffer> views = moving("moving", odd, 3);
+    std::vector<scene::GBuffer> views = sequence_of("moving", odd, 3);
     std::vector<std::pair<const char*, std::vector<scene::GBuffer>>> cases{{"moving", views}};
     for (const Engine& engine : engines) cases.push_back({engine.depth, {drawn(seen_by(engine), odd)}});
     test::poison(views.back());
     cases.push_back({"poisoned", {views.back()}});
-    const Settings all = tiles(0.0F, 0.6F);
-    Settings full = all;
-    full.resolution = Resolution::full;
-    const Settings none = tiles(1.0F, 0.6F);
-    Settings half = none;
-    half.resolution = Resolution::half;
-    half.own.steps = steps_before_tiles;
-    half.samples = 2 * steps_before_tiles;
+    const Settings all = tiles("radius=0.6 mark=0");
+    const Settings none = tiles("radius=0.6 mark=1");
     for (const auto& [name, shown] : cases) {
-        expect_same(shown, all, full, name);
-        expect_same(shown, none, half, name);
+        expect_same(shown, all, with(all, "resolution=full"), name);
+        expect_same(shown, none, with(none, "resolution=half steps=5 samples=10"), name);
     }
 }
 
@@ -75,18 +56,9 @@ TEST_F(Tiles, AreListedInLargeViews) {
         view.depth.resize(std::size_t{extent.width} * extent.height);
         for (std::size_t i = 0; i < view.depth.size(); ++i)
             view.depth[i] = 1.0F + 0.001F * static_cast<float>(i % extent.width / 5 % 3);
-        Settings all = with_radius(preset_named("quality").settings, 0.01F);
-        all.history = false;
-        all.mark = 0.0F;
-        all.own.steps = 1;
-        all.samples = 2;
-        Settings full = all;
-        full.resolution = Resolution::full;
-        AmbientOcclusion effect(device_, passes_, extent);
-        effect.begin(view, all);
-        const std::vector<float> listed = effect.next().filtered;
-        effect.begin(view, full);
-        EXPECT_EQ(listed, effect.next().filtered) << extent.width;
+        const Settings all = with({}, "preset=quality radius=0.01 history=off mark=0 steps=1 samples=2");
+        const std::vector<float> listed = run(view, all).filtered;
+        EXPECT_EQ(listed, run(view, with(all, "resolution=full")).filtered) << extent.width;
         EXPECT_GT(std::ranges::max(listed), 0.05F);
     }
 }
@@ -95,8 +67,7 @@ TEST_F(Tiles, AreListedInLargeViews) {
 // no texel, nor one of the right depth with another occlusion.
 TEST_F(Tiles, AreAllThatIsRead) {
     const scene::GBuffer& view = drawn("columns", odd);
-    Settings settings = tiles(0.08F, 0.6F);
-    settings.history = false;
+    const Settings settings = tiles("radius=0.6 history=off");
     const Plan plan = frame_plan(settings, view);
     std::vector<std::vector<subject::Word>> shown;
     for (const subject::Word poison : {0U, 0x7FC00000U, 0xFEFF0000U}) {
@@ -148,12 +119,9 @@ TEST_F(Tiles, HaveNoSeams) {
     for (const int frames : {1, 6}) {
         Squares sums;
         for (const char* scene : {"columns", "room", "workshop", "stairs", "pipes"}) {
-            const std::vector<scene::GBuffer> views = moving(scene, {320, 180}, frames);
-            const Settings settings = tiles(0.08F, 0.5F);
-            Settings many = settings;
-            many.resolution = Resolution::full;
-            many.history = false;
-            many.samples = 2 * 16 * settings.own.steps;
+            const std::vector<scene::GBuffer> views = sequence_of(scene, {320, 180}, frames);
+            const Settings settings = tiles("radius=0.5");
+            const Settings many = with(settings, "resolution=full history=off samples=256");
             const Frame shown = run(views, settings).back();
             add_seams(views.back(), shown, run(views.back(), many), sums);
         }
@@ -172,8 +140,8 @@ TEST_F(Tiles, HaveNoSeams) {
 TEST_F(Tiles, ChangeSidesWithoutAStep) {
     constexpr backend::Extent extent{320, 180};
     for (const char* scene : {"workshop", "stairs", "pipes", "canyon", "town", "room"}) {
-        const std::vector<scene::GBuffer> views = moving(scene, extent, 12);
-        const std::vector<Frame> frames = run(views, tiles(0.08F, 0.5F));
+        const std::vector<scene::GBuffer> views = sequence_of(scene, extent, 12);
+        const std::vector<Frame> frames = run(views, tiles("radius=0.5"));
         double staying = 0.0;
         double changing = 0.0;
         for (std::size_t i = 6; i < frames.size(); ++i)
@@ -199,10 +167,9 @@ TEST_F(Tiles, AreTheShareThatCostsAreCountedFor) {
         if (scene.camera.projection == scene::Projection::orthographic) continue;
         const scene::GBuffer view = drawn(scene, {640, 360});
         for (const char* preset : {"quality", "reference"}) {
-            Settings settings =
+            const Settings settings =
                 with_radius(preset_named(preset).settings, static_cast<float>(scene.ao_radius));
-            settings.history = false;
-            shares[preset].push_back(shares_of(run(view, settings).tiles).full);
+            shares[preset].push_back(shares_of(run(view, with(settings, "history=off")).tiles).full);
         }
     }
     for (const auto& [preset, all] : shares) {

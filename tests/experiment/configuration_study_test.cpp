@@ -54,7 +54,7 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     EXPECT_FALSE(views.is_new(2));
     EXPECT_EQ(&views.view(1, {}), &views.view(3, {}));
     const Settings settings = settings_for(views, "samples=4 samples_converged=4");
-    effect::AmbientOcclusion effect(device_, passes_, shown.extent);
+    effect::AmbientOcclusion effect(device_, passes_);
     effect.begin(views.view(0, settings), settings);
     (void)effect.next();
     effect.advance(views.view(1, settings));

@@ -139,7 +139,7 @@ double wall_of_halves(effect::AmbientOcclusion& effect, float bias_depth) {
 
 void far_away(const Context& context) {
     const Previous previous(context.lab, "far.glsl", "stress_previous");
-    effect::AmbientOcclusion effect(context.lab.device(), context.passes, image);
+    effect::AmbientOcclusion effect(context.lab.device(), context.passes);
     const scene::Scene near = scene_at(0.0);
     const std::vector<scene::GBuffer> at_origin = views_of(near);
     const auto radius = static_cast<float>(near.ao_radius);

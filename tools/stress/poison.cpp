@@ -99,8 +99,8 @@ class Experiment {
   public:
     Experiment(const Context& context, const backend::vulkan::Device& fragile)
         : full_(!context.scope.brief),
-          robust_(context.lab.device(), context.passes, extent),
-          fragile_(fragile, context.passes, extent) {}
+          robust_(context.lab.device(), context.passes),
+          fragile_(fragile, context.passes) {}
 
     // What one place suffers, over all bad values.
     void run(const Context& context, const effect::MethodInfo& method, const Location& place,

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/ambient_occlusion.hpp"
 
-#include <fmt/format.h>
-
-#include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "effect/internal/executor.hpp"
@@ -14,12 +10,11 @@
 namespace gloam::effect {
 
 struct AmbientOcclusion::Impl {
-    backend::Extent extent;  // of the views
     std::unique_ptr<FramePasses> study;
     std::unique_ptr<FramePasses> frame;
-    std::optional<Settings> settings;  // of the last view; none: there is no view
-    std::vector<TileWork> tiles;       // of it, before the frame marks any
-    PassWatcher watcher;               // empty: no watcher
+    Settings settings;            // of the last view
+    std::vector<TileWork> tiles;  // of it, before the frame marks any
+    PassWatcher watcher;          // empty: no watcher
 
     [[nodiscard]] FramePasses& passes(const Settings& chosen) const {
         return chosen.passes == Passes::frame ? *frame : *study;
@@ -27,7 +22,6 @@ struct AmbientOcclusion::Impl {
     void take(const scene::GBuffer& view, const Settings& chosen, bool follows) {
         require_guard(view, chosen);
         (void)scene::frame_of(view);
-        require_sizes(view, extent);
         passes(chosen).take(view, chosen, follows);
         settings = chosen;
         tiles = tile_work_of(view, chosen);
@@ -41,10 +35,8 @@ void crop(const scene::GBuffer& shape, Frame& frame) {
     if (!frame.bent.empty()) frame.bent = scene::cropped(shape, frame.bent);
 }
 
-AmbientOcclusion::AmbientOcclusion(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
-                                   backend::Extent extent)
-    : impl_(base::make_hidden<Impl>(extent, study_passes(device, passes, extent),
-                                    frame_passes(device, passes))) {}
+AmbientOcclusion::AmbientOcclusion(const backend::vulkan::Device& device, const scene::PassLibrary& passes)
+    : impl_(base::make_hidden<Impl>(study_passes(device, passes), frame_passes(device, passes))) {}
 
 void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& settings) {
     validate(settings);
@@ -52,9 +44,7 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
 }
 
 void AmbientOcclusion::advance(const scene::GBuffer& view) {
-    if (!impl_->settings) throw std::logic_error("no view: begin() must come before advance()");
-    impl_->extent = view.extent;
-    impl_->take(view, Settings(*impl_->settings), true);
+    impl_->take(view, impl_->settings, true);
 }
 
 void AmbientOcclusion::watch(PassWatcher watcher) {
@@ -63,9 +53,7 @@ void AmbientOcclusion::watch(PassWatcher watcher) {
 
 Frame AmbientOcclusion::next(int repeat) {
     const Impl& impl = *impl_;
-    if (!impl.settings) throw std::logic_error("no view: begin() must come before next()");
-    if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
-    Frame frame = impl.passes(*impl.settings).next(repeat, impl.watcher);
+    Frame frame = impl.passes(impl.settings).next(repeat, impl.watcher);
     const std::vector<TileWork> marked = std::exchange(frame.tiles, impl.tiles);
     for (std::size_t i = 0; i < marked.size(); ++i)
         if (frame.tiles[i] == TileWork::half) frame.tiles[i] = marked[i];

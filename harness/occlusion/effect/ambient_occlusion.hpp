@@ -41,28 +41,27 @@ struct Frame {
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used
 };
 
-// The ambient-occlusion passes for images of one size, with their history.
+// The ambient-occlusion passes, with their history.
 class AmbientOcclusion {
   public:
-    // `extent`: of the views, guard band included. The device must outlive this object. Throws
-    // std::runtime_error for a size of 0 or beyond the device's limit, and when a shader does not compile.
-    AmbientOcclusion(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
-                     backend::Extent extent);
+    // The device must outlive this object. Throws std::runtime_error when a shader does not compile.
+    AmbientOcclusion(const backend::vulkan::Device& device, const scene::PassLibrary& passes);
 
     // Takes a view and forgets the history. Missing normals are reconstructed from depth; the next frame's
     // times include that pass. If the view has a guard band (scene/gbuffer.hpp), the band is shaded as
-    // well, and frames are cropped. Throws std::invalid_argument for another size, for settings out of range,
-    // and if the view lacks the guard band or the layers that the settings ask for.
+    // well, and frames are cropped. Throws std::invalid_argument for settings out of range, and if the view
+    // lacks the guard band or the layers that the settings ask for; std::runtime_error for a size of 0 or
+    // beyond the device's limit.
     void begin(const scene::GBuffer& view, const Settings& settings);
 
     // Takes the next view of a moving camera or scene. The history follows the surfaces: by the view's
     // previous_position where objects move, otherwise by its camera. The history restarts if the view's
-    // camera does not know the previous one (a cut), or if the size changes. Call next() once for each view.
-    // Throws like begin(); std::logic_error before begin().
+    // camera does not know the previous one (a cut), or if the size changes. Call begin() first, and next()
+    // once for each view. Throws like begin().
     void advance(const scene::GBuffer& view);
 
-    // Computes the next frame of the last view. It runs `repeat` (>= 1) times and reports median times, but
-    // the history advances only once. Throws std::logic_error before begin(), and std::runtime_error like
+    // Computes the next frame of the last view, after begin(). It runs `repeat` (>= 1) times and reports
+    // median times, but the history advances only once. Throws std::runtime_error like
     // backend::vulkan::Commands::submit(). After a runtime error, for example a lost device, call begin()
     // again, on a new object if the device is lost.
     [[nodiscard]] Frame next(int repeat = 1);

@@ -79,12 +79,6 @@ backend::vulkan::ComputePipeline pipeline_of(const backend::vulkan::Device& devi
              .constants = source.constants}};
 }
 
-void require_size(const char* what, std::size_t found, backend::Extent extent) {
-    if (found == pixels_of(extent)) return;
-    throw std::invalid_argument(
-        fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
-}
-
 // Texels of which each channel is a layer.
 std::vector<float> texels_of(std::span<const std::vector<float>> layers) {
     std::vector<float> texels(4 * layers.front().size(), 0.0F);
@@ -288,21 +282,6 @@ void require_centred(const scene::GBuffer& view) {
             "the camera's axis is not in the image's middle: expected a centred() view");
 }
 
-void require_sizes(const scene::GBuffer& view, backend::Extent extent) {
-    require_size("depth", view.depth.size(), extent);
-    if (!view.normal.empty()) require_size("normals", view.normal.size(), extent);
-    if (!view.previous_position.empty())
-        require_size("previous positions", view.previous_position.size(), extent);
-    for (const std::vector<float>& layer : view.layers) require_size("a depth layer", layer.size(), extent);
-    if (view.layers.size() > std::size_t{scene::most_further_layers})
-        throw std::invalid_argument(fmt::format("{} depth layers behind the first: expected at most {}",
-                                                view.layers.size(), scene::most_further_layers));
-    if (!view.stored) return;
-    require_size("stored depth", view.stored->depth.size(), extent);
-    require_size("stored normals", view.stored->normal.size(),
-                 view.normal.empty() ? backend::Extent{} : extent);
-}
-
 void upload(const scene::GBuffer& view, bool stores, Resources& resources) {
     using enum backend::vulkan::Format;
     const bool stored = stores && view.stored;
@@ -319,7 +298,6 @@ void upload(const scene::GBuffer& view, bool stores, Resources& resources) {
 
 void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor) {
     require_centred(view);
-    require_sizes(view, view.extent);
     upload(view, false, resources);
     if (!view.normal.empty()) return;
     (void)resources.image("normal", view.extent, backend::vulkan::Format::rgba32f);

@@ -66,24 +66,15 @@ bool has(const Plan& plan, std::string_view name) {
 // The state of the study's frame: the last view, images and histories, and what the next frame runs.
 class StudyPasses : public FramePasses {
   public:
-    StudyPasses(const backend::vulkan::Device& device, const scene::PassLibrary& passes, backend::Extent size)
+    StudyPasses(const backend::vulkan::Device& device, const scene::PassLibrary& passes)
         : device_(&device), executor_(device, passes), resources_(device) {
         moment_.shows_unfiltered = true;
-        look({.camera = {}, .extent = size, .border = {}}, false);
     }
 
     void take(const scene::GBuffer& view, const Settings& settings, bool follows) override;
     [[nodiscard]] Frame next(int repeat, const PassWatcher& watcher) override;
 
   private:
-    // Sets the view of the next frames, and makes what their passes need.
-    void look(const View& view, bool follows) {
-        moment_.look(view, follows ? View(moment_.view) : view);
-        plan_ = planned_resources(moment_);
-        resources_.provide(plan_);
-        follows_ = follows;
-        frames_ = 0;
-    }
     [[nodiscard]] Frame collect() const;
 
     const backend::vulkan::Device* device_;
@@ -98,14 +89,18 @@ class StudyPasses : public FramePasses {
 void StudyPasses::take(const scene::GBuffer& view, const Settings& settings, bool follows) {
     require_layers(view, settings);
     require_centred(view);
-    follows = follows && view.extent == moment_.view.extent && view.camera.previous_from_current;
+    follows_ = follows && view.extent == moment_.view.extent && view.camera.previous_from_current;
+    frames_ = 0;
     moment_.settings = settings;
     moment_.converted = view.stored ? std::optional(view.stored->encoding) : std::nullopt;
     moment_.has_normals = !view.normal.empty();
     moment_.has_positions = !view.previous_position.empty();
-    look({view.camera, view.extent, view.border}, follows);
+    const View now{view.camera, view.extent, view.border};
+    moment_.look(now, follows_ ? View(moment_.view) : now);
+    plan_ = planned_resources(moment_);
+    resources_.provide(plan_);
     upload(view, true, resources_);
-    if (!follows) resources_.restart(plan_);
+    if (!follows_) resources_.restart(plan_);
 }
 
 // Mean over the pixels with a surface; k_1 where nothing tells which they are.
@@ -199,8 +194,8 @@ std::vector<PlannedPass> planned_passes(Moment moment, const Plan& resources,
 }
 
 std::unique_ptr<FramePasses> study_passes(const backend::vulkan::Device& device,
-                                          const scene::PassLibrary& passes, backend::Extent extent) {
-    return std::make_unique<StudyPasses>(device, passes, extent);
+                                          const scene::PassLibrary& passes) {
+    return std::make_unique<StudyPasses>(device, passes);
 }
 
 }  // namespace gloam::effect

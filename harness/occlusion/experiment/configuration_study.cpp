@@ -273,7 +273,7 @@ ConfigurationStudy::ConfigurationStudy(const backend::vulkan::Device& device,
 
 effect::AmbientOcclusion& ConfigurationStudy::effect_for(backend::Extent extent) {
     const auto key = std::pair(extent.width, extent.height);
-    return effects_.try_emplace(key, *device_, passes_, extent).first->second;
+    return effects_.try_emplace(key, *device_, passes_).first->second;
 }
 
 ConfigurationVisit ConfigurationStudy::visit(BenchmarkViews& views, const effect::Settings& settings,

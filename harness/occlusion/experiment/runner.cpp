@@ -218,8 +218,7 @@ class SizeRun {
         if (subject.kind != Kind::effect) return std::nullopt;
         const effect::Settings& settings = subject.settings;
         constexpr std::uint32_t pixels = 257;  // of a side of its image
-        if (!closed_form_)
-            closed_form_.emplace(place_.device, place_.passes, backend::Extent{pixels, pixels});
+        if (!closed_form_) closed_form_.emplace(place_.device, place_.passes);
         const effect::Estimate measured =
             effect::measured(*closed_form_, pixels, view, settings, experiment_.frames);
         const effect::Remap remap = remap_of(settings);

@@ -86,8 +86,7 @@ class Renderer {
         const auto progress = progress_bar(input_.name + ": frames", !options_.quiet);
         for (const int number : input_.views) {
             ShadedView shown = next_view(number, candidate, before);
-            if (!effect || before->wide.extent != shown.wide.extent)
-                effect.emplace(device_, passes_, shown.wide.extent);
+            if (!effect) effect.emplace(device_, passes_);
             shown.cut.empty() ? effect->advance(shown.wide) : effect->begin(shown.wide, shown.settings);
             made.settings = shown.settings;
             const scene::GBuffer* previous = shown.cut.empty() ? &before->view : nullptr;

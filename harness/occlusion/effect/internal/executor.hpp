@@ -128,12 +128,9 @@ void require_layers(const scene::GBuffer& view, const Settings& settings);
 // A camera whose axis is in the middle of its image.
 void require_centred(const scene::GBuffer& view);
 
-// Images of this size: depth and its layers, normals, positions in the previous frame.
-void require_sizes(const scene::GBuffer& view, backend::Extent extent);
-
 // Uploads a view to the images depth, normal, previous_position and layers, those that it has. Missing images
-// are made. stores: depth and normals as the engine stores them, if it does; otherwise linear depth and
-// normals of view space.
+// are made; std::invalid_argument for one that has not the view's size. stores: depth and normals as the
+// engine stores them, if it does; otherwise linear depth and normals of view space.
 void upload(const scene::GBuffer& view, bool stores, Resources& resources);
 
 // Uploads linear depth and normals of view space. Missing normals are reconstructed from depth.

@@ -23,11 +23,9 @@ class FramePasses {
     [[nodiscard]] virtual Frame next(int repeat, const PassWatcher& watcher) = 0;
 };
 
-// The device must outlive the passes. Study: TSSAO as printed, for images of that size at first. Frame: the
-// three short passes for engines.
+// The device must outlive the passes. Study: TSSAO as printed. Frame: the three short passes for engines.
 [[nodiscard]] std::unique_ptr<FramePasses> study_passes(const backend::vulkan::Device& device,
-                                                        const scene::PassLibrary& passes,
-                                                        backend::Extent extent);
+                                                        const scene::PassLibrary& passes);
 [[nodiscard]] std::unique_ptr<FramePasses> frame_passes(const backend::vulkan::Device& device,
                                                         const scene::PassLibrary& passes);
 
