@@ -25,18 +25,27 @@ void make_context(bool es) {
         throw std::runtime_error("EGL makes no context of that version");
 }
 
+struct Format {
+    GLint stored;
+    GLenum channels, type;
+};
+constexpr Format r8{GL_R8, GL_RED, GL_UNSIGNED_BYTE}, r16f{GL_R16F, GL_RED, GL_FLOAT},
+    r32f{GL_R32F, GL_RED, GL_FLOAT}, rgba32f{GL_RGBA32F, GL_RGBA, GL_FLOAT},
+    r32ui{GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT}, rg32ui{GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT},
+    rgb10_a2{GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
+
 // Clamped to the edge, filled with zeros. divisor: of the size, rounded up.
 struct Texture {
-    Texture(GLint format, GLenum channels, GLenum type, const int size[2], int levels = 1, int divisor = 1)
+    Texture(const Format& format, const int size[2], int divisor = 1, int levels = 1)
         : width((size[0] + divisor - 1) / divisor), height((size[1] + divisor - 1) / divisor) {
         glGenTextures(1, &name);
         glBindTexture(GL_TEXTURE_2D, name);
         const std::vector<char> zeros(std::size_t(16) * width * height);
         for (int level = 0; level < levels; ++level)
-            glTexImage2D(GL_TEXTURE_2D, level, format, std::max(width >> level, 1),
-                         std::max(height >> level, 1), 0, channels, type, zeros.data());
+            glTexImage2D(GL_TEXTURE_2D, level, format.stored, std::max(width >> level, 1),
+                         std::max(height >> level, 1), 0, format.channels, format.type, zeros.data());
         const GLint nearest = levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST;
-        const GLint filter = format == GL_RGB10_A2 ? GL_LINEAR : GL_NEAREST;
+        const GLint filter = format.stored == GL_RGB10_A2 ? GL_LINEAR : GL_NEAREST;
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter == GL_LINEAR ? filter : nearest);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
@@ -71,6 +80,24 @@ void attach(GLuint program, GLenum stage, const std::string& text) {
     glDeleteShader(shader);
 }
 
+// What stands in gloam_frame.h, for views of one size.
+struct Images {
+    explicit Images(const gloam_settings& s)
+        : depth(r32f, s.size),
+          normal(rgba32f, s.size),
+          levels(s.preset.deep ? r32f : r16f, s.size, 1, 5),
+          levels_before(s.preset.deep ? r32f : r16f, s.size, 1, 5),
+          texels(s.preset.deep ? rg32ui : r32ui, s.size, s.preset.resolution == gloam_full ? 1 : 2),
+          history(rgb10_a2, s.size),
+          history_before(rgb10_a2, s.size),
+          shown(r8, s.size),
+          marks(r8, s.size, 8),
+          full_texels(s.preset.deep ? rg32ui : r32ui, s.size,
+                      s.preset.resolution == gloam_tiles ? 1 : s.size[0] + s.size[1]) {}
+    Texture depth, normal, levels, levels_before, texels, history, history_before, shown;
+    Texture marks, full_texels;  // for tiles alone
+};
+
 // Draws a triangle over what it is given to write, or in tiles: the marked ones, or all others. side: pixels
 // of a tile in what is written.
 struct Pass {
@@ -86,19 +113,24 @@ struct Pass {
         glGetProgramiv(program, GL_LINK_STATUS, &links);
         if (links == 0) throw std::runtime_error("a pass does not link");
     }
-    // read: the textures of samplers by their names.
+    // texels: those that it reads.
     template <class Parameters>
-    void draw(const Parameters& parameters,
-              std::initializer_list<std::pair<const char*, const Texture&>> read,
+    void draw(const Parameters& parameters, const Images& of, const Texture& texels,
               const std::vector<const Texture*>& written, int level = 0) const {
         glUseProgram(program);
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof parameters, &parameters);
         glUniform1i(glGetUniformLocation(program, "level"), level);
         glUniform1f(glGetUniformLocation(program, "marked"), area == marked ? 1.0F : 0.0F);
         GLint unit = 0;
-        for (const auto& [sampler, texture] : read) {
+        for (const auto& [sampler, texture] : {std::pair{"stored_image", &of.depth},
+                                               {"normal_image", &of.normal},
+                                               {"depth_image", &of.levels},
+                                               {"depth_before_image", &of.levels_before},
+                                               {"before_image", &of.history_before},
+                                               {"mark_image", &of.marks},
+                                               {"texel_image", &texels}}) {  // those that it has
             glActiveTexture(GL_TEXTURE0 + unit);
-            glBindTexture(GL_TEXTURE_2D, texture.name);
+            glBindTexture(GL_TEXTURE_2D, texture->name);
             glUniform1i(glGetUniformLocation(program, sampler), unit++);
         }
         constexpr GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
@@ -121,30 +153,6 @@ struct Pass {
     GLuint program = glCreateProgram();
 };
 
-// What stands in gloam_frame.h, for views of one size.
-struct Images {
-    explicit Images(const gloam_settings& settings)
-        : depth(GL_R32F, GL_RED, GL_FLOAT, settings.size),
-          normal(GL_RGBA32F, GL_RGBA, GL_FLOAT, settings.size),
-          levels(settings.preset.deep ? GL_R32F : GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
-          levels_before(settings.preset.deep ? GL_R32F : GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
-          texels(settings.preset.deep ? GL_RG32UI : GL_R32UI,
-                 settings.preset.deep ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, settings.size, 1,
-                 settings.preset.resolution == gloam_full ? 1 : 2),
-          history(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
-          history_before(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
-          shown(GL_R8, GL_RED, GL_UNSIGNED_BYTE, settings.size),
-          marks(GL_R8, GL_RED, GL_UNSIGNED_BYTE, settings.size, 1, 8) {
-        if (settings.preset.resolution == gloam_tiles)
-            full_texels.emplace(settings.preset.deep ? GL_RG32UI : GL_R32UI,
-                                settings.preset.deep ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT,
-                                settings.size);
-    }
-    Texture depth, normal, levels, levels_before, texels, history, history_before, shown;
-    Texture marks;  // this and the next are for tiles alone
-    std::optional<Texture> full_texels;
-};
-
 struct Passes {
     Passes() {
         const bool tiles = PRESET.resolution == gloam_tiles;
@@ -164,35 +172,16 @@ struct Passes {
     }
     void draw(const gloam_frame& frame, Images& of) const {
         for (int level = 0; level < 5; ++level)
-            prepare.draw(frame.prepare,
-                         {{"stored_image", of.depth}, {"depth_before_image", of.levels_before}}, {&of.levels},
-                         level);
-        sweep.draw(frame.sweep, {{"depth_image", of.levels}, {"normal_image", of.normal}}, {&of.texels});
-        const Texture& full_texels = of.full_texels ? *of.full_texels : of.texels;
-        if (mark) mark->draw(frame.mark, {{"texel_image", of.texels}}, {&of.marks});
-        if (refine)
-            refine->draw(frame.sweep,
-                         {{"depth_image", of.levels}, {"normal_image", of.normal}, {"mark_image", of.marks}},
-                         {&full_texels});
-        if (halve)
-            halve->draw(frame.sweep, {{"texel_image", full_texels}, {"mark_image", of.marks}}, {&of.texels});
+            prepare.draw(frame.prepare, of, of.texels, {&of.levels}, level);
+        sweep.draw(frame.sweep, of, of.texels, {&of.texels});
+        if (mark) mark->draw(frame.mark, of, of.texels, {&of.marks});
+        if (refine) refine->draw(frame.sweep, of, of.texels, {&of.full_texels});
+        if (halve) halve->draw(frame.sweep, of, of.full_texels, {&of.texels});
         std::vector<const Texture*> joined{&of.shown, &of.history};
-        if (of.full_texels) joined.push_back(&*of.full_texels);
-        if (join)
-            join->draw(frame.join,
-                       {{"texel_image", of.texels},
-                        {"depth_image", of.levels},
-                        {"mark_image", of.marks},
-                        {"depth_before_image", of.levels_before},
-                        {"before_image", of.history_before}},
-                       joined);
-        if (filter)
-            filter->draw(frame.filter,
-                         {{"texel_image", full_texels},
-                          {"mark_image", of.marks},
-                          {"depth_before_image", of.levels_before},
-                          {"before_image", of.history_before}},
-                         {&of.shown, &of.history});
+        if (refine) joined.push_back(&of.full_texels);
+        if (join) join->draw(frame.join, of, of.texels, joined);
+        const Texture& filtered = refine ? of.full_texels : of.texels;
+        if (filter) filter->draw(frame.filter, of, filtered, {&of.shown, &of.history});
         std::swap(of.levels.name, of.levels_before.name);
         std::swap(of.history.name, of.history_before.name);
     }

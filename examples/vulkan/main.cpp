@@ -76,7 +76,7 @@ struct Buffer {
 
 // In the layout general, filled with zeros. divisor: of the size, rounded up.
 struct Image {
-    Image(const Device& d, vk::Format format, const int size[2], std::uint32_t levels = 1, int divisor = 1)
+    Image(const Device& d, vk::Format format, const int size[2], int divisor = 1, std::uint32_t levels = 1)
         : extent((size[0] + divisor - 1) / divisor, (size[1] + divisor - 1) / divisor, 1),
           handle(d.device,
                  vk::ImageCreateInfo({}, vk::ImageType::e2D, format, extent, levels, 1)
@@ -178,29 +178,29 @@ struct Pass {
 
 // What stands in gloam_frame.h, for views of one size.
 struct Images {
-    Images(const Device& d, const gloam_settings& settings)
-        : depth(d, vk::Format::eR32Sfloat, settings.size),
-          normal(d, vk::Format::eR32G32B32A32Sfloat, settings.size),
-          levels(d, settings.preset.deep ? vk::Format::eR32Sfloat : vk::Format::eR16Sfloat, settings.size, 5),
-          levels_before(d, settings.preset.deep ? vk::Format::eR32Sfloat : vk::Format::eR16Sfloat,
-                        settings.size, 5),
-          texels(d, settings.preset.deep ? vk::Format::eR32G32Uint : vk::Format::eR32Uint, settings.size, 1,
-                 settings.preset.resolution == gloam_full ? 1 : 2),
-          history(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
-          history_before(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
-          shown(d, vk::Format::eR8Unorm, settings.size),
-          marks(d, vk::Format::eR8Unorm, settings.size, 1, 8),
+    Images(const Device& d, const gloam_settings& s)
+        : depth(d, vk::Format::eR32Sfloat, s.size),
+          normal(d, vk::Format::eR32G32B32A32Sfloat, s.size),
+          levels(d, depths(s), s.size, 1, 5),
+          levels_before(d, depths(s), s.size, 1, 5),
+          texels(d, texel(s), s.size, s.preset.resolution == gloam_full ? 1 : 2),
+          history(d, vk::Format::eA2B10G10R10UnormPack32, s.size),
+          history_before(d, vk::Format::eA2B10G10R10UnormPack32, s.size),
+          shown(d, vk::Format::eR8Unorm, s.size),
+          marks(d, vk::Format::eR8Unorm, s.size, 8),
+          full_texels(d, texel(s), s.size, s.preset.resolution == gloam_tiles ? 1 : s.size[0] + s.size[1]),
           lists(d, 68 + 8 * marks.extent.width * marks.extent.height,
-                vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer, {}) {
-        if (settings.preset.resolution == gloam_tiles)
-            full_texels.emplace(d, settings.preset.deep ? vk::Format::eR32G32Uint : vk::Format::eR32Uint,
-                                settings.size);
+                vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer, {}) {}
+    static vk::Format depths(const gloam_settings& s) {
+        return s.preset.deep ? vk::Format::eR32Sfloat : vk::Format::eR16Sfloat;
+    }
+    static vk::Format texel(const gloam_settings& s) {
+        return s.preset.deep ? vk::Format::eR32G32Uint : vk::Format::eR32Uint;
     }
 
     Image depth, normal, levels, levels_before, texels, history, history_before, shown;
-    Image marks;  // this and what follows are for tiles alone
+    Image marks, full_texels;  // these and the lists are for tiles alone
     Buffer lists;
-    std::optional<Image> full_texels;
 };
 
 struct Passes {
@@ -223,7 +223,6 @@ void record(const Commands& commands, const Passes& passes, Images& of, const gl
     std::vector<vk::ImageView> prepared{of.depth};
     for (int i = 0; i < 5; ++i) prepared.push_back(of.levels.level(i));
     prepared.push_back(of.levels_before);
-    const Image& full_texels = of.full_texels ? *of.full_texels : of.texels;
     barrier(commands);  // behind what the engine has written
     passes.prepare.record(commands, prepared, of.lists, &frame.prepare, of.depth.extent);
     passes.sweep.record(commands, {of.levels, of.normal, of.texels}, of.lists, &frame.sweep,
@@ -231,16 +230,17 @@ void record(const Commands& commands, const Passes& passes, Images& of, const gl
     if (passes.mark)
         passes.mark->record(commands, {of.texels, of.marks}, of.lists, &frame.mark, of.marks.extent);
     if (passes.refine)
-        passes.refine->record(commands, {of.levels, of.normal, full_texels, of.texels}, of.lists,
+        passes.refine->record(commands, {of.levels, of.normal, of.full_texels, of.texels}, of.lists,
                               &frame.sweep, {});
     if (passes.join)
         passes.join->record(
             commands,
-            {of.texels, of.levels, of.shown, of.history_before, of.levels_before, of.history, full_texels},
+            {of.texels, of.levels, of.shown, of.history_before, of.levels_before, of.history, of.full_texels},
             of.lists, &frame.join, of.shown.extent);
     if (passes.filter)
         passes.filter->record(commands,
-                              {full_texels, of.shown, of.history_before, of.levels_before, of.history},
+                              {passes.refine ? of.full_texels : of.texels, of.shown, of.history_before,
+                               of.levels_before, of.history},
                               of.lists, &frame.filter, of.shown.extent);
     barrier(commands);  // before the engine reads `shown`
     std::swap(of.levels, of.levels_before);
