@@ -71,12 +71,6 @@ TEST_F(Directions, KeepTheirPixels) {
     }
 }
 
-TEST_F(Directions, OfWrongImagesAndOptionsAreRefused) {
-    scene::GBuffer view = step(3.0F, 3.0F);
-    for (const int sides : {0, 9, -1})
-        EXPECT_THROW((void)directional_.bent_normals(view, {}, sides), std::invalid_argument);
-}
-
 class CompositePass : public OnDevice<testing::Test> {
   protected:
     Composite composite_{device_, passes_};

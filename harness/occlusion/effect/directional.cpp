@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "effect/directional.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "effect/internal/executor.hpp"
@@ -16,8 +13,6 @@ namespace gloam::effect {
 namespace {
 
 using enum backend::vulkan::Format;
-
-constexpr int most_interleave = 8;
 
 // The buffer of direct_light.comp, with its layout.
 struct SkyBuffer {
@@ -77,9 +72,6 @@ Directional::Directional(const backend::vulkan::Device& device, const scene::Pas
     : impl_(base::make_hidden<Impl>(device, passes)) {}
 
 BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings, int interleave) {
-    if (interleave < 1 || interleave > most_interleave)
-        throw std::invalid_argument(
-            fmt::format("interleave {}: expected 1 to {}", interleave, most_interleave));
     const auto side = static_cast<std::uint32_t>(interleave);
     impl_->take(view, settings);
     backend::vulkan::Image& bent = impl_->resources.image("bent", view.extent, rgba32f);

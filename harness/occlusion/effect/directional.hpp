@@ -48,9 +48,9 @@ class Directional {
     // The device must outlive this object. Throws std::runtime_error when a shader does not compile.
     Directional(const backend::vulkan::Device& device, const scene::PassLibrary& passes);
 
-    // Both throw std::invalid_argument for settings out of range and for images of another size;
-    // bent_normals() also for an interleave out of range. Missing normals are reconstructed from depth. Each
-    // call takes its samples anew: there is no history. interleave, 1 to 8: the pixels of a block with so
+    // Both throw std::invalid_argument for settings out of range and for images of another size. Missing
+    // normals are reconstructed from depth. Each call takes its samples anew: there is no history.
+    // interleave, 1 to 8: the pixels of a block with so
     // many on a side share one pattern of interleave^2 times as many samples (Klehm et al. 2011). Each takes
     // a part of it, then gathers the parts of the block around it from the pixels on its own surface. 1: no
     // sharing.

@@ -5,9 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <array>
 #include <utility>
 
+#include "backend/sampled.hpp"
 #include "effect/internal/method_families.hpp"
 #include "effect/internal/named.hpp"
 
@@ -39,19 +40,8 @@ Settings with_method(Settings settings, std::string_view name) {
 
 std::uint32_t unit_of(const MethodInfo& method, std::uint32_t steps) {
     const std::uint32_t taps = std::max(steps, 1U);
-    switch (method.unit) {
-        case SampleUnit::one:
-            return 1;
-        case SampleUnit::pair:
-            return 2;
-        case SampleUnit::cross:
-            return 4;
-        case SampleUnit::ray:
-            return taps;
-        case SampleUnit::slice:
-            return 2 * taps;
-    }
-    throw std::invalid_argument("a unit of samples without a size");
+    // In the order of SampleUnit.
+    return backend::named(std::array{1U, 2U, 4U, taps, 2 * taps}, method.unit);
 }
 
 std::uint32_t samples_taken(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
@@ -124,17 +114,7 @@ Settings slices(const MethodInfo& method, std::uint32_t count, std::uint32_t ste
 }
 
 std::string to_string(Measure measure) {
-    switch (measure) {
-        case Measure::cosine:
-            return "cosine-weighted";
-        case Measure::uniform:
-            return "uniform";
-        case Measure::volume:
-            return "volume";
-        case Measure::shape:
-            return "shape";
-    }
-    throw std::invalid_argument("a measure without a name");
+    return backend::named(std::array{"cosine-weighted", "uniform", "volume", "shape"}, measure);
 }
 
 }  // namespace gloam::effect

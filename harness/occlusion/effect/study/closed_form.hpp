@@ -17,8 +17,8 @@ struct Estimate {
 // The occlusion of a closed-form view's point by the real passes, with history, without filter, remap and
 // rotation: the mean over all frames of 1024 samples, with a standard error from the spread of the frames'
 // means. Consecutive frames of a low-discrepancy sequence have opposite errors, so the actual error of the
-// mean is smaller than this estimate. pixels: of the image on each side, odd. Settings are
-// for a radius of 1. Throws like AmbientOcclusion, and std::invalid_argument for fewer than two frames.
+// mean is smaller than this estimate. pixels: of the image on each side, odd. Settings are for a radius of 1.
+// frames: 2 or more. Throws like AmbientOcclusion.
 [[nodiscard]] Estimate measured(AmbientOcclusion& effect, std::uint32_t pixels,
                                 const scene::ClosedFormView& view, const Settings& settings, int frames);
 

@@ -33,14 +33,13 @@ struct PlainFrame {
 // library has. Methods are compared with it (glsl/passes/study/comparison).
 class PlainSlices {
   public:
-    // `blurs`: times that the blur is applied. The device must outlive this object. Throws
-    // std::invalid_argument for 0 slices or steps and for less than 0 blurs, std::runtime_error without
-    // timestamps, and like backend::vulkan::Image.
+    // `blurs`: times that the blur is applied. The device must outlive this object. Throws std::runtime_error
+    // without timestamps, and like backend::vulkan::Image.
     PlainSlices(const backend::vulkan::Device& device, const scene::PassLibrary& passes,
                 backend::Extent extent, SliceTaps taps, int blurs = 1);
 
-    // The next frames are of this view. radius: of influence, world units, > 0. Throws std::invalid_argument
-    // for another size, an orthographic camera, a guard band, missing normals, or a radius out of range.
+    // The next frames are of this view, which has the images' size, normals, and no guard band. radius: of
+    // influence, world units, > 0. Throws std::invalid_argument for an orthographic camera.
     void take(const scene::GBuffer& view, float radius);
 
     // Runs the passes `repeat` times (>= 1) and gives their median times.
