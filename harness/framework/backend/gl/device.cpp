@@ -33,13 +33,7 @@ class Variable {
         if (const char* before = std::getenv(name)) before_ = before;
         ::setenv(name, value.c_str(), 1);
     }
-    ~Variable() {
-        if (before_) {
-            ::setenv(name_, before_->c_str(), 1);
-        } else {
-            ::unsetenv(name_);
-        }
-    }
+    ~Variable() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
     Variable(const Variable&) = delete;
     Variable& operator=(const Variable&) = delete;
 

@@ -191,7 +191,7 @@ std::uint32_t to_unorm(float value, float steps) {
     return value > 0.0F ? static_cast<std::uint32_t>(std::lround(std::min(value, 1.0F) * steps)) : 0U;
 }
 
-// Those of a channel of rgb10_a2, whose channels stand beside each other in a word.
+// The steps of a channel of rgb10_a2, whose channels stand beside each other in a word.
 float steps_of(std::size_t channel) {
     return channel < 3 ? 1023.0F : 3.0F;
 }
@@ -204,9 +204,10 @@ void encode(TexelKind kind, std::span<const float> texels, std::byte* staging) {
             return static_cast<std::uint8_t>(to_unorm(value, 255.0F));
         });
     } else if (kind == TexelKind::unorm10) {
-        for (std::size_t i = 0; i < texels.size(); ++i)
-            words[i / 4] = (i % 4 == 0 ? 0U : words[i / 4]) | to_unorm(texels[i], steps_of(i % 4))
-                                                                  << i % 4 * 10;
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            if (i % 4 == 0) words[i / 4] = 0;
+            words[i / 4] |= to_unorm(texels[i], steps_of(i % 4)) << 10 * (i % 4);
+        }
     } else if (kind == TexelKind::halves) {
         std::ranges::transform(texels, shorts, base::to_half);
     } else if (kind == TexelKind::shorts) {
@@ -226,9 +227,11 @@ void decode(TexelKind kind, const std::byte* staging, std::span<float> texels) {
         std::transform(bytes, bytes + texels.size(), texels.begin(),
                        [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0F; });
     } else if (kind == TexelKind::unorm10) {
-        for (std::size_t i = 0; i < texels.size(); ++i)
-            texels[i] = static_cast<float>(words[i / 4] >> i % 4 * 10 & (i % 4 < 3 ? 1023U : 3U)) *
-                        (1.0F / steps_of(i % 4));
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            const float steps = steps_of(i % 4);
+            const std::uint32_t stored = words[i / 4] >> 10 * (i % 4) & static_cast<std::uint32_t>(steps);
+            texels[i] = static_cast<float>(stored) * (1.0F / steps);
+        }
     } else if (kind == TexelKind::halves) {
         std::transform(shorts, shorts + texels.size(), texels.begin(), base::from_half);
     } else if (kind == TexelKind::shorts) {

@@ -66,7 +66,7 @@ enum class Format {
 // The format that GLSL calls so: "rgba8".
 [[nodiscard]] std::optional<Format> format_from(std::string_view name);
 
-// Those of a texel, each a float in uploads and downloads.
+// The channels of a texel, each a float in uploads and downloads.
 [[nodiscard]] int channels(Format format);
 
 // Bytes of a texel in the image.
