@@ -69,9 +69,6 @@ class Source:
             if match:
                 yield number, match.group(1), match.group(2)
 
-    def has_shebang(self):
-        return self.text.startswith("#!")
-
 
 def blank_comments(text):
     """The text with every comment replaced by spaces: lines and columns stay where they are."""
@@ -230,10 +227,11 @@ def spdx(source):
     """Every source says its licence in its first line (the second after #!). A test's fixtures need not."""
     if "fixtures" in source.path.parts:
         return
-    named = source.path.name in ("CMakeLists.txt", "packages.txt", "packages-tests.txt") or source.has_shebang()
+    is_script = source.text.startswith("#!")
+    named = source.path.name in ("CMakeLists.txt", "packages.txt", "packages-tests.txt") or is_script
     if source.path.suffix not in CODE and not named:
         return
-    first = source.lines[1:2] if source.has_shebang() else source.lines[:1]
+    first = source.lines[1:2] if is_script else source.lines[:1]
     if not first or not re.fullmatch(r"(//|#) SPDX-License-Identifier: MIT", first[0]):
         yield 1, "the first line must be SPDX-License-Identifier: MIT in a comment"
 

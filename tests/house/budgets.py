@@ -32,24 +32,16 @@ def rows_of(text):
             sys.exit(f"{TABLE.name}:{number}: expected FOLDER LINES [OWED PAYER]...")
 
 
-def lines_of(file):
-    """Lines of a text file; 0 of one that holds a zero byte, which is none."""
-    content = file.read_bytes()
-    return 0 if b"\0" in content else len(content.splitlines())
-
-
-def folder_of(path, counts):
-    """The innermost folder with a row that holds a file; `.` holds what no other does."""
-    return next((folder.as_posix() for folder in Path(path).parents if folder.as_posix() in counts), ".")
-
-
 def violations(root):
     """The messages about the table, and about the folders that are above it."""
     rows = list(rows_of(TABLE.read_text(encoding="utf-8")))
     folders = [row for row in rows if row[0] != "all"]
     counts = {folder: 0 for folder, *_ in folders}
     for path in files_of(root):
-        counts[folder_of(path, counts)] += lines_of(root / path)
+        content = (root / path).read_bytes()
+        if b"\0" not in content:  # a text; `.` holds what no other folder with a row does
+            innermost = (folder.as_posix() for folder in Path(path).parents if folder.as_posix() in counts)
+            counts[next(innermost, ".")] += len(content.splitlines())
     allowed = sum(lines for _, lines, *_ in folders)
     total = sum(lines for folder, lines, *_ in rows if folder == "all")
     if allowed > total:
