@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "record/answer_json.hpp"
+#include "base/text.hpp"
 #include "record/rows.hpp"
 
 namespace gloam::record::answer_json_test {
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from << " is not in " << text;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
+using base::replaced;
 
 TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
     const judge::Answer row = from_line<judge::Answer>(line_of(failing_row()));

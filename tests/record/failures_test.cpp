@@ -100,19 +100,17 @@ TEST(Amber, AWholeScript) {
     judge::Reproduction all = failure_of({number(0.25, 1), integer(3)});
     all.specialized = true;
     all.images = {{.name = "depth", .words = std::vector<std::uint32_t>(9, 5U)}};
-    const auto pipeline = [](const std::string& view) {
-        return "PIPELINE compute read_" + view +
-               "\n"
-               "  ATTACH kernel SPECIALIZE 0 AS uint32 1065353216 SPECIALIZE 1 AS uint32 7\n"
-               "  BIND BUFFER run AS push_constant\n"
-               "  BIND BUFFER inputs AS storage DESCRIPTOR_SET 0 BINDING 0\n"
-               "  BIND BUFFER " +
-               view +
-               " AS storage DESCRIPTOR_SET 0 BINDING 1\n"
-               "  BIND BUFFER faults AS storage DESCRIPTOR_SET 0 BINDING 2\n"
-               "  BIND BUFFER image0 AS storage DESCRIPTOR_SET 0 BINDING 3\n"
-               "END\n\nRUN read_" +
-               view + " 1 1 1\n# the kernel ran to its end\n";
+    const auto pipeline = [](const char* view) {
+        return fmt::format(
+            "PIPELINE compute read_{0}\n"
+            "  ATTACH kernel SPECIALIZE 0 AS uint32 1065353216 SPECIALIZE 1 AS uint32 7\n"
+            "  BIND BUFFER run AS push_constant\n"
+            "  BIND BUFFER inputs AS storage DESCRIPTOR_SET 0 BINDING 0\n"
+            "  BIND BUFFER {0} AS storage DESCRIPTOR_SET 0 BINDING 1\n"
+            "  BIND BUFFER faults AS storage DESCRIPTOR_SET 0 BINDING 2\n"
+            "  BIND BUFFER image0 AS storage DESCRIPTOR_SET 0 BINDING 3\n"
+            "END\n\nRUN read_{0} 1 1 1\n# the kernel ran to its end\n",
+            view);
     };
     const std::string five = "0x00000005";
     EXPECT_EQ(to_amber(all, {"a comment"}),
