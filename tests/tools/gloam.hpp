@@ -12,8 +12,7 @@ namespace gloam::test {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// The command could not run: status 2, nothing on standard output, and one line on standard error with the
-// error.
+// The command could not run: status 2, nothing on standard output, and its error in a line on standard error.
 inline void expect_could_not_run(const CommandResult& result, const std::string& named) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");

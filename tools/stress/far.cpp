@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "base/half.hpp"
@@ -95,8 +94,7 @@ Errors reproject(const Previous& function, const scene::Scene& scene, const scen
     return worst;
 }
 
-// The occlusion after some frames of a moving camera. in_world: how the camera moved is made of its matrices
-// in float.
+// The occlusion after some frames of a moving camera. in_world: how it moved is of its matrices in float.
 std::vector<float> shown_after(effect::AmbientOcclusion& effect, const std::vector<scene::GBuffer>& views,
                                float radius, bool in_world) {
     effect.begin(views[0], effect::with_radius(effect::preset_named("balanced").settings, radius));
@@ -117,11 +115,6 @@ std::vector<scene::GBuffer> views_of(const scene::Scene& scene) {
     std::vector<scene::GBuffer> views;
     for (int i = 0; i < frames; ++i) views.push_back(scene::draw(scene, image, {.frame = i}));
     return views;
-}
-
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-    return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0, worse,
-                                 [](float x, float y) { return std::abs(double{x} - double{y}); });
 }
 
 // The largest occlusion of a slanted wall whose depths are halves.
@@ -161,7 +154,9 @@ void far_away(const Context& context) {
             // 1.2e-6 of the width (gloam_reproject_clip).
             row("reprojection off, pixels of 1920 x 1080", errors.pixels, 0.0023);
             row(rejected, errors.rejected, 0.0);
-            row("occlusion off after 4 frames", largest_difference(shown, expected), 0.0);
+            const auto apart = [](float x, float y) { return std::abs(double{x} - double{y}); };
+            row("occlusion off after 4 frames",
+                std::transform_reduce(shown.begin(), shown.end(), expected.begin(), 0.0, worse, apart), 0.0);
         }
     }
     const glm::dvec3 eye = scene::camera_at(near, 1).eye;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "judge/function.hpp"
@@ -150,11 +149,6 @@ constexpr Sequence sequence;
 constexpr glm::vec4 good{0.5F, 500.0F, 64.0F, 3.0F};
 constexpr glm::vec4 empty{0.0F, 0.0F, 0.0F, 3.0F};
 
-// Whether a texel remembers anything.
-bool usable(const glm::vec4& texel) {
-    return reference::gloam_history_unpack(glm::dvec4(texel)).weight > 0.0;
-}
-
 // Subnormals may be flushed, so what is made of them is not judged here beyond its range.
 bool subnormal(float x) {
     return std::fpclassify(x) == FP_SUBNORMAL;
@@ -179,7 +173,8 @@ void poison_texels(const Context& context, const OneFrame& frame) {
             texel[channel] = bad;
             const glm::vec4 after = frame(texel, 0.25F, sequence);
             unsafe += safe(after) ? 0 : 1;
-            not_fresh += usable(texel) || subnormal(bad) || after == fresh ? 0 : 1;
+            const bool remembers = reference::gloam_history_unpack(glm::dvec4(texel)).weight > 0.0;
+            not_fresh += remembers || subnormal(bad) || after == fresh ? 0 : 1;
         }
     }
     const char* const varied = "history texel, one channel";

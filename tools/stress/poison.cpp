@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <stdexcept>
 
@@ -141,8 +139,7 @@ class Experiment {
     }
 
   private:
-    // Both sides of a step's edge, two corners and an edge of the image; briefly, a step's edge and a corner
-    // in turn.
+    // Both sides of a step's edge, two corners and an edge of the image; briefly, one of each in turn.
     [[nodiscard]] std::vector<glm::ivec2> sources(std::size_t number) const {
         if (!full_) return {number % 2 == 0 ? glm::ivec2(18, 12) : glm::ivec2(0, 0)};
         return {{18, 12}, {17, 12}, {0, 0}, {36, 25}, {17, 0}};
@@ -231,14 +228,6 @@ using effect::GatherKernel;
 // Of a method: (sum, count); reads depths by gloam_fetch_depth.
 using Gather = judge::Function<effect::MethodGather>;
 
-// What a method prepares for the image; mssao for so many resolutions.
-std::optional<effect::Preparation> gather_preparation(const effect::MethodInfo& method) {
-    effect::Settings settings;
-    settings.method = method.name;
-    settings.own.steps = steps_asked;
-    return effect::preparation_of(settings, {size.x, size.y});
-}
-
 // The images that a method reads: depths of 3 with all bad values strewn in, or one of these everywhere,
 // normals as bad as they, and for one that prepares something its image, every texel alike.
 subject::ImageSet gather_images(std::optional<float> everywhere,
@@ -291,7 +280,10 @@ std::vector<Gather::Inputs> gather_inputs(float bad) {
 void poison_gather(const Context& context, const effect::MethodInfo& method) {
     const Gather gather(context.lab, method.name + ".glsl", effect::method_function);
     const auto most = static_cast<float>(effect::samples_taken(method, asked, steps_asked));
-    const auto preparation = gather_preparation(method);
+    effect::Settings settings;
+    settings.method = method.name;
+    settings.own.steps = steps_asked;  // of mssao: resolutions
+    const auto preparation = effect::preparation_of(settings, {size.x, size.y});
     double fetches_outside = 0;
     double results_outside = 0;
     const auto call = [&](float bad, std::optional<float> everywhere, float prepared) {

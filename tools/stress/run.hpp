@@ -42,8 +42,7 @@ struct Scope {
     std::vector<std::string> equations{};
 };
 
-// What a run works with. The lab's include roots hold the shader library, tools/stress/shaders and the folder
-// of effect::MethodFunctions.
+// What a run works with. The lab includes from the library, tools/stress/shaders and MethodFunctions' folder.
 struct Context {
     const subject::Lab& lab;
     const scene::PassLibrary& passes;
@@ -67,15 +66,13 @@ struct Context {
 void worst_inputs(const Context& context);
 void worst_inputs(const Context& context, const catalogue::Entry& entry);
 
-// The history carried over Scope::frames frames on the device, as a pass does it, for constant,
-// alternating, jumping, noisy and rare contributions, beside the mean in double: the farthest from it, and
-// the average over time (bias), at most E (w_max + k) / k with the error E of gloam_blend; weight and index,
-// exact.
+// The history carried over Scope::frames frames on the device, as a pass does it, for constant, alternating,
+// jumping, noisy and rare contributions, beside the mean in double: the farthest from it, and the average
+// over time (bias), at most E (w_max + k) / k with the error E of gloam_blend; weight and index, exact.
 void long_run(const Context& context);
 
 // A scene and its moving camera at 1e2 to 1e7 units from the origin: previous positions, reprojection,
-// TSSAO-8 and frames of the effect, with what is centred on the eye and with what is not; and depths in
-// halves.
+// TSSAO-8 and the effect's frames, with what is centred on the eye and what is not; and depths in halves.
 void far_away(const Context& context);
 
 // NaN, infinities, negative, subnormal and huge values, one texel at a time and everywhere: in the depth and

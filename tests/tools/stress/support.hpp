@@ -70,11 +70,4 @@ inline Rows rows_with(const Rows& rows, const std::string& quantity, const std::
     return found;
 }
 
-// That one row.
-inline Row row_of(const Rows& rows, const std::string& quantity, const std::string& varied = "") {
-    const Rows found = rows_with(rows, quantity, varied);
-    EXPECT_EQ(found.size(), 1U) << quantity << ", " << varied;
-    return found.empty() ? Row{} : found.front();
-}
-
 }  // namespace gloam::stress::test
