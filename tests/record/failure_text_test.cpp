@@ -4,21 +4,21 @@
 
 namespace gloam::record::failure_text_test {
 
-std::string text_of(const judge::Answer& row, const std::optional<judge::Sample>& smallest = {},
-                    const std::string& note = "") {
-    return failure_text(report_of("GPU", {}).device, row, smallest, note);
+std::string text_of(const judge::Answer& row, const FailureBundle& bundle = {}) {
+    return failure_text(report_of("GPU", {}).device, row, bundle, "gloam check EQ-1", "gloam 1.2");
 }
 
 TEST(FailureText, TellsAllThatAReportNeeds) {
     const judge::Answer row = failing_row();
     judge::Sample smallest = *row.worst;
     smallest.values = "float 1 (0x3f800000)";
-    const std::string text = text_of(row, smallest);
-    for (const char* part : {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
-                             "float 0.5 (0x3f000000)", "3 x 3", "got 0x7fc00000", "want 0.1",
-                             "permitted 0 (0x0p+0) to 0.25 (0x1p-2), or NaN", "GPU", "driver 1.2",
-                             "Vulkan 1.3.0", "precision rules", "4 ulp or 1e-07 absolute",
-                             "gloam check EQ-1 --variant strict", "amber -v 1.2 -t spv1.5 repro.amber"}) {
+    const std::string text = text_of(row, {.reproduction = {.failure = smallest}, .amber = "#!amber"});
+    for (const char* part :
+         {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
+          "float 0.5 (0x3f000000)", "3 x 3", "got 0x7fc00000", "want 0.1",
+          "permitted 0 (0x0p+0) to 0.25 (0x1p-2), or NaN", "GPU", "driver 1.2", "Vulkan 1.3.0",
+          "precision rules", "4 ulp or 1e-07 absolute", "Run it again: gloam check EQ-1\n",
+          "Versions: gloam 1.2\n", "amber -v 1.2 -t spv1.5 repro.amber"}) {
         EXPECT_THAT(text, HasSubstr(part));
     }
 }
@@ -47,9 +47,9 @@ TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
     judge::Answer row = passing_row("EQ-2");
     row.reason = judge::Reason::hang;
     row.error = "not finished after 5 s";
-    const std::string text = text_of(row, std::nullopt, "A note.");
+    const std::string text = text_of(row, {.error = "it hangs."});
     EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
-    EXPECT_THAT(text, HasSubstr("A note."));
+    EXPECT_THAT(text, HasSubstr("could not be made: it hangs."));
     EXPECT_THAT(text, Not(HasSubstr("input  ")));
 }
 

@@ -2,7 +2,6 @@
 #include "pictures/sheet.hpp"
 #include "record/page.hpp"
 #include "record/rows.hpp"
-#include "support/files.hpp"
 
 namespace gloam::record::pictures_test {
 
@@ -33,19 +32,15 @@ TEST(Page, ForeignTextsStayText) {
     const std::string html = page.html();
     EXPECT_EQ(count_of(html, "<script"), 1U);
     EXPECT_EQ(count_of(html, "</script>"), 1U);
-    EXPECT_THAT(html, Not(HasSubstr("alert(1)<")));
-    EXPECT_THAT(html, Not(HasSubstr("onload='")));
-    EXPECT_THAT(html, Not(HasSubstr("\x01")));
+    EXPECT_THAT(html, Not(AnyOf(HasSubstr("alert(1)<"), HasSubstr("onload='"), HasSubstr("\x01"))));
     EXPECT_THAT(html, HasSubstr("src=\"../../x%3Ay\""));  // no scheme of a URL
 }
 
 TEST(Page, NeedsNoNetworkAndLetsItsOwnScriptRunAlone) {
     Page page("p");
     const std::string html = page.html();
-    EXPECT_THAT(html, HasSubstr("default-src 'none'"));
-    EXPECT_THAT(html, HasSubstr("script-src 'sha256-"));
-    EXPECT_THAT(html, Not(HasSubstr("http://")));
-    EXPECT_THAT(html, Not(HasSubstr("https://")));
+    EXPECT_THAT(html, AllOf(HasSubstr("default-src 'none'"), HasSubstr("script-src 'sha256-"),
+                            Not(HasSubstr("http://")), Not(HasSubstr("https://"))));
     const std::size_t at = html.find("'sha256-") + 8;
     EXPECT_EQ(html.find('\'', at) - at, 44U);  // 32 bytes in base64
     EXPECT_EQ(html[at + 43], '=');
@@ -63,12 +58,6 @@ TEST(Page, NumbersAreSortedByTheirValue) {
     EXPECT_THAT(html, HasSubstr("<td class=\"number bad\" data-value=\"Infinity\">inf</td>"));
     EXPECT_THAT(html, HasSubstr("<td class=\"number\">nan</td>"));
     EXPECT_THAT(html, HasSubstr("<td class=\"number\">-</td>"));
-}
-
-TEST(Page, ARowWithoutItsCellsIsRefused) {
-    Page page("p");
-    EXPECT_THROW(page.table({.columns = {{.title = "a"}, {.title = "b"}}, .rows = {{{"1"}}}}),
-                 std::invalid_argument);
 }
 
 TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {

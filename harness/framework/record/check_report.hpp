@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "judge/answer.hpp"
 #include "record/table.hpp"
@@ -44,8 +41,7 @@ struct OutcomeCounts {
     std::size_t failed = 0;
     std::size_t not_judged = 0;
 
-    // Of a command: 1 if a check failed; 2 if there were some and none was judged; 0
-    // otherwise.
+    // Of a command: 1 if a check failed; 2 if there were some and none was judged; 0 otherwise.
     [[nodiscard]] int exit_status() const;
 };
 [[nodiscard]] OutcomeCounts counts_of(const std::vector<CheckReport>& reports);
@@ -93,8 +89,7 @@ struct OutcomeCounts {
 [[nodiscard]] Table check_table(const std::vector<CheckReport>& reports);
 
 // The results of `gloam check` as one HTML page: the devices with the number of failed checks, the story of
-// each failure, accuracy_table() and check_table(). `notes`: paragraphs below the title, for example
-// conflicts between merged files.
+// each failure, accuracy_table() and check_table(). `notes`: paragraphs below the title.
 [[nodiscard]] std::string to_check_page(const std::vector<CheckReport>& reports,
                                         const std::vector<std::string>& notes = {});
 
@@ -112,8 +107,7 @@ struct MergedReports {
 
 // Merges files. Two drivers are the same if all their reported properties are; their rows for the same inputs
 // and seed are united, so that shards become the whole. Of two rows that differ (except in time) the worse is
-// kept: first one that did not run, then one with a fault, then the larger share outside, then the larger
-// error.
+// kept: one that did not run, then one with a fault, then the larger share outside, then the larger error.
 [[nodiscard]] MergedReports merge(const std::vector<ReportFile>& files);
 
 // A line for each check that newly failed or was mended since an earlier run, and whose error grew or shrank

@@ -76,9 +76,10 @@ std::string yes_no(bool flag) {
 
 }  // namespace
 
-std::string failure_text(const DeviceSummary& device, const judge::Answer& row,
-                         const std::optional<judge::Sample>& smallest, const std::string& note,
-                         const RunAgain& again) {
+std::string failure_text(const DeviceSummary& device, const judge::Answer& row, const FailureBundle& bundle,
+                         const std::string& command, const std::string& versions) {
+    const auto& [steps, rules, smallest] =
+        std::tie(bundle.reproduction.steps, bundle.reproduction.rules, bundle.reproduction.failure);
     std::string text =
         fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);
     text += row.ran() ? row.story + "\n" : fmt::format("{}: {}\n\n", name_of(row.reason), row.error);
@@ -93,22 +94,19 @@ std::string failure_text(const DeviceSummary& device, const judge::Answer& row,
         to_text(row.budget), device.name, device.driver, api_of(device), device.type,
         yes_no(device.float32.preserves_signed_zero_inf_nan), yes_no(device.float32.preserves_denormals),
         yes_no(device.float32.flushes_denormals), yes_no(device.float32.rounds_to_even));
-    if (!again.versions.empty()) text += "Versions: " + again.versions + "\n\n";
-    if (!note.empty()) text += note + "\n\n";
-    const std::string command = again.command.empty()
-                                    ? fmt::format("gloam check {} --variant {}", row.equation, row.variant)
-                                    : again.command;
+    text += "Versions: " + versions + "\n\n";
+    if (!bundle.error.empty())
+        text += "The shader and a reproduction could not be made: " + bundle.error + "\n\n";
     text += fmt::format("Run it again: {}\n", command);
-    if (again.amber)
+    if (!bundle.amber.empty())
         text +=
             "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber (https://github.com/google/amber)\n";
-    if (row.rules_alone() && !again.rules.empty())
+    if (row.rules_alone() && !rules.empty())
         text += fmt::format(
             "Vulkan specification, \"Precision and Operation of SPIR-V Instructions\", float32:\n  {}\n\n",
-            fmt::join(again.rules, "\n  "));
-    if (!again.steps.empty())
-        text += fmt::format("The fewest steps that fail: {}\n", fmt::join(again.steps, " | "));
-    if (again.program)
+            fmt::join(rules, "\n  "));
+    if (!steps.empty()) text += fmt::format("The fewest steps that fail: {}\n", fmt::join(steps, " | "));
+    if (!bundle.c_program.empty())
         text += "Run it on the Vulkan loader alone: cc repro.c -o repro -lvulkan -lm && ./repro\n";
     return text;
 }

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -89,8 +88,7 @@ void compare_word(const numeric::Bounds& allowed, Comparisons& all) {
     add("LE", allowed.high);
 }
 
-// Those with the hull, as a script cannot say "or", and with what was found where that is in the hull, but in
-// no outcome's range.
+// Those with the hull, as a script cannot say "or", and with what was found where no outcome has that.
 Comparisons comparisons_of(const Reproduction& all, std::size_t i) {
     if (all.outcomes.empty()) return {};
     const bool as_float = is_float(all, i);

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "judge/reproduction.hpp"
 #include "record/check_report.hpp"
 
@@ -24,28 +20,25 @@ namespace gloam::record {
 [[nodiscard]] std::string to_c_program(const judge::Reproduction& all,
                                        const std::vector<std::string>& comments, const std::string& device);
 
-// What is needed to reproduce a failure.
-struct RunAgain {
-    std::string command;   // complete; empty: gloam check with the equation and the variant alone
-    std::string versions;  // of gloam and of the compilers; empty: unknown
-    bool amber = true;     // there is a script for it
-    bool program = true;   // and a program in C
-    std::vector<std::string> steps = {};  // the fewest that fail
-    std::vector<std::string> rules = {};  // judge::rules_of() its operations
+// A failure, prepared for a report.
+struct FailureBundle {
+    judge::Reproduction reproduction = {};
+    std::string amber = {};      // to_amber(); empty: there is no script for it
+    std::string c_program = {};  // to_c_program(), likewise
+    std::string error = {};      // why the other members are empty; empty: no error
 };
 
 // The description of a failing row, complete in itself: what failed where, the smallest input found in
 // decimal and hexadecimal, the result, the expected and the allowed values, the device and its driver, and
-// how to run it again. `note`: what could not be determined; may be empty.
+// how to run it again. command: that repeats the check. versions: of gloam and of the compilers.
 [[nodiscard]] std::string failure_text(const DeviceSummary& device, const judge::Answer& row,
-                                       const std::optional<judge::Sample>& smallest, const std::string& note,
-                                       const RunAgain& again = {});
+                                       const FailureBundle& bundle, const std::string& command,
+                                       const std::string& versions);
 
 // The word in a shell's syntax, quoted if necessary.
 [[nodiscard]] std::string shell_word(const std::string& text);
 
-// Lower-case letters, digits and dashes only: a folder name for a device or an equation. A long one ends in a
-// hash.
+// Lower-case letters, digits and dashes: the folder of a device or an equation. A long one ends in a hash.
 [[nodiscard]] std::string slug(const std::string& text);
 
 }  // namespace gloam::record

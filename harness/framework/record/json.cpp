@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -88,12 +87,6 @@ int JsonReader::integer(int least, int most) const {
     if (!json_->is_number_integer() || json_->get<double>() < least || json_->get<double>() > most)
         expected(fmt::format("a whole number from {} to {}", least, most));
     return json_->get<int>();
-}
-
-std::uint32_t JsonReader::word() const {
-    const std::size_t word = count();
-    if (word > std::numeric_limits<std::uint32_t>::max()) expected("a 32-bit word");
-    return static_cast<std::uint32_t>(word);
 }
 
 ordered_json parse_json(std::string_view text) {

@@ -43,7 +43,6 @@ class JsonReader {
         return value<std::size_t>(json_->is_number_unsigned(), "a count");
     }
     [[nodiscard]] bool flag() const { return value<bool>(json_->is_boolean(), "true or false"); }
-    [[nodiscard]] std::uint32_t word() const;
 
     [[noreturn]] void expected(const std::string& what) const;
 

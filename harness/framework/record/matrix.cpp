@@ -29,8 +29,7 @@ std::string cell(const judge::Answer& row) {
     return "ok " + numeric::to_short_text(row.fraction_of_allowed());
 }
 
-// A row for each equation, a column for each variant on each driver. The row of a device itself is in the
-// summary.
+// A row for each equation, a column for each variant on each driver. A device's own row is in the summary.
 Table table_of(const std::vector<CheckReport>& reports) {
     Table table{{{.title = "equation"}}};
     std::map<std::string, std::vector<Cell>> by_equation;
@@ -77,13 +76,11 @@ std::string summary(const CheckReport& report) {
         text += fmt::format("{}{} {}", separator, count, reason);
         separator = ", ";
     }
-    if (worst != nullptr) {
+    if (worst != nullptr)
         text += fmt::format("; worst error {:.3g} of what is allowed: {} {}", worst->fraction_of_allowed(),
                             worst->equation, worst->variant);
-    }
-    for (const judge::Answer& row : report.rows) {
+    for (const judge::Answer& row : report.rows)
         if (row.variant.empty()) text += "; " + row.error;
-    }
     return text;
 }
 
@@ -91,13 +88,11 @@ std::string summary(const CheckReport& report) {
 
 std::string to_matrix(const std::vector<CheckReport>& reports) {
     std::string text;
-    for (std::size_t i = 0; i < reports.size(); ++i) {
+    for (std::size_t i = 0; i < reports.size(); ++i)
         text += fmt::format("driver {}: {}\n", i + 1, title_of(reports, i));
-    }
     text += "\n" + aligned(table_of(reports)) + "\n" + std::string(legend) + "\n";
-    for (std::size_t i = 0; i < reports.size(); ++i) {
+    for (std::size_t i = 0; i < reports.size(); ++i)
         text += fmt::format("driver {}: {}\n", i + 1, summary(reports[i]));
-    }
     return text;
 }
 

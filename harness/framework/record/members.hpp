@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "record/json.hpp"
 
@@ -135,7 +129,10 @@ class MemberReader {
         number = lacks ? std::numeric_limits<double>::quiet_NaN() : json.number();
     }
     static void read(const JsonReader& json, std::size_t& count) { count = json.count(); }
-    static void read(const JsonReader& json, std::uint32_t& word) { word = json.word(); }
+    static void read(const JsonReader& json, std::uint32_t& word) {
+        if (json.count() > std::numeric_limits<std::uint32_t>::max()) json.expected("a 32-bit word");
+        word = static_cast<std::uint32_t>(json.count());
+    }
     static void read(const JsonReader& json, int& count) { count = json.integer(0, 1 << 24); }
     template <class T>
     static void read(const JsonReader& json, std::vector<T>& values) {

@@ -51,10 +51,6 @@ std::vector<const MutantRow*> survivors(const MutationReport& report) {
     return rows;
 }
 
-std::string verdict_of(const MutantRow& row) {
-    return row.fate == Fate::known ? "known: " + row.reason : name_of(row.comparison.difference);
-}
-
 }  // namespace
 
 std::string name_of(Fate fate) {
@@ -91,7 +87,8 @@ std::string to_text(const MutationReport& report) {
         const audit::MutantComparison& shown = row->comparison;
         text += fmt::format("{}:{}: '{}' -> '{}' in {}: {}\n", report.files.at(row->file), mutation.line,
                             in_a_line(mutation.before), in_a_line(mutation.after),
-                            mutation.function.empty() ? "no function" : mutation.function, verdict_of(*row));
+                            mutation.function.empty() ? "no function" : mutation.function,
+                            row->fate == Fate::known ? "known: " + row->reason : name_of(shown.difference));
         if (row->fate == Fate::survived && !shown.words.empty())
             text += fmt::format("  {}({}): {} becomes {}\n", shown.function, shown.values, shown.before,
                                 shown.after);

@@ -19,8 +19,7 @@ class OutputFile {
     // Throws std::runtime_error if the folder is missing or cannot be written to.
     explicit OutputFile(std::filesystem::path path);
 
-    // Writes the file. Throws std::runtime_error if that fails, for example on a full disk; then nothing is
-    // left behind.
+    // Writes the file. Throws std::runtime_error if that fails (a full disk, say), and leaves nothing behind.
     void write(std::string_view text) const;
 
   private:
@@ -60,13 +59,11 @@ void take_lines(const std::string& name, std::string_view text, const TakeLine& 
 class Journal {
   public:
     // Starts the file anew, or, with `resume`, gives `take` its lines if it begins with `heading`. A last
-    // line without its end was being written, and is dropped. An empty path: no file. Throws
-    // std::runtime_error for a file that cannot be read or written, or that begins with another heading, and
-    // like take_lines().
+    // line without its end was being written, and is dropped. An empty path: no file. Throws like
+    // take_lines(), and std::runtime_error for a file that cannot be read or written or has another heading.
     Journal(std::filesystem::path path, const std::string& heading, bool resume, const TakeLine& take);
 
-    // Appends a line (without its end); on return it is in the file. Throws std::runtime_error if it cannot
-    // be written.
+    // Appends a line (without its end); on return it is in the file, or std::runtime_error is thrown.
     void add(std::string_view line) const;
 
   private:

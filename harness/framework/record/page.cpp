@@ -7,8 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <set>
-#include <stdexcept>
-#include <vector>
 
 #include "base/text.hpp"
 #include "base/version.hpp"
@@ -134,18 +132,12 @@ void Page::choose(const std::vector<PagePicture>& pictures, std::string_view cap
 }
 
 void Page::table(const Table& table) {
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        if (table.rows[i].size() == table.columns.size()) continue;
-        throw std::invalid_argument(fmt::format("page: row {} of a table has {} cells, expected {}", i,
-                                                table.rows[i].size(), table.columns.size()));
-    }
     constexpr std::size_t few = 8;  // rows that a reader takes in at once
     body_ += fmt::format(
         "<section class=\"table\">\n{}<div class=\"filter\"{}><label>Find <input type=\"search\"></label>\n",
         meanings_html(table), table.rows.size() < few ? " hidden" : "");
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
         if (table.columns[i].filter) body_ += choice_html(table, i);
-    }
     body_ +=
         "<output></output></div>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" "
         "aria-label=\"Table\"><table>\n" +

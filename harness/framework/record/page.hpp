@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "record/table.hpp"
 
@@ -35,9 +33,7 @@ class Page {
     // Pictures of one size with a button each: the chosen one is shown, at first the first. At most five.
     void choose(const std::vector<PagePicture>& pictures, std::string_view caption);
 
-    // A table that a reader can sort by a click on a title; from eight rows on also filter by words and by
-    // the columns' selections. Throws std::invalid_argument for a row with another number of cells than
-    // columns.
+    // A table that is sorted by a click on a title, and from eight rows on filtered by words and columns.
     void table(const Table& table);
 
     // The complete file.
@@ -51,8 +47,7 @@ class Page {
 };
 
 // Escapes a text for HTML, in element content and in quoted attributes: & < > " ' become entities, control
-// characters except tab and line break become U+FFFD. Bytes that are not UTF-8 stay; a browser shows them as
-// U+FFFD.
+// characters except tab and line break become U+FFFD, as which a browser shows bytes that are not UTF-8.
 [[nodiscard]] std::string escaped_html(std::string_view text);
 
 }  // namespace gloam::record

@@ -3,8 +3,6 @@
 
 #include <cstdio>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "audit/audit.hpp"
 #include "base/text.hpp"
@@ -34,9 +32,7 @@ void say_left_out(const std::string& file, const FileFunctions& read) {
                    base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
     for (const std::string& made : read.file->excerpts.by_macro)
         fmt::print("{}: {}: functions that a macro makes are not looked at\n", file, made);
-    if (read.functions.found.empty())
-        throw std::runtime_error(
-            fmt::format("{}: nothing was audited: {}", file, why_nothing(read.functions.left_out)));
+    if (read.functions.found.empty()) throw nothing_was("audited", file, read.functions.left_out);
 }
 
 // One function after the other, each shown as soon as it is known: what is stopped has said what it knew.

@@ -2,9 +2,7 @@
 #include "cli/framework/check.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 
 #include "base/text.hpp"

@@ -5,10 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/framework/own_file.hpp"
@@ -56,8 +53,7 @@ struct CheckOptions {
         return std::chrono::milliseconds(std::max(1L, std::lround(timeout * 1000.0)));
     }
 
-    // Of the rows while the check runs, from which --resume continues a run that was killed; empty if no
-    // result file is written.
+    // Of the rows while the check runs, from which --resume continues a killed run; empty without `json`.
     [[nodiscard]] std::filesystem::path journal() const {
         return json.empty() ? "" : json.string() + ".journal";
     }

@@ -5,12 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "base/process.hpp"
 #include "base/text.hpp"
@@ -81,9 +77,7 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
         if (of_quad) left_out.push_back({one.name, "it needs the derivatives of a fragment shader"});
         return of_quad;
     });
-    if (functions.found.empty())
-        throw std::runtime_error(
-            fmt::format("{}: nothing was counted: {}", file.string(), why_nothing(left_out)));
+    if (functions.found.empty()) throw nothing_was("counted", file.string(), left_out);
     for (const subject::Skipped& one : left_out)
         fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
     const subject::Lab lab = lab_of(own);

@@ -6,12 +6,9 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"

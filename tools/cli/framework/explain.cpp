@@ -4,11 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <filesystem>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "base/number.hpp"
 #include "cli/environment.hpp"
@@ -96,15 +92,10 @@ std::vector<Word> input_from(const subject::OwnFunction& own, std::vector<std::s
     return input;
 }
 
-// A function of a file, and the values behind it on the command line.
-struct Target {
-    std::string file;
-    std::string function;
-    std::vector<std::string> values;
-};
-
-// FILE FUNCTION VALUE..., or EQUATION VALUE..., which is all that names the function.
-Target target_of(const std::vector<std::string>& words, EquationsNamed* equations) {
+// The file and the function that FILE FUNCTION VALUE... names, or EQUATION VALUE..., which is all that names
+// one, and the values behind it.
+std::tuple<std::string, std::string, std::vector<std::string>> target_of(
+    const std::vector<std::string>& words, EquationsNamed* equations) {
     std::error_code none;
     if (is_shader_file(words.front()) || std::filesystem::exists(words.front(), none)) {
         if (words.size() < 2)
@@ -120,14 +111,13 @@ Target target_of(const std::vector<std::string>& words, EquationsNamed* equation
 }
 
 int run_explain(const ExplainOptions& options, EquationsNamed* equations) {
-    const Target target = target_of(options.words, equations);
-    const subject::OwnFunctions functions =
-        functions_of(target.file, {target.function}, options.own).functions;
+    const auto [file, function, values] = target_of(options.words, equations);
+    const subject::OwnFunctions functions = functions_of(file, {function}, options.own).functions;
     if (functions.found.empty())
-        throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
-                                                functions.left_out.front().why));
+        throw std::invalid_argument(
+            fmt::format("{}: {}: {}", file, functions.left_out.front().name, functions.left_out.front().why));
     const subject::OwnFunction& own = functions.found.front();
-    const std::vector<Word> input = input_from(own, target.values);
+    const std::vector<Word> input = input_from(own, values);
     try {
         numeric::Random random(1);
         const auto scenarios = subject::random_scenarios(own.images);
@@ -138,7 +128,7 @@ int run_explain(const ExplainOptions& options, EquationsNamed* equations) {
         fmt::print("{}", to_text(all, all.steps.size()));
         return 0;
     } catch (const interpreter::Error& error) {
-        throw std::runtime_error(fmt::format("{}: {}: {}", target.file, target.function, error.what()));
+        throw std::runtime_error(fmt::format("{}: {}: {}", file, function, error.what()));
     }
 }
 

@@ -3,19 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdint>
 #include <deque>
-#include <filesystem>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "audit/mutant.hpp"
 #include "base/files.hpp"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "backend/vulkan/device.hpp"
 #include "cli/commands.hpp"
@@ -13,12 +10,10 @@
 
 namespace gloam::cli {
 
-// Opens the device of --device and --validation; its pipelines are cached in cache_directory(). Throws like
-// backend::vulkan::Device.
+// Opens the device of --device and --validation; pipelines are cached. Throws like backend::vulkan::Device.
 [[nodiscard]] backend::vulkan::Device open_device(const std::string& name, bool validation);
 
-// Prints the validation messages since the last call. Returns the exit status: 0 without messages, otherwise
-// 1.
+// Prints the validation messages since the last call. Returns the exit status: 0 without messages, else 1.
 [[nodiscard]] int validation_status(backend::vulkan::Device& device);
 
 // --driver of a command that opens devices. Before the command runs, the Vulkan loader gets the manifests of
@@ -65,10 +60,7 @@ void say_skipped(const BrokenDriver& driver);
 [[nodiscard]] const std::vector<std::filesystem::path>& drivers_asked_for();
 
 // Its one line of JSON, without the reason; a device as `gloam devices --json` shows it.
-template <class Io>
-void members(Io& io, Listing& listing) {
-    record::each(io, "devices", listing.devices, "error", listing.error);
-}
+GLOAM_MEMBERS(Listing, devices, error)
 
 }  // namespace gloam::cli
 
@@ -81,12 +73,7 @@ void members(Io& io, FloatControls& float32) {
                  "rounding_mode_rte", float32.rounds_to_even, "rounding_mode_rtz", float32.rounds_to_zero);
 }
 
-template <class Io>
-void members(Io& io, DeviceInfo& device) {
-    record::each(io, "index", device.index, "name", device.name, "type", device.type, "driver", device.driver,
-                 "api_version", device.api_version, "max_image_size", device.max_image_size,
-                 "max_buffer_bytes", device.max_buffer_bytes, "subgroup_size", device.subgroup_size,
-                 "timestamp_period_ns", device.timestamp_period_ns, "float32", device.float32);
-}
+GLOAM_MEMBERS(DeviceInfo, index, name, type, driver, api_version, max_image_size, max_buffer_bytes,
+              subgroup_size, timestamp_period_ns, float32)
 
 }  // namespace gloam::backend

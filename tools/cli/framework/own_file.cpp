@@ -77,11 +77,13 @@ FileFunctions functions_of(const std::filesystem::path& file, const std::vector<
     return all;
 }
 
-std::string why_nothing(const std::vector<subject::Skipped>& left_out) {
-    if (left_out.empty())
-        return "it defines no function but main in GLSL (HLSL is not read), or its #if conditions leave none";
-    if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;
-    return fmt::format("all {} functions were left out", left_out.size());
+std::runtime_error nothing_was(const char* done, const std::string& file,
+                               const std::vector<subject::Skipped>& left_out) {
+    std::string why =
+        "it defines no function but main in GLSL (HLSL is not read), or its #if conditions leave none";
+    if (left_out.size() == 1) why = left_out.front().name + ": " + left_out.front().why;
+    if (left_out.size() > 1) why = fmt::format("all {} functions were left out", left_out.size());
+    return std::runtime_error(fmt::format("{}: nothing was {}: {}", file, done, why));
 }
 
 }  // namespace gloam::cli

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <memory>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "cli/commands.hpp"
 #include "judge/question.hpp"
@@ -24,8 +21,7 @@ struct OwnFileOptions {
 
 // Whether a name ends like that of a shader file: .glsl, .frag, .FRAG, .fs ...
 [[nodiscard]] bool has_shader_ending(const std::string& word);
-// Whether a word of the command line is a shader file, not an equation: it ends like one, or there is a file
-// of this name.
+// Whether a word of the command line is a shader file, not an equation: by its ending, or as a file's name.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
 // A file and functions, of words that name these, or equations of one file instead. Throws
@@ -44,8 +40,7 @@ struct FileFunctions {
 };
 
 // Throws std::runtime_error for a missing file; source::CompileError for what the preprocessor rejects;
-// std::invalid_argument for a function that it does not define, and for a range without a parameter of its
-// name.
+// std::invalid_argument for a function that it does not define, and for a range that no parameter has.
 [[nodiscard]] FileFunctions functions_of(const std::filesystem::path& file,
                                          const std::vector<std::string>& names,
                                          const OwnFileOptions& options);
@@ -54,7 +49,8 @@ struct FileFunctions {
 [[nodiscard]] subject::Lab lab_of(std::shared_ptr<const subject::OwnFile> file,
                                   const std::string& device = std::string(subject::interpreter_name));
 
-// Why nothing is left of a file of which these functions were left out.
-[[nodiscard]] std::string why_nothing(const std::vector<subject::Skipped>& left_out);
+// "FILE: nothing was DONE: ...": why nothing is left of a file of which these functions were left out.
+[[nodiscard]] std::runtime_error nothing_was(const char* done, const std::string& file,
+                                             const std::vector<subject::Skipped>& left_out);
 
 }  // namespace gloam::cli

@@ -6,7 +6,6 @@
 #include <unistd.h>
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <stdexcept>
 
 #include "base/process.hpp"
@@ -23,35 +22,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is packed: whole files, or functions of some.
-struct Packed {
+// The files, and the functions of them that are packed. Each name is a file by its path or its name inside
+// the library, or equations, whose functions are packed.
+std::pair<std::vector<fs::path>, std::vector<std::string>> find_all(const PackOptions& options,
+                                                                    const std::vector<fs::path>& roots,
+                                                                    EquationsNamed* equations) {
     std::vector<fs::path> files;
-    std::vector<std::string> functions;
-};
-
-// Each name is a file by its path, or by its name inside the library; else equations, of which only the
-// functions are packed.
-Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots, EquationsNamed* equations) {
-    Packed packed{.files = {}, .functions = options.functions};
+    std::vector<std::string> functions = options.functions;
     bool whole = false;
     for (const std::string& name : options.files) {
         std::error_code none;
         const bool exists = fs::exists(name, none);
         const bool may_exist = is_shader_file(name) || name.find('/') != std::string::npos;
         if (exists || (may_exist && name.find_first_of("*?") == std::string::npos)) {
-            packed.files.push_back(exists ? fs::path(name) : module::resolve_include(name, {}, roots));
+            files.push_back(exists ? fs::path(name) : module::resolve_include(name, {}, roots));
             whole = true;
             continue;
         }
         for (const judge::Question& equation : equations({name})) {
             const fs::path file = module::resolve_include(equation.file, {}, roots);
-            if (std::ranges::find(packed.files, file) == packed.files.end()) packed.files.push_back(file);
-            packed.functions.push_back(equation.function);
+            if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+            functions.push_back(equation.function);
         }
     }
-    if (whole && packed.functions.size() > options.functions.size())
+    if (whole && functions.size() > options.functions.size())
         throw std::invalid_argument("files and equations together: expected one or the other");
-    return packed;
+    return {files, functions};
 }
 
 // Throws like module::pack(), in one line for what Vulkan alone refuses: uniforms outside blocks.
@@ -83,10 +79,9 @@ void pack_files(const PackOptions& options, EquationsNamed* equations) {
     if (options.files.empty())
         throw std::invalid_argument("nothing to pack: give files, or --effect for all passes of the effect");
     const auto language = source::language_from(options.version);
-    if (!language) {
+    if (!language)
         throw std::invalid_argument("unknown GLSL version \"" + options.version +
                                     "\": expected 450, 430, 330, 150, 300es, 310es or 320es");
-    }
     const std::optional<module::Target> target = target_of(options);
     std::vector<fs::path> roots{glsl_directory()};
     roots.insert(roots.begin(), options.includes.begin(), options.includes.end());

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "cli/commands.hpp"
 #include "module/compile.hpp"
 
@@ -30,8 +25,7 @@ void pack_files(const PackOptions& options, EquationsNamed* equations);
 // them those of all together, each function once. Throws like module::pack().
 [[nodiscard]] std::string line_table(const std::vector<std::string>& files);
 
-// The packed text with gloam's version, and what takes this language, at its head: behind #version, which
-// must be the first line.
+// The packed text with gloam's version, and what takes this language, at its head: behind its #version.
 [[nodiscard]] std::string with_version(std::string text, std::optional<source::Language> language);
 
 }  // namespace gloam::cli

@@ -2,10 +2,7 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <filesystem>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "base/files.hpp"
 #include "record/check_report.hpp"

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 #include "base/threads.hpp"
@@ -40,10 +38,7 @@ struct JournalRow {
     Answer row;
 };
 
-template <class Io>
-void members(Io& io, JournalRow& kept) {
-    record::each(io, "device", kept.device, "row", kept.row);
-}
+GLOAM_MEMBERS(JournalRow, device, row)
 
 // One worker for each core, unless the work is too short for another worker's start.
 unsigned jobs_of(const CheckOptions& options, std::size_t checks) {
@@ -185,10 +180,10 @@ class CheckRun {
             take_next(shared);
             if (!row.failed() || !failures_) return;
             lock.unlock();
-            const FailureBundle bundle = worker.bundle(task, row);
+            const record::FailureBundle bundle = worker.bundle(task, row);
             lock.lock();
             const record::DeviceSummary& on = reports.back().device;
-            write_failure(*failures_, on, row, bundle, {command_for(options_, on, row), versions()});
+            write_failure(*failures_, on, row, bundle, command_for(options_, on, row));
         } catch (const NoWorker& none) {
             lock.lock();
             if (!shared.given_up) shared.given_up = none;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "cli/framework/check.hpp"
 
 namespace gloam::cli {
@@ -15,9 +12,8 @@ inline constexpr const char* every_opengl = "gl";
 // Whether the first word is a file of the user's: functions, or a module.
 [[nodiscard]] bool is_of_file(const CheckOptions& options);
 
-// The selected equations or functions in every selected variant; only this shard's share. `outcome` receives
-// what was left out of a file. Throws like functions_of(), and std::invalid_argument for variants that the
-// device does not have.
+// This shard's share of the selected equations or functions in every selected variant. `outcome` gets what
+// was left out of a file. Throws like functions_of(); std::invalid_argument for variants of other devices.
 [[nodiscard]] std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome);
 
 // Runs every task on each device that the options select, in worker processes, so that a crash or hang of a

@@ -16,6 +16,8 @@
 namespace gloam::cli {
 namespace {
 
+using record::FailureBundle;
+
 // The lines at the top of a program that repeats it.
 std::vector<std::string> comments_of(const judge::Reproduction& all, const judge::Question& question,
                                      const CheckTask& task, const backend::DeviceInfo& device,
@@ -50,21 +52,15 @@ std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
 
 FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question, const CheckTask& task,
                         const judge::Answer& failed) {
-    const judge::Reproduction all = !failed.ran() ? judge::reproduce(lab, question, task.run)
-                                    : failed.outside() > 0
-                                        ? judge::reproduce(lab, question, task.run, failed.worst.value())
-                                        : judge::reproduce_fault(lab, question, task.run);
+    FailureBundle bundle{.reproduction = !failed.ran() ? judge::reproduce(lab, question, task.run)
+                                         : failed.outside() > 0
+                                             ? judge::reproduce(lab, question, task.run, failed.worst.value())
+                                             : judge::reproduce_fault(lab, question, task.run)};
+    const judge::Reproduction& all = bundle.reproduction;
     const backend::DeviceInfo& device = lab.info();
-    if (!all.opengl.empty()) return {.glsl = all.opengl, .rules = all.rules, .smallest = all.failure};
-    FailureBundle bundle{.glsl = all.glsl,
-                         .assembly = all.assembly,
-                         .spirv = all.spirv,
-                         .steps = all.steps,
-                         .rules = all.rules,
-                         .before = all.before,
-                         .smallest = all.failure};
-    // They run compute shaders and ask for no features.
-    if (all.team.kind == backend::Team::Kind::quad || module::has_float16(all.spirv)) return bundle;
+    // The script and the program run compute shaders on Vulkan, and ask for no features.
+    if (!all.opengl.empty() || all.team.kind == backend::Team::Kind::quad || module::has_float16(all.spirv))
+        return bundle;
     // The script has no images; the program has those of single samplers, not of layers.
     const bool has_images = std::ranges::any_of(all.images, &judge::Reproduction::ImageBuffer::bound);
     const bool has_layers =
@@ -81,25 +77,23 @@ FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question
 }
 
 void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
-                   const judge::Answer& row, const FailureBundle& bundle, record::RunAgain again) {
+                   const judge::Answer& row, const FailureBundle& bundle, const std::string& command) {
     record::OutputFolder out(folder.path() / record::slug(record::name_of(device)) /
                              (record::slug(row.equation) + "-" + record::slug(row.variant)));
-    const std::string note =
-        bundle.error.empty() ? "" : "The shader and a reproduction could not be made: " + bundle.error;
-    again.amber = !bundle.amber.empty();
-    again.program = !bundle.c_program.empty();
-    again.steps = bundle.steps;
-    again.rules = bundle.rules;
-    out.write("report.txt", record::failure_text(device, row, bundle.smallest, note, again));
+    out.write("report.txt", record::failure_text(device, row, bundle, command, versions()));
+    const judge::Reproduction& all = bundle.reproduction;
     const auto write = [&](const char* name, std::string_view bytes) {
         if (!bytes.empty()) out.write(name, bytes);
     };
-    write(bundle.spirv.empty() ? "shader.glsl" : "shader.comp", bundle.glsl);  // of OpenGL, or of Vulkan
-    write("shader.spvasm", bundle.assembly);
-    write("shader.spv", bytes_of(bundle.spirv));
+    write("shader.glsl", all.opengl);
+    if (all.opengl.empty()) {
+        write("shader.comp", all.glsl);
+        write("shader.spvasm", all.assembly);
+        write("shader.spv", bytes_of(all.spirv));
+        write("before.spv", bytes_of(all.before));
+    }
     write("repro.amber", bundle.amber);
     write("repro.c", bundle.c_program);
-    write("before.spv", bytes_of(bundle.before));
     out.keep();
     folder.keep();
 }

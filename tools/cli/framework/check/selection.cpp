@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <ranges>
 #include <stdexcept>
 
@@ -30,15 +29,6 @@ std::vector<module::Variant> select_variants(const std::string& name) {
     }
 }
 
-// Each name with each of the steps that the text stands for.
-std::vector<std::string> followed(const std::vector<std::string>& names, const std::string& text) {
-    std::vector<std::string> longer;
-    for (const std::string& step : module::steps_from(text))
-        for (const std::string& name : names)
-            longer.push_back(name + std::string(module::step_separator) + step);
-    return longer;
-}
-
 // The variants that the options ask for, with the steps of each --compiler. OpenGL devices have one variant:
 // the others are ways to make a SPIR-V module. Throws std::invalid_argument.
 std::vector<module::Variant> variants_of(const CheckOptions& options) {
@@ -48,8 +38,13 @@ std::vector<module::Variant> variants_of(const CheckOptions& options) {
     for (const std::string& compiler : options.compilers) {
         std::vector<std::string> chains;
         for (const module::Variant& base : bases) chains.push_back(base.name);
-        for (const auto step : std::views::split(std::string_view(compiler), module::step_separator))
-            chains = followed(chains, std::string(step.begin(), step.end()));
+        for (const auto part : std::views::split(std::string_view(compiler), module::step_separator)) {
+            std::vector<std::string> longer;  // each by each of the steps that the part stands for
+            for (const std::string& step : module::steps_from(std::string(part.begin(), part.end())))
+                for (const std::string& name : chains)
+                    longer.push_back(name + std::string(module::step_separator) + step);
+            chains = std::move(longer);
+        }
         for (const std::string& name : chains) variants.push_back(module::variant(name));
     }
     if (!is_opengl(options.device)) return variants;
@@ -87,24 +82,17 @@ std::vector<judge::Question> functions_in_file(const CheckOptions& options, Chec
     if (!questions.empty()) return questions;
     if (functions.left_out.size() > 1)
         for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
-    throw std::runtime_error(
-        fmt::format("{}: nothing was checked: {}", file, why_nothing(functions.left_out)));
+    throw nothing_was("checked", file, functions.left_out);
 }
 
-// One of `count` equal shares of a list: every element whose position modulo `count` is `index`.
-struct Shard {
-    std::size_t index = 0;
-    std::size_t count = 1;
-};
-
-// Of "INDEX/COUNT". For an empty text it uses the variables of GoogleTest and ctest, or everything if they
-// are not set.
-Shard shard_from(std::string text) {
+// Index and count of "INDEX/COUNT": the share of a list with every element whose position modulo COUNT is
+// INDEX. For an empty text it uses the variables of GoogleTest and ctest, or everything without them.
+std::pair<std::size_t, std::size_t> shard_from(std::string text) {
     std::string where = "--shard";
     if (text.empty()) {
         const char* index = std::getenv("GTEST_SHARD_INDEX");
         const char* count = std::getenv("GTEST_TOTAL_SHARDS");
-        if (index == nullptr && count == nullptr) return {};
+        if (index == nullptr && count == nullptr) return {0, 1};
         text = fmt::format("{}/{}", index == nullptr ? "" : index, count == nullptr ? "" : count);
         where = "GTEST_SHARD_INDEX and GTEST_TOTAL_SHARDS";
     }
@@ -112,7 +100,7 @@ Shard shard_from(std::string text) {
     const auto index = base::number_from<std::size_t>(std::string_view(text).substr(0, slash));
     const auto count =
         base::number_from<std::size_t>(std::string_view(text).substr(std::min(slash + 1, text.size())));
-    if (index && count && *index < *count) return {.index = *index, .count = *count};
+    if (index && count && *index < *count) return {*index, *count};
     if (slash == text.size()) text += '/';
     throw std::invalid_argument(where + ": expected INDEX/COUNT with 0 <= INDEX < COUNT, found " + text);
 }
@@ -134,7 +122,7 @@ bool is_of_file(const CheckOptions& options) {
 }
 
 std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
-    const Shard shard = shard_from(options.shard);
+    const auto [index, count] = shard_from(options.shard);
     CheckTask task = options.task;
     if (is_of_file(options)) task.path = std::filesystem::absolute(options.equations.front()).string();
     const std::vector<judge::Question> questions =
@@ -144,7 +132,7 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
     for (const module::Variant& variant : variants_of(options)) {
         for (const judge::Question& question : questions) {
             if (question.answers && variant.name != "shipped") continue;  // a pass has no other
-            if (position++ % shard.count != shard.index) continue;
+            if (position++ % count != index) continue;
             task.identity = {.equation = question.name,
                              .function = question.function,
                              .file = question.file,

@@ -19,29 +19,24 @@
 #include "module/include.hpp"
 #include "record/answer_json.hpp"
 
-namespace gloam::cli {
-
 // The messages between workers and their parent are one line of JSON each: record::line_of(), and
 // record::from_line(), which throws std::runtime_error with the missing or invalid part.
-template <class Io>
-void members(Io& io, OwnFileOptions& own) {
-    record::each(io, "ranges", own.ranges, "includes", own.includes, "defines", own.defines);
-}
+namespace gloam::judge {
+GLOAM_MEMBERS(AnswerIdentity, equation, function, file, variant)
+GLOAM_MEMBERS(RunOptions, inputs, seed)
+GLOAM_MEMBERS(Reproduction, glsl, spirv, steps, before, opengl, assembly, failure, rules)  // what is written
+}  // namespace gloam::judge
 
-template <class Io>
-void members(Io& io, CheckTask& task) {
-    judge::AnswerIdentity& row = task.identity;
-    record::each(io, "equation", row.equation, "function", row.function, "file", row.file, "variant",
-                 row.variant, "inputs", task.run.inputs, "seed", task.run.seed, "coverage", task.coverage,
-                 "path", task.path, "own", task.own);
-}
+namespace gloam::record {
+GLOAM_MEMBERS(FailureBundle, reproduction, amber, c_program, error)
+}  // namespace gloam::record
 
-template <class Io>
-void members(Io& io, FailureBundle& all) {
-    record::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
-                 "c_program", all.c_program, "steps", all.steps, "rules", all.rules, "before", all.before,
-                 "smallest", all.smallest, "error", all.error);
-}
+namespace gloam::cli {
+
+using record::FailureBundle;
+
+GLOAM_MEMBERS(OwnFileOptions, ranges, includes, defines)
+GLOAM_MEMBERS(CheckTask, identity, run, coverage, path, own)
 
 namespace {
 
@@ -64,17 +59,6 @@ judge::Answer answer_without_result(const CheckTask& task, const std::exception&
     return answer;
 }
 
-// A worker's greeting: its device, or why there is none.
-struct Greeting {
-    record::DeviceSummary device;
-    std::string error;  // empty: there is a device
-};
-
-template <class Io>
-void members(Io& io, Greeting& greeting) {
-    record::each(io, "device", greeting.device, "error", greeting.error);
-}
-
 // To a worker: a check to run, or one that failed, to be prepared for a report. A check that did not run is
 // not tried again, because that has already cost a worker.
 struct Request {
@@ -82,18 +66,21 @@ struct Request {
     std::optional<judge::Answer> failed = {};
 };
 
-template <class Io>
-void members(Io& io, Request& request) {
-    record::each(io, "task", request.task, "failed", request.failed);
+GLOAM_MEMBERS(Request, task, failed)
+
+// The devices that `list` returns, or why there are none.
+template <class List>
+Listing listing_of(const List& list) {
+    try {
+        return {.devices = list()};
+    } catch (const std::exception& error) {
+        return {.error = error.what()};
+    }
 }
 
-// Opens the device in this process.
-Greeting greeting_of(std::optional<Checker>& checker, const CheckOptions& options) {
-    try {
-        return {.device = checker.emplace(options).device(), .error = {}};
-    } catch (const std::exception& error) {
-        return {.device = {}, .error = error.what()};
-    }
+// Opens the device in this process. A worker's greeting says so.
+Listing greeting_of(std::optional<Checker>& checker, const CheckOptions& options) {
+    return listing_of([&] { return std::vector{checker.emplace(options).device()}; });
 }
 
 // The way to the parent. Standard output itself becomes standard error, because a driver may print.
@@ -110,15 +97,10 @@ void send(std::FILE* replies, const T& message) {
     std::fflush(replies);
 }
 
-// What devices there are.
-Listing listing_of(const std::string& what) {
-    try {
-        if (what == "vulkan" || what == "manifests") return {.devices = backend::vulkan::list_devices()};
-        const auto found = backend::gl::list_devices(what);
-        return {.devices = {found.begin(), found.end()}};
-    } catch (const std::exception& error) {
-        return {.error = error.what()};
-    }
+std::vector<backend::DeviceInfo> devices_of(const std::string& what) {
+    if (what == "vulkan" || what == "manifests") return backend::vulkan::list_devices();
+    const auto found = backend::gl::list_devices(what);
+    return {found.begin(), found.end()};
 }
 
 std::vector<std::string> worker_command(const CheckOptions& options) {
@@ -126,11 +108,6 @@ std::vector<std::string> worker_command(const CheckOptions& options) {
     if (!options.device.empty()) command.push_back("--device=" + options.device);
     if (options.validation) command.emplace_back("--validation");
     return command;
-}
-
-bool is_unusable_after(judge::Reason reason) {
-    using enum judge::Reason;
-    return reason == device_lost || reason == hang || reason == out_of_memory;
 }
 
 }  // namespace
@@ -170,15 +147,6 @@ judge::Question Checker::question_of(const CheckTask& task) {
     if (question.must_hold)  // for what it is meant for
         question.domain = audit::ordinary_domain(function.function, audit::ordinary_values(function, ranges));
     return question;
-}
-
-record::DeviceSummary Checker::device() const {
-    const backend::DeviceInfo& info = lab_->info();
-    return {.name = base::one_line(info.name),
-            .driver = base::one_line(info.driver),
-            .type = info.type,
-            .api_version = info.api_version,
-            .float32 = info.float32};
 }
 
 judge::Answer Checker::run(const CheckTask& task) {
@@ -235,23 +203,30 @@ T Worker::asked(const std::string& line) {
 // Starts the worker, twice if need be: a driver may fail once.
 const record::DeviceSummary& Worker::device() {
     if (process_ || here_) return device_;
-    Greeting greeting;
+    Listing greeting;
     if (options_.in_process) {
         greeting = greeting_of(here_, options_);
     } else {
         for (int attempts = 2; !process_; --attempts) {
             try {
                 process_.emplace(worker_command(options_));
-                greeting = asked<Greeting>("");
+                greeting = asked<Listing>("");
             } catch (const std::exception& error) {
                 process_.reset();
                 if (attempts == 1) throw NoWorker(error.what(), base::reason_of(error));
             }
         }
     }
-    if (greeting.error.empty()) return device_ = greeting.device;
-    process_.reset();
-    throw NoWorker(greeting.error);
+    if (!greeting.error.empty()) {
+        process_.reset();
+        throw NoWorker(greeting.error);
+    }
+    const backend::DeviceInfo& info = greeting.devices.at(0);
+    return device_ = {.name = base::one_line(info.name),
+                      .driver = base::one_line(info.driver),
+                      .type = info.type,
+                      .api_version = info.api_version,
+                      .float32 = info.float32};
 }
 
 judge::Answer Worker::run(const CheckTask& task) {
@@ -260,7 +235,8 @@ judge::Answer Worker::run(const CheckTask& task) {
     const auto begin = Clock::now();
     try {
         judge::Answer row = asked<judge::Answer>(record::line_of(Request{task}));
-        if (is_unusable_after(row.reason)) process_.reset();
+        using enum judge::Reason;  // those after which the device cannot be used
+        if (row.reason == device_lost || row.reason == hang || row.reason == out_of_memory) process_.reset();
         return row;
     } catch (const base::Failure& failure) {
         return answer_without_result(task, failure, begin);
@@ -293,7 +269,7 @@ Command check_worker_command(EquationsNamed* equations) {
                 if (list == "manifests") dup2(STDOUT_FILENO, STDERR_FILENO);  // there the loader says them
                 std::FILE* const replies = open_replies();
                 if (!list.empty()) {
-                    send(replies, listing_of(list));
+                    send(replies, listing_of([] { return devices_of(list); }));
                     return 0;
                 }
                 std::optional<Checker> checker;

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "base/failure.hpp"
 #include "base/process.hpp"
@@ -16,28 +13,14 @@
 
 namespace gloam::cli {
 
-// A failure, prepared for a report.
-struct FailureBundle {
-    std::string glsl;      // self-contained compute shader; of an OpenGL device, the text that it was given
-    std::string assembly;  // empty, as all to `before`, of an OpenGL device
-    std::vector<std::uint32_t> spirv;
-    std::string amber;
-    std::string c_program = {};           // record::to_c_program()
-    std::vector<std::string> steps = {};  // judge::Reproduction
-    std::vector<std::string> rules = {};
-    std::vector<std::uint32_t> before = {};
-    std::optional<judge::Sample> smallest;  // the simplest input found to fail
-    std::string error;                      // why the other members are empty; empty: no error
-};
-
 // Prepares a failed check, with the lab's variant. Throws what compiling and running throw.
-[[nodiscard]] FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question,
-                                      const CheckTask& task, const judge::Answer& failed);
+[[nodiscard]] record::FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question,
+                                              const CheckTask& task, const judge::Answer& failed);
 
 // Writes a failure to DEVICE/EQUATION-VARIANT/{report.txt, shader.comp, shader.spvasm, shader.spv,
-// repro.amber} in the folder. report.txt states which parts are missing and why (see FailureBundle::error).
+// repro.amber} in the folder. report.txt states which parts are missing and why. command: that repeats it.
 void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
-                   const judge::Answer& row, const FailureBundle& bundle, record::RunAgain again);
+                   const judge::Answer& row, const record::FailureBundle& bundle, const std::string& command);
 
 // Runs checks in this process.
 class Checker {
@@ -45,14 +28,14 @@ class Checker {
     // Opens the options' device, which is one. Throws like backend::vulkan::Device.
     explicit Checker(const CheckOptions& options);
 
-    [[nodiscard]] record::DeviceSummary device() const;  // in the form of reports
+    [[nodiscard]] const backend::DeviceInfo& device() const { return lab_->info(); }
 
     // Runs a check. It does not throw for errors of the check; the row reports them. After
     // Reason::device_lost and Reason::hang the device cannot be used any more.
     [[nodiscard]] judge::Answer run(const CheckTask& task);
 
     // Prepares a failure for a report. It does not throw for errors; FailureBundle::error reports them.
-    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const judge::Answer& failed);
+    [[nodiscard]] record::FailureBundle bundle(const CheckTask& task, const judge::Answer& failed);
 
   private:
     const subject::Lab& lab(const CheckTask& task);
@@ -64,8 +47,7 @@ class Checker {
     std::unique_ptr<subject::Lab> lab_;
 };
 
-// No worker is available: twice in succession it failed before its greeting, or it has no device
-// (Reason::error).
+// No worker is available: twice it failed before its greeting, or it has no device (Reason::error).
 class NoWorker : public base::Failure {
     using Failure::Failure;
 };
@@ -80,7 +62,7 @@ class Worker {
     const record::DeviceSummary& device();
     // As Checker has them.
     [[nodiscard]] judge::Answer run(const CheckTask& task);
-    [[nodiscard]] FailureBundle bundle(const CheckTask& task, const judge::Answer& failed);
+    [[nodiscard]] record::FailureBundle bundle(const CheckTask& task, const judge::Answer& failed);
 
   private:
     // The answer to a line, the first of which asks for the greeting. Throws base::Failure where there is
