@@ -9,7 +9,6 @@
 #include <exception>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 

@@ -10,8 +10,7 @@ namespace gloam::cli {
 
 // A folder of the program's files, beside the installed program, otherwise in the source tree of the build:
 // "glsl" (gloam/ and passes/), "stress" (shaders of `gloam stress` alone), "site" (what runs in a browser),
-// "docs" (the pages), "experiments" (descriptions for `gloam bench`). Throws std::runtime_error if neither
-// exists.
+// "docs" (the pages), "experiments" (of `gloam bench`). Throws std::runtime_error if neither exists.
 [[nodiscard]] std::filesystem::path data_directory(std::string_view name);
 [[nodiscard]] std::filesystem::path glsl_directory();
 
@@ -22,8 +21,7 @@ namespace gloam::cli {
 [[nodiscard]] std::vector<std::filesystem::path> include_roots_of(const std::filesystem::path& file,
                                                                   const std::vector<std::string>& further);
 
-// Folder for compiled shaders: $GLOAM_CACHE_DIR, otherwise gloam in $XDG_CACHE_HOME or ~/.cache; empty
-// without a home.
+// Folder for compiled shaders: $GLOAM_CACHE_DIR, else gloam in $XDG_CACHE_HOME or ~/.cache, or none: empty.
 [[nodiscard]] std::filesystem::path cache_directory();
 
 // Folder for ray-traced truth, in cache_directory(); empty without that.

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "site/live_page.hpp"
-
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <glm/packing.hpp>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "base/files.hpp"
 #include "base/image_files.hpp"
 #include "scene/scene.hpp"
-#include "site/page_data.hpp"
+#include "site/site.hpp"
 
 namespace gloam::site {
 namespace {
@@ -40,8 +36,7 @@ Vertex vertex_of(const glm::vec3& position, const glm::vec3& normal, const glm::
     return {x, y, z, u, v, w, glm::packUnorm4x8(glm::vec4(color, 1.0F))};
 }
 
-// The triangles of a scene and its camera in each frame, as JSON (page/scene.js): each vertex once, in the
-// order of first use.
+// The triangles of a scene and its camera in each frame, as JSON (page/scene.js), with each vertex once.
 std::string scene_json(const scene::Scene& scene) {
     const scene::Mesh& mesh = scene.mesh;
     std::map<Vertex, std::uint32_t> numbers;

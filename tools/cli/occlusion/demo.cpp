@@ -2,13 +2,7 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
+#include <fmt/ranges.h>
 
 #include "base/files.hpp"
 #include "cli/environment.hpp"
@@ -21,7 +15,7 @@
 #include "pictures/plot.hpp"
 #include "record/check_report.hpp"
 #include "record/page.hpp"
-#include "site/live_page.hpp"
+#include "site/site.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -128,26 +122,20 @@ std::string pictures_line(const std::vector<Shown>& scenes) {
 
 std::string check_line(const CheckOutcome& outcome) {
     const record::OutcomeCounts& counts = outcome.counts;
-    if (counts.failed == 0) {
-        const std::string all =
-            counts.not_judged == 0
-                ? "all are as exact as they document"
-                : fmt::format("{} could not be judged, all others are as exact as they document",
-                              counts.not_judged);
-        return fmt::format("check     {} equations, {} inputs each: {}", counts.checks, few_inputs,
-                           colored(all, Ink::good));
+    std::string said = "all are as exact as they document";
+    if (counts.not_judged > 0)
+        said = fmt::format("{} could not be judged, all others are as exact as they document",
+                           counts.not_judged);
+    if (counts.failed > 0) {
+        std::vector<std::string> names;
+        for (const record::CheckReport& report : outcome.reports)
+            for (const judge::Answer& row : report.rows)
+                if (row.failed() && names.size() < most_named) names.push_back(row.function);
+        if (counts.failed > most_named) names.emplace_back("...");
+        said = fmt::format("{} failed ({})", counts.failed, fmt::join(names, ", "));
     }
-    std::string names;
-    std::size_t named = 0;
-    for (const record::CheckReport& report : outcome.reports) {
-        for (const judge::Answer& row : report.rows) {
-            if (!row.failed() || ++named > most_named) continue;
-            names += (names.empty() ? "" : ", ") + row.function;
-        }
-    }
-    if (named > most_named) names += ", ...";
     return fmt::format("check     {} equations, {} inputs each: {}", counts.checks, few_inputs,
-                       colored(fmt::format("{} failed ({})", counts.failed, names), Ink::bad));
+                       colored(said, counts.failed == 0 ? Ink::good : Ink::bad));
 }
 
 // The pictures come first, beginning with the sheet, because the check takes longer than all of them.

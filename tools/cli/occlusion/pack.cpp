@@ -4,11 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <sstream>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "base/version.hpp"
 #include "cli/environment.hpp"
@@ -20,7 +16,7 @@
 #include "module/include.hpp"
 #include "module/texts.hpp"
 #include "record/output.hpp"
-#include "site/npm_package.hpp"
+#include "site/site.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -159,15 +155,7 @@ void pack_one_pass(const PackCommand& options) {
     folder.keep();
 }
 
-// The pass of a method's frame with its usual settings that takes the samples.
-std::string sampling_pass(const fs::path& glsl, const std::string& method) {
-    const effect::Settings settings = effect::with_method(effect::Settings{}, method);
-    const scene::PassLibrary library(glsl);
-    const effect::Plan plan = plan_of(settings, {}, library);
-    return text_of(*std::ranges::find(plan.passes, "ambient_occlusion", &effect::PlannedPass::name), library);
-}
-
-// The table of all methods: their functions, and the passes of each one's effect.
+// The table of all methods: their functions, and the passes that take the samples with their usual settings.
 std::string method_table(const fs::path& glsl) {
     std::string text =
         "# Lines of code\n\n"
@@ -180,10 +168,13 @@ std::string method_table(const fs::path& glsl) {
         "| method | function | pass |\n| --- | --- | --- |\n";
     std::vector<std::string> functions;
     std::vector<std::string> passes;
+    const scene::PassLibrary library(glsl);
     for (const effect::MethodInfo& method : effect::methods()) {
+        const effect::Plan plan = plan_of(effect::with_method(effect::Settings{}, method.name), {}, library);
         functions.push_back(
             module::pack({glsl / file_of(method)}, {.functions = {"gloam_" + method.name}}, {glsl}));
-        passes.push_back(sampling_pass(glsl, method.name));
+        passes.push_back(text_of(
+            *std::ranges::find(plan.passes, "ambient_occlusion", &effect::PlannedPass::name), library));
         text += fmt::format("| {} | {} | {} |\n", method.name, source::code_lines(functions.back()),
                             source::code_lines(passes.back()));
     }
