@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/framework/open_device.hpp"
@@ -30,6 +29,7 @@ std::vector<Option> options_of(RenderOptions& options) {
     RenderCase& shown = options.shown;
     MeshOptions& mesh = shown.mesh;
     RenderCandidate& candidate = options.candidate;
+    const Rules list{.repeated = true, .commas = true};
     return {
         {"source", &shown.source, "scene (gloam list scenes) or mesh file, stood on a ground plane"},
         {"--gbuffer", &shown.gbuffer, "folder of G-buffers of an engine, instead of a scene"},
@@ -59,14 +59,10 @@ std::vector<Option> options_of(RenderOptions& options) {
         {"--look-at", &mesh.look_at,
          "X,Y,Z: the point that the eye looks at, in the same unit (default: the centre of the mesh)"},
         {"--fovy", &mesh.fovy, "vertical angle of the view, degrees, 1 to 170 (default: 40)"},
-        {"--method",
-         &options.methods,
-         {.repeated = true, .commas = true},
+        {"--method", &options.methods, list,
          "gloam list methods, or all; several, separated by commas, are compared on one sheet (default: the "
          "preset's)"},
-        {"--preset",
-         &options.presets,
-         {.repeated = true, .commas = true},
+        {"--preset", &options.presets, list,
          fmt::format(
              "gloam list presets; several, separated by commas, are compared on one sheet (default: {})",
              effect::default_preset)},

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -21,7 +20,6 @@
 #include "effect/methods.hpp"
 #include "effect/pixel_classes.hpp"
 #include "pictures/light.hpp"
-#include "pictures/sheet.hpp"
 #include "record/output.hpp"
 #include "record/page.hpp"
 #include "scene/gbuffer.hpp"
@@ -93,13 +91,18 @@ struct RenderOptions {
     bool quiet = false;
 };
 
-// The truth for a view.
-struct ViewTruth {
-    effect::Truth known;                           // empty: unknown
+// A view as a candidate shades it.
+struct ShadedView {
+    int number;  // of RenderInput::views
+    effect::Settings settings{};
+    scene::GBuffer wide{};                         // the view with its guard band
+    scene::GBuffer view{};                         // without
+    std::string cut{};                             // why it has no history; empty: it has one
+    effect::Truth truth{};                         // empty if it is unknown, or not requested for this view
     std::optional<scene::TracedTruth> geometry{};  // (G), traced; not for a G-buffer from elsewhere
     std::optional<scene::TracedTruth> depth{};     // (D), traced
 
-    // Where it was traced: what `known` is made of.
+    // Where it was traced: what `truth` is made of.
     [[nodiscard]] const scene::TracedTruth& best() const { return geometry ? *geometry : *depth; }
 };
 
@@ -112,8 +115,8 @@ struct RenderInput {
     // With the guard band and the layers of the settings.
     std::function<scene::GBuffer(const backend::vulkan::Device&, int view, const effect::Settings&)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
-    // frame: of the scene. Empty: the truth is unknown.
-    std::function<ViewTruth(const scene::GBuffer& view, int frame, double radius)> truth;
+    // Adds the truth of a view; frame: of the scene. Empty: it is unknown.
+    std::function<void(ShadedView& shown, int frame)> truth;
     std::string truth_name;
     // Every view of a sequence is compared; otherwise the last: tracing takes long, and a file has one image.
     bool every_truth = true;
@@ -126,16 +129,6 @@ struct RenderInput {
 // Checks the names and files of the options, as far as that is possible without a device. Throws
 // std::invalid_argument or std::runtime_error with the error in one line.
 [[nodiscard]] RenderInput open_input(const RenderOptions& options);
-
-// A view as a candidate shades it.
-struct ShadedView {
-    int number;  // of RenderInput::views
-    effect::Settings settings{};
-    scene::GBuffer wide{};  // the view with its guard band
-    scene::GBuffer view{};  // without
-    std::string cut{};      // why it has no history; empty: it has one
-    ViewTruth truth{};      // empty if it is unknown, or not requested for this view
-};
 
 // How a frame relates to the one before it, which a temporal method follows.
 struct FrameChange {
@@ -181,31 +174,29 @@ struct Rendered {
 // A few lines for people: device, settings, and the last frame.
 [[nodiscard]] std::string to_text(const Rendered& run);
 
-// The bytes of files, by their names.
-using Files = std::map<std::string, std::string>;
+// Writes a frame of docs/gbuffer-format.md. read_gbuffer() and link() restore the view but for rounding.
+void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffer& view);
 
-// A frame of docs/gbuffer-format.md. read_gbuffer() and link() restore the view from it, within the rounding
-// of the files.
-[[nodiscard]] Files gbuffer_files(int number, const scene::GBuffer& view);
+// Writes the traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm
+// (the standard errors).
+void write_truth(record::OutputFolder& folder, const std::string& prefix, const ShadedView& traced);
 
-// The traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm (the
-// standard errors).
-[[nodiscard]] Files truth_files(const std::string& prefix, backend::Extent size, const ViewTruth& traced);
+// Writes STEM_ao.pfm and .png, of the filtered image. With Resolution::tiles STEM_tiles.png as well: the
+// occlusion, tinted in each tile of 8 x 8 pixels by the frame's work in it: blue background, green a radius
+// below a pixel, white half size, orange in full.
+void write_frame(record::OutputFolder& folder, const std::string& stem, const ShadedView& shown,
+                 const effect::Frame& frame);
 
-// STEM_ao.pfm and .png, of the filtered image. With Resolution::tiles STEM_tiles.png as well: the occlusion,
-// tinted in each tile of 8 x 8 pixels by the frame's work in it: blue background, green a radius below a
-// pixel, white half size, orange in full.
-[[nodiscard]] Files frame_files(const std::string& stem, const ShadedView& shown, const effect::Frame& frame);
+// Writes STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, rad).
+void write_bent(record::OutputFolder& folder, const std::string& stem, const effect::BentNormals& bent);
 
-// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
-[[nodiscard]] Files bent_files(const std::string& stem, const effect::BentNormals& bent);
+// Writes STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on),
+// STEM_bounce.pfm (the bounced part).
+void write_light(record::OutputFolder& folder, const std::string& stem,
+                 const effect::DirectionalLight& light);
 
-// STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), STEM_bounce.pfm (the
-// bounced part).
-[[nodiscard]] Files light_files(const std::string& stem, const effect::DirectionalLight& light);
-
-// NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.
-[[nodiscard]] Files picture_files(const Pictures& pictures);
+// Writes NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.
+void write_pictures(record::OutputFolder& folder, const Pictures& pictures);
 
 // Pictures, lit by the pass that engines use. occlusion: a value for each pixel; truth: the same, or empty.
 // multi_bounce: light bounces among blockers (gloam_multi_bounce).
@@ -213,9 +204,8 @@ using Files = std::map<std::string, std::string>;
                                    const pictures::PictureLight& light, const std::vector<float>& occlusion,
                                    const effect::Truth& truth, bool multi_bounce);
 
-// A PNG sheet. For one run: lit without and with occlusion, the occlusion alone, and its error if the truth
-// is known. For several runs: the truth if it is known, then the occlusion of each with its name, time and
-// error.
+// A PNG sheet. For one run: lit without and with occlusion, the occlusion alone, and its error. For several:
+// the truth, then the occlusion of each with its name, time and error. Without a truth there is no error.
 [[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
 
 // Writes the pictures of a run into a page's folder, under names that begin with `prefix`, and adds them to
@@ -223,8 +213,7 @@ using Files = std::map<std::string, std::string>;
 void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
                   const Rendered& run);
 
-// Renders the views of an input with each candidate. folder: of the files, PREFIXrender.json among them;
-// nullptr: none are written.
+// Renders the views of an input with each candidate. folder: of PREFIXrender.json and all files, or nullptr.
 [[nodiscard]] std::vector<Rendered> render(const RenderOptions& options, const RenderInput& input,
                                            const backend::vulkan::Device& device,
                                            record::OutputFolder* folder);

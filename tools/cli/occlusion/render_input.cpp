@@ -80,11 +80,10 @@ scene::Scene load_scene(const RenderCase& shown, backend::Extent extent) {
     std::error_code none;
     if (fs::path(source).has_extension() && !fs::exists(source, none))
         throw std::invalid_argument(source + ": no such file");
-    if (!fs::is_regular_file(source, none)) {
+    if (!fs::is_regular_file(source, none))
         throw std::invalid_argument(
             fmt::format("\"{}\" is neither a scene ({}), a view (gloam list views) nor a mesh file", source,
                         scene_list()));
-    }
     return scene::mesh_scene(scene::read_mesh(source), fs::path(source).stem().string(), view);
 }
 
@@ -131,19 +130,17 @@ RenderInput from_gbuffer(const RenderCase& shown) {
     if (shown.still) throw std::invalid_argument("--still goes with a scene, not with --gbuffer");
     if (shown.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
     if (shown.mesh != MeshOptions{}) throw std::invalid_argument(mesh_options);
-    if (!shown.source.empty()) {
+    if (!shown.source.empty())
         throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two", shown.source,
                                                 shown.gbuffer.string()));
-    }
     RenderInput input{.name = shown.gbuffer.string(), .views = scene::frames_of(shown.gbuffer)};
     if (input.views.size() == 1) {
         input.frames_per_view = shown.frames.value_or(1);
     } else if (shown.frames) {
         const auto count = static_cast<std::size_t>(*shown.frames);
-        if (count > input.views.size()) {
+        if (count > input.views.size())
             throw std::invalid_argument(
                 fmt::format("--frames {}: {} holds {}", count, shown.gbuffer.string(), input.views.size()));
-        }
         input.views.resize(count);
     }
     const bool alone = input.views.size() == 1;  // a frame of a sequence may show nothing but sky
@@ -156,12 +153,11 @@ RenderInput from_gbuffer(const RenderCase& shown) {
         require_allowed(folder.string() + ", with background up to a centred projection", wide,
                         device.info());
         read = centred(std::move(read));
-        if (alone && std::ranges::none_of(read.depth, scene::is_surface)) {
+        if (alone && std::ranges::none_of(read.depth, scene::is_surface))
             throw std::invalid_argument(fmt::format(
                 "{}: no geometry, every pixel of the depth is background; expected {}", folder.string(),
                 encoding.depth_buffer ? "depth-buffer values in front of the far plane of the projection"
                                       : "eye-linear depths > 0, the distance along -z"));
-        }
         return read;
     };
     return input;
@@ -177,19 +173,15 @@ void add_traced(RenderInput& input, const RenderCase& shown, scene::Falloff fall
         throw std::invalid_argument(fmt::format("--truth-thickness {}: expected > 0", settings.thickness));
     input.truth_name = input.scene ? "traced geometry" : "traced depth buffer";
     input.every_truth = shown.truth_every;
-    input.truth = [settings, scene = input.scene, name = input.name](const scene::GBuffer& view, int frame,
-                                                                     double radius) {
+    input.truth = [settings, scene = input.scene, name = input.name](ShadedView& one, int frame) mutable {
         const auto of = [&](const char* what) {
-            scene::TruthSettings made = settings;
-            made.rays.radius = radius;
-            made.progress = progress_bar(fmt::format("{}: truth of the {}", name, what));
-            return made;
+            settings.rays.radius = double{one.settings.radius};
+            settings.progress = progress_bar(fmt::format("{}: truth of the {}", name, what));
+            return settings;
         };
-        ViewTruth truth;
-        if (scene) truth.geometry = scene::trace_geometry(*scene, frame, view, of("geometry"));
-        truth.depth = scene::trace_depth(view, of("depth buffer"));
-        truth.known = effect::truth_from(view, truth.best().occlusion);
-        return truth;
+        if (scene) one.geometry = scene::trace_geometry(*scene, frame, one.view, of("geometry"));
+        one.depth = scene::trace_depth(one.view, of("depth buffer"));
+        one.truth = effect::truth_from(one.view, one.best().occlusion);
     };
 }
 
@@ -205,18 +197,18 @@ void add_truth(RenderInput& input, const RenderCase& shown) {
     if (shown.truth) {
         input.truth_name = *shown.truth;
         input.every_truth = false;
-        input.truth = [file = *shown.truth, image = base::read_pfm(*shown.truth)](const scene::GBuffer& view,
-                                                                                  int, double) {
-            if (backend::Extent{image.width, image.height} == view.extent && image.channels == 1)
-                return ViewTruth{.known = effect::truth_from(view, image.texels)};
-            throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
-                                                    file, image.width, image.height, image.channels,
-                                                    view.extent.width, view.extent.height));
+        input.truth = [file = *shown.truth, image = base::read_pfm(*shown.truth)](ShadedView& one, int) {
+            const backend::Extent size = one.view.extent;
+            if (backend::Extent{image.width, image.height} != size || image.channels != 1)
+                throw std::invalid_argument(
+                    fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1", file, image.width,
+                                image.height, image.channels, size.width, size.height));
+            one.truth = effect::truth_from(one.view, image.texels);
         };
     } else if (shown.source == "corner") {
         input.truth_name = "closed form";
-        input.truth = [](const scene::GBuffer& view, int, double radius) {
-            return ViewTruth{.known = effect::truth_of(view, radius, scene::corner_occlusion_at)};
+        input.truth = [](ShadedView& one, int) {
+            one.truth = effect::truth_of(one.view, double{one.settings.radius}, scene::corner_occlusion_at);
         };
     }
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 
 #include "pictures/sheet.hpp"
@@ -38,13 +37,20 @@ std::string png_of(const base::RgbBytes& rgb, backend::Extent extent) {
     return base::to_png(rgb, extent.width, extent.height);
 }
 
+// As NAME.pfm, and shown as visibility as NAME.png.
+void write_occlusion(record::OutputFolder& folder, const std::string& name,
+                     const std::vector<float>& occlusion, backend::Extent extent) {
+    folder.write(name + ".pfm", pfm_of(occlusion, extent));
+    folder.write(name + ".png", pictures::to_visibility_png(occlusion, extent.width, extent.height));
+}
+
 }  // namespace
 
-Files gbuffer_files(int number, const scene::GBuffer& view) {
+void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffer& view) {
     const std::string prefix = scene::frame_prefix(number);
-    Files files{{prefix + ".json", scene::frame_json(view, number)}};
+    folder.write(prefix + ".json", scene::frame_json(view, number));
     const auto add = [&](const std::string& name, const std::vector<float>& texels, int channels) {
-        if (!texels.empty()) files[prefix + name] = pfm_of(texels, view.extent, channels);
+        if (!texels.empty()) folder.write(prefix + name, pfm_of(texels, view.extent, channels));
     };
     add("_depth.pfm", view.stored ? view.stored->depth : view.depth, 1);
     add("_normal.pfm", components_of(view.stored ? view.stored->normal : view.normal), 3);
@@ -53,25 +59,21 @@ Files gbuffer_files(int number, const scene::GBuffer& view) {
     if (!view.motion.empty()) add("_previous_depth.pfm", previous_depths(view), 1);
     for (std::size_t i = 0; i < view.layers.size(); ++i)
         add(fmt::format("_layer{}.pfm", i + 1), view.layers[i], 1);
-    return files;
 }
 
-Files truth_files(const std::string& prefix, backend::Extent size, const ViewTruth& traced) {
-    Files files{{prefix + "truth_error.pfm", pfm_of(traced.best().standard_error, size)}};
+void write_truth(record::OutputFolder& folder, const std::string& prefix, const ShadedView& traced) {
+    const backend::Extent size = traced.view.extent;
     for (const auto& [name, truth] :
-         {std::pair("truth", &traced.best()), std::pair("truth_depth", &*traced.depth)}) {
-        files[prefix + name + ".pfm"] = pfm_of(truth->occlusion, size);
-        files[prefix + name + ".png"] =
-            pictures::to_visibility_png(truth->occlusion, size.width, size.height);
-    }
-    return files;
+         {std::pair("truth", &traced.best()), std::pair("truth_depth", &*traced.depth)})
+        write_occlusion(folder, prefix + name, truth->occlusion, size);
+    folder.write(prefix + "truth_error.pfm", pfm_of(traced.best().standard_error, size));
 }
 
-Files frame_files(const std::string& stem, const ShadedView& shown, const effect::Frame& frame) {
+void write_frame(record::OutputFolder& folder, const std::string& stem, const ShadedView& shown,
+                 const effect::Frame& frame) {
+    write_occlusion(folder, stem + "_ao", frame.filtered, frame.extent);
+    if (shown.settings.resolution != effect::Resolution::tiles) return;
     const auto [width, height] = frame.extent;
-    Files files{{stem + "_ao.pfm", pfm_of(frame.filtered, frame.extent)},
-                {stem + "_ao.png", pictures::to_visibility_png(frame.filtered, width, height)}};
-    if (shown.settings.resolution != effect::Resolution::tiles) return files;
     const std::map<effect::TileWork, glm::vec3> tints{{effect::TileWork::background, {0.5F, 0.65F, 1.0F}},
                                                       {effect::TileWork::below_pixel, {0.6F, 1.0F, 0.5F}},
                                                       {effect::TileWork::half, glm::vec3(1.0F)},
@@ -84,37 +86,36 @@ Files frame_files(const std::string& stem, const ShadedView& shown, const effect
         const glm::vec3& tint = tints.at(frame.tiles[row * columns + column]);
         rgb[i] = static_cast<std::uint8_t>(static_cast<float>(rgb[i]) * tint[static_cast<int>(i % 3)]);
     }
-    files[stem + "_tiles.png"] = base::to_png(rgb, width, height);
-    return files;
+    folder.write(stem + "_tiles.png", png_of(rgb, frame.extent));
 }
 
-Files bent_files(const std::string& stem, const effect::BentNormals& bent) {
+void write_bent(record::OutputFolder& folder, const std::string& stem, const effect::BentNormals& bent) {
     const std::vector<float> texels = components_of(bent.direction);
     std::vector<std::uint8_t> picture;
     for (const float value : texels)
         picture.push_back(
             static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(0.5F + 0.5F * value, 0.0F, 1.0F))));
-    return {{stem + "_bent.pfm", pfm_of(texels, bent.extent, 3)},
-            {stem + "_bent.png", png_of(picture, bent.extent)},
-            {stem + "_cone.pfm", pfm_of(bent.half_angle, bent.extent)}};
+    folder.write(stem + "_bent.pfm", pfm_of(texels, bent.extent, 3));
+    folder.write(stem + "_bent.png", png_of(picture, bent.extent));
+    folder.write(stem + "_cone.pfm", pfm_of(bent.half_angle, bent.extent));
 }
 
-Files light_files(const std::string& stem, const effect::DirectionalLight& light) {
+void write_light(record::OutputFolder& folder, const std::string& stem,
+                 const effect::DirectionalLight& light) {
     std::vector<float> texels = components_of(light.direct);
     const std::vector<float> bounced = components_of(light.bounced);
     std::ranges::transform(texels, bounced, texels.begin(), std::plus{});
-    return {{stem + "_light.pfm", pfm_of(texels, light.extent, 3)},
-            {stem + "_light.png", png_of(base::srgb_of(texels), light.extent)},
-            {stem + "_bounce.pfm", pfm_of(bounced, light.extent, 3)}};
+    folder.write(stem + "_light.pfm", pfm_of(texels, light.extent, 3));
+    folder.write(stem + "_light.png", png_of(base::srgb_of(texels), light.extent));
+    folder.write(stem + "_bounce.pfm", pfm_of(bounced, light.extent, 3));
 }
 
-Files picture_files(const Pictures& pictures) {
-    Files files{{pictures.name + "_plain.png", png_of(pictures.plain, pictures.extent)},
-                {pictures.name + "_shaded.png", png_of(pictures.shaded, pictures.extent)}};
-    if (pictures.error.empty()) return files;
-    files[pictures.name + "_true.png"] = png_of(pictures.truth_lit, pictures.extent);
-    files[pictures.name + "_error.png"] = png_of(pictures.error, pictures.extent);
-    return files;
+void write_pictures(record::OutputFolder& folder, const Pictures& pictures) {
+    for (const auto& [name, rgb] : {std::pair("_plain.png", &pictures.plain),
+                                    {"_shaded.png", &pictures.shaded},
+                                    {"_true.png", &pictures.truth_lit},
+                                    {"_error.png", &pictures.error}})
+        if (!rgb->empty()) folder.write(pictures.name + name, png_of(*rgb, pictures.extent));
 }
 
 namespace {

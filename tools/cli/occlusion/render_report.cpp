@@ -29,14 +29,6 @@ ordered_json metrics_json(const effect::Metrics& metrics) {
             {"remapped_ssim", metrics.similarity_after_remap}};
 }
 
-// null where a class has no pixels.
-ordered_json class_json(const effect::Errors& errors) {
-    if (errors.compared == 0) return nullptr;
-    ordered_json json{{"compared", errors.compared}};
-    json.update(errors_json(errors));
-    return json;
-}
-
 ordered_json or_null(const std::string& text) {
     return text.empty() ? ordered_json(nullptr) : ordered_json(text);
 }
@@ -79,25 +71,28 @@ ordered_json truth_json(const scene::TracedTruth& traced) {
 // Adds "truth", where it was traced, and "errors". last: of its view, for which there are metrics as well.
 void add_errors(ordered_json& report, const ShadedView& shown, const effect::Frame& frame,
                 const FrameChange& change, bool last) {
-    const ViewTruth& truth = shown.truth;
-    const effect::Errors raw = effect::errors_of(frame.occlusion, truth.known);
+    const effect::Errors raw = effect::errors_of(frame.occlusion, shown.truth);
     ordered_json errors{{"compared", raw.compared},
                         {"raw", errors_json(raw)},
-                        {"filtered", errors_json(effect::errors_of(frame.filtered, truth.known))}};
-    if (truth.depth) report["truth"] = truth_json(truth.best());
-    if (truth.geometry) {
-        const effect::Truth depth = effect::truth_from(shown.view, truth.depth->occlusion);
-        report["truth"]["depth_against_geometry"] = errors_json(effect::errors_of(depth, truth.known));
+                        {"filtered", errors_json(effect::errors_of(frame.filtered, shown.truth))}};
+    if (shown.depth) report["truth"] = truth_json(shown.best());
+    if (shown.geometry) {
+        const effect::Truth depth = effect::truth_from(shown.view, shown.depth->occlusion);
+        report["truth"]["depth_against_geometry"] = errors_json(effect::errors_of(depth, shown.truth));
         errors["filtered_against_depth"] = errors_json(effect::errors_of(frame.filtered, depth));
     }
     if (last)
         errors["filtered_metrics"] =
-            metrics_json(effect::metrics_of(frame.filtered, truth.known, shown.view.extent));
+            metrics_json(effect::metrics_of(frame.filtered, shown.truth, shown.view.extent));
     if (change.flicker) {
         const effect::ClassErrors by_class =
-            effect::class_errors_of(frame.filtered, truth.known, *change.classes);
-        for (std::size_t i = 0; i < by_class.size(); ++i)
-            errors["filtered_by_class"][effect::pixel_class_names[i]] = class_json(by_class[i]);
+            effect::class_errors_of(frame.filtered, shown.truth, *change.classes);
+        for (std::size_t i = 0; i < by_class.size(); ++i) {
+            ordered_json& json = errors["filtered_by_class"][effect::pixel_class_names[i]];
+            if (by_class[i].compared == 0) continue;  // null
+            json["compared"] = by_class[i].compared;
+            json.update(errors_json(by_class[i]));
+        }
     }
     report["errors"] = std::move(errors);
 }
@@ -151,7 +146,7 @@ ordered_json frame_json(const RenderInput& input, const ShadedView& shown, int i
                         {"convergence", mean_convergence(frame, shown.view)}};
     if (input.scene) report["scene_frame"] = input.first_frame + shown.number;
     if (change.flicker) report["flicker"] = *change.flicker;
-    if (!shown.truth.known.empty()) add_errors(report, shown, frame, change, i + 1 == input.frames_per_view);
+    if (!shown.truth.empty()) add_errors(report, shown, frame, change, i + 1 == input.frames_per_view);
     return report;
 }
 

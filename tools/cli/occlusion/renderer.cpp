@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "cli/environment.hpp"
 #include "cli/occlusion/settings.hpp"
@@ -122,16 +121,13 @@ class Renderer {
         if (shown.cut.empty()) link(shown.wide, before->wide);
         shown.view = scene::cropped(shown.wide);
         if (input_.truth && (number == input_.views.back() || input_.every_truth))
-            shown.truth = input_.truth(shown.view, input_.first_frame + number, radius);
-        if (shown.truth.depth && folder_ != nullptr) {
+            input_.truth(shown, input_.first_frame + number);
+        if (shown.depth && folder_ != nullptr) {
             const bool only = input_.views.size() == 1 || !input_.every_truth;
             const std::string prefix = candidate.prefix + (only ? "" : scene::frame_prefix(number) + "_");
-            for (const auto& [name, bytes] : truth_files(prefix, shown.view.extent, shown.truth))
-                folder_->write(name, bytes);
+            write_truth(*folder_, prefix, shown);
         }
-        if (gbuffer_out_)
-            for (const auto& [name, bytes] : gbuffer_files(number, shown.wide))
-                gbuffer_out_->write(name, bytes);
+        if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, shown.wide);
         return shown;
     }
 
@@ -143,25 +139,24 @@ class Renderer {
         const bool alone = folder_ != nullptr && candidate.prefix.empty();
         const std::string stem = candidate.prefix + scene::frame_prefix(shown.number + i);
         if (last && (alone || shown.number == input_.views.back()))
-            made.pictures = pictures_of(composite_, stem, light_of(shown), made.frame.filtered,
-                                        shown.truth.known, options_.multi_bounce);
+            made.pictures = pictures_of(composite_, stem, light_of(shown), made.frame.filtered, shown.truth,
+                                        options_.multi_bounce);
         if (folder_ == nullptr) return;
-        Files files = frame_files(stem, shown, made.frame);
-        if (made.pictures.name == stem) files.merge(picture_files(made.pictures));
-        if (last && (candidate.bent_normals || options_.light)) {
-            if (!directional_) directional_.emplace(device_, passes_);
-            // The frame's own if it has some and the view has normals.
-            if (candidate.bent_normals)
-                files.merge(bent_files(stem, shown.settings.bent_normals && !shown.wide.normal.empty()
-                                                 ? bent_of(made.frame, shown.view)
-                                                 : directional_->bent_normals(shown.wide, shown.settings,
-                                                                              candidate.bent_interleave)));
-            if (options_.light)
-                files.merge(light_files(
-                    stem, directional_->light(shown.wide, shown.settings,
-                                              *options_.light == "sky" ? effect::clear_sky : effect::Sky{})));
-        }
-        for (const auto& [name, bytes] : files) folder_->write(name, bytes);
+        write_frame(*folder_, stem, shown, made.frame);
+        if (made.pictures.name == stem) write_pictures(*folder_, made.pictures);
+        if (!last || !(candidate.bent_normals || options_.light)) return;
+        if (!directional_) directional_.emplace(device_, passes_);
+        // The frame's own if it has some and the view has normals.
+        if (candidate.bent_normals)
+            write_bent(
+                *folder_, stem,
+                shown.settings.bent_normals && !shown.wide.normal.empty()
+                    ? bent_of(made.frame, shown.view)
+                    : directional_->bent_normals(shown.wide, shown.settings, candidate.bent_interleave));
+        if (options_.light)
+            write_light(*folder_, stem,
+                        directional_->light(shown.wide, shown.settings,
+                                            *options_.light == "sky" ? effect::clear_sky : effect::Sky{}));
     }
 
     // The light of a view. It does not depend on the candidate.
