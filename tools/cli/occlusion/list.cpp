@@ -5,9 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <ranges>
 #include <stdexcept>
 
@@ -32,86 +30,68 @@ struct ListOptions {
     bool markdown = false;
 };
 
-// The preset whose value is a setting's default: effect::default_preset, or `tssao-paper` for what that does
-// not read.
+// The preset with a setting's default value: default_preset, or `tssao-paper` for what that does not read.
 effect::Preset default_preset_of(const effect::Setting& setting) {
     effect::Preset preset = effect::preset_named(effect::default_preset);
     return reads(preset.settings, setting) ? preset : effect::preset_named("tssao-paper");
 }
 
-// {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is that
-// of default_preset_of(), lengths for a radius of 1; "most" is null where there is none.
-nlohmann::ordered_json setting_json(const Named& named) {
-    const effect::Setting& setting = effect::setting_named(named.name);
+// What there is to say of a name: in a line, and all its properties.
+struct Listed {
+    std::string name;
+    std::string line;
+    nlohmann::ordered_json json;
+};
+
+Listed listed(const std::string& name, const std::string& description) {
+    return {name, description, {{"name", name}, {"description", description}}};
+}
+
+// The line has value, unit and range. The properties are "name", "description", "unit", "expected", "least",
+// "most" or "choices", "default": the default is that of default_preset_of(), lengths for a radius of 1;
+// "most" is null where there is none.
+Listed listed_setting(const effect::Setting& setting) {
     const effect::Preset preset = default_preset_of(setting);
     const effect::SettingValue value = setting.get(preset.settings);
-    nlohmann::ordered_json json{{"name", setting.name},
-                                {"description", setting.meaning},
-                                {"unit", setting.unit},
-                                {"expected", effect::expected_of(setting)}};
-    if (!setting.choices.empty()) json["choices"] = setting.choices;
+    Listed one = listed(setting.name, setting.meaning);
+    one.line = fmt::format("{} ({}: {}{}{}; {})", setting.meaning, preset.name, effect::text_of(value),
+                           setting.unit.empty() ? "" : " ", setting.unit, expected_of(setting));
+    one.json["unit"] = setting.unit;
+    one.json["expected"] = expected_of(setting);
+    if (!setting.choices.empty()) one.json["choices"] = setting.choices;
     if (std::holds_alternative<double>(value)) {
-        json["least"] = setting.range.least;
-        json["most"] = std::isfinite(setting.range.most) ? nlohmann::ordered_json(setting.range.most)
-                                                         : nlohmann::ordered_json(nullptr);
+        one.json["least"] = setting.range.least;
+        one.json["most"] = std::isfinite(setting.range.most) ? nlohmann::ordered_json(setting.range.most)
+                                                             : nlohmann::ordered_json(nullptr);
     }
-    json["default"] = json_of(value);
-    json["default_of"] = preset.name;
-    return json;
+    one.json["default"] = json_of(value);
+    one.json["default_of"] = preset.name;
+    return one;
 }
 
-// describe: a member, or a function, that has the description of an item.
-template <class Items, class Describe>
-std::vector<Named> named(Items&& items, const Describe& describe) {
-    std::vector<Named> names;
-    for (const auto& item : items) names.push_back({item.name, std::invoke(describe, item)});
-    return names;
-}
-
-std::vector<Named> equation_names() {
-    std::vector<Named> names;
-    for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
-        const catalogue::Description& d = entry.description;
-        names.push_back({d.id, d.function + ": " + d.title});
-    }
-    return names;
-}
-
-// With error and time.
-std::vector<Named> preset_names() {
-    return named(effect::presets(), [](const effect::Preset& preset) {
-        return fmt::format("error {:.3f}, {:.2f} times the time of fast: {}", preset.error, preset.time,
+// The line has error and time. The properties are as `--preset FILE.json` reads them: "settings" has all that
+// runs, "origins" where each is from.
+Listed listed_preset(const effect::Preset& preset) {
+    Listed one = listed(preset.name, preset.description);
+    one.line = fmt::format("error {:.3f}, {:.2f} times the time of fast: {}", preset.error, preset.time,
                            preset.description);
-    });
+    one.json.update({{"published", preset.published},
+                     {"error", preset.error},
+                     {"time", preset.time},
+                     {"settings", json_of(preset.settings)}});
+    for (const effect::Setting& setting : effect::setting_table())
+        if (reads(preset.settings, setting))
+            one.json["origins"][setting.name] = effect::origin_of(preset, setting.name);
+    return one;
 }
 
-// With value, unit and range.
-std::vector<Named> setting_names() {
-    return named(effect::setting_table(), [](const effect::Setting& setting) {
-        const effect::Preset preset = default_preset_of(setting);
-        return fmt::format("{} ({}: {}{}{}; {})", setting.meaning, preset.name,
-                           effect::text_of(setting.get(preset.settings)), setting.unit.empty() ? "" : " ",
-                           setting.unit, expected_of(setting));
-    });
-}
-
-std::vector<Named> scene_names() {
-    return named(scene::all_views() |
-                     std::views::filter([](const scene::ViewInfo& view) { return view.kind == "scene"; }),
-                 &scene::ViewInfo::description);
-}
-
-// Of `gloam bench views`, with their halves.
-std::vector<Named> view_names() {
-    return named(scene::all_views() |
-                     std::views::filter([](const scene::ViewInfo& view) { return !view.half.empty(); }),
-                 [](const scene::ViewInfo& view) {
-                     return fmt::format("{} ({} half; {})", view.description, view.half, view.kind);
-                 });
-}
-
-nlohmann::ordered_json named_json(const Named& named) {
-    return {{"name", named.name}, {"description", named.description}};
+Listed listed_method(const effect::MethodInfo& method) {
+    Listed one = listed(method.name, method.description);
+    one.json.update({{"measure", to_string(method.measure)},
+                     {"falloff", method.falloff},
+                     {"samples", with_method(effect::Settings{}, method.name).samples},
+                     {"file", file_of(method)}});
+    return one;
 }
 
 // The functions of the library's files; each file is compiled once.
@@ -147,31 +127,6 @@ nlohmann::ordered_json equation_json(const catalogue::Entry& entry, Declarations
             {"source", d.source}};
 }
 
-// As `--preset FILE.json` reads it: "settings" has all that runs, "origins" where each is from.
-nlohmann::ordered_json preset_json(const Named& named) {
-    const effect::Preset preset = effect::preset_named(named.name);
-    nlohmann::ordered_json json{{"name", preset.name},
-                                {"description", preset.description},
-                                {"published", preset.published},
-                                {"error", preset.error},
-                                {"time", preset.time}};
-    json["settings"] = json_of(preset.settings);
-    for (const effect::Setting& setting : effect::setting_table())
-        if (reads(preset.settings, setting))
-            json["origins"][setting.name] = effect::origin_of(preset, setting.name);
-    return json;
-}
-
-nlohmann::ordered_json method_json(const Named& named) {
-    const effect::MethodInfo& method = effect::method_named(named.name);
-    nlohmann::ordered_json json = named_json(named);
-    json["measure"] = to_string(method.measure);
-    json["falloff"] = method.falloff;
-    json["samples"] = with_method(effect::Settings{}, method.name).samples;
-    json["file"] = file_of(method);
-    return json;
-}
-
 nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
     auto json = nlohmann::ordered_json::array();
     Declarations declarations;
@@ -185,38 +140,57 @@ nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
 // What `gloam list` prints one name a line: its word on the command line.
 struct ListedKind {
     std::string name;
-    std::function<std::vector<Named>()> names;
-    nlohmann::ordered_json (*one)(const Named& named) = named_json;  // all that is known of one
+    std::function<std::vector<Listed>()> all;
 };
 
-std::vector<ListedKind> all_kinds() {
-    return {
-        {"equations", equation_names},
-        {"methods", [] { return named(effect::methods(), &effect::MethodInfo::description); }, method_json},
-        {"numbers", [] { return names_of(catalogue::printed_rows()); }},
-        {"presets", preset_names, preset_json},
-        {"scenes", scene_names},
-        {"settings", setting_names, setting_json},
-        {"variants", [] { return named(module::variants(), &module::Variant::description); }},
-        {"views", view_names}};
+template <class Items, class One>
+std::vector<Listed> each_of(Items&& items, const One& one) {
+    std::vector<Listed> all;
+    for (const auto& item : items) all.push_back(one(item));
+    return all;
 }
 
-// These names of a kind, or all, with all their properties. Throws std::invalid_argument for a name that the
-// kind does not have.
-nlohmann::ordered_json kind_json(const ListedKind& kind, const std::vector<Named>& all,
+constexpr auto described = [](const auto& item) { return listed(item.name, item.description); };
+
+Listed listed_equation(const catalogue::Entry& entry) {
+    const catalogue::Description& d = entry.description;
+    return listed(d.id, d.function + ": " + d.title);
+}
+
+Listed listed_view(const scene::ViewInfo& view) {
+    return listed(view.name, fmt::format("{} ({} half; {})", view.description, view.half, view.kind));
+}
+
+constexpr auto is_scene = [](const scene::ViewInfo& view) { return view.kind == "scene"; };
+constexpr auto has_half = [](const scene::ViewInfo& view) { return !view.half.empty(); };
+
+std::vector<ListedKind> all_kinds() {
+    using std::views::filter;
+    return {{"equations", [] { return each_of(catalogue::all_entries(glsl_directory()), listed_equation); }},
+            {"methods", [] { return each_of(effect::methods(), listed_method); }},
+            {"numbers", [] { return each_of(names_of(catalogue::printed_rows()), described); }},
+            {"presets", [] { return each_of(effect::presets(), listed_preset); }},
+            {"scenes", [] { return each_of(scene::all_views() | filter(is_scene), described); }},
+            {"settings", [] { return each_of(effect::setting_table(), listed_setting); }},
+            {"variants", [] { return each_of(module::variants(), described); }},
+            {"views", [] { return each_of(scene::all_views() | filter(has_half), listed_view); }}};
+}
+
+// The properties of these names of a kind, or of all. Throws std::invalid_argument for a name of another.
+nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Listed>& all,
                                  const std::vector<std::string>& names) {
-    if (kind.name == "equations") return equations_json(names);
+    if (kind == "equations") return equations_json(names);
     auto json = nlohmann::ordered_json::array();
-    for (const Named& named : all)
-        if (names.empty()) json.push_back(kind.one(named));
+    for (const Listed& one : all)
+        if (names.empty()) json.push_back(one.json);
     for (const std::string& name : names) {
-        if (kind.name == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
-        const auto named = std::ranges::find(all, name, &Named::name);
+        if (kind == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
+        const auto named = std::ranges::find(all, name, &Listed::name);
         if (named == all.end())
             throw std::invalid_argument(
-                fmt::format("{} \"{}\": expected {}", kind.name, name,
-                            fmt::join(all | std::views::transform(&Named::name), ", ")));
-        json.push_back(kind.one(*named));
+                fmt::format("{} \"{}\": expected {}", kind, name,
+                            fmt::join(all | std::views::transform(&Listed::name), ", ")));
+        json.push_back(named->json);
     }
     return json;
 }
@@ -237,20 +211,19 @@ void print_one(const nlohmann::ordered_json& one) {
 }
 
 // One name a line, and its meaning.
-void print_names(const std::vector<Named>& names, const std::string& kind) {
+void print_names(const std::vector<Listed>& all, const std::string& kind) {
     std::size_t width = 18;
-    for (const Named& named : names) width = std::max(width, named.name.size());
-    for (const Named& named : names)
-        fmt::print("{}{:<{}} {}\n", kind.empty() ? "  " : "", named.name, width, named.description);
+    for (const Listed& one : all) width = std::max(width, one.name.size());
+    for (const Listed& one : all)
+        fmt::print("{}{:<{}} {}\n", kind.empty() ? "  " : "", one.name, width, one.line);
 }
 
-// One kind, or all of it that the names say; as text, or into the JSON. Of one name its properties are those
-// of the whole document.
+// One kind, or what the names say of it, as text or into the JSON, which has the properties of a single name.
 void list_kind(const ListedKind& kind, const ListOptions& options, nlohmann::ordered_json& json) {
     const bool named = !options.names.empty();
-    const std::vector<Named> all = kind.names();
+    const std::vector<Listed> all = kind.all();
     if (!options.json && !named) return print_names(all, options.kind);
-    nlohmann::ordered_json found = kind_json(kind, all, options.names);
+    nlohmann::ordered_json found = kind_json(kind.name, all, options.names);
     for (std::size_t i = 0; i < found.size() && !options.json; ++i) {
         if (i > 0) fmt::print("\n");
         print_one(found[i]);

@@ -11,8 +11,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// File, documented error and instructions of a function, and of a method by "method NAME": an equation and a
-// method may be called alike.
+// File, documented error and instructions of a function, or "method NAME", as equations may be called alike.
 using Facts = std::map<std::string, std::array<std::string, 3>>;
 
 Facts facts_of(const catalogue::Entries& entries) {

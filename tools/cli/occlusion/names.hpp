@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "catalogue/catalogue.hpp"
 #include "cli/framework/cost.hpp"
@@ -22,8 +20,7 @@ struct Named {
 // has printed these on standard error.
 [[nodiscard]] catalogue::Found found_named(const std::vector<std::string>& names);
 
-// The equations among these, those of all commands. Throws like found_named(), and for a row without a
-// function.
+// The equations among these, for all commands. Throws like found_named(), and for a row without a function.
 [[nodiscard]] std::vector<judge::Question> equations_named(const std::vector<std::string>& names);
 
 // The same, and passes ("PASS-remap", "PASS-frame-fast") by their names or globs of these.
@@ -33,8 +30,7 @@ struct Named {
 [[nodiscard]] std::vector<Named> names_of(const std::vector<catalogue::PrintedRow>& rows);
 [[nodiscard]] std::string numbers_page();
 
-// The passes of a frame of a preset, with NAME=VALUE set; it takes depth and normals as most engines store
-// them.
+// The passes of a preset's frame with NAME=VALUE set. It takes depth and normals as most engines store them.
 [[nodiscard]] PresetFrame frame_of(const std::string& preset, const std::vector<std::string>& set,
                                    std::optional<double> tiles);
 

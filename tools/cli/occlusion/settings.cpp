@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include "base/files.hpp"
@@ -19,23 +16,6 @@
 namespace gloam::cli {
 
 using nlohmann::ordered_json;
-
-namespace {
-
-// sides: the allowed ones, in words.
-backend::Extent size_within(const std::string& text, std::uint32_t least, std::uint32_t most,
-                            const char* sides) {
-    const std::size_t times = std::min(text.find('x'), text.size());
-    const auto side = [&](std::string_view number) {
-        const auto pixels = base::number_from<std::uint32_t>(number);
-        if (times < text.size() && pixels && *pixels >= least && *pixels <= most) return *pixels;
-        throw std::invalid_argument(
-            fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {}, such as 640x360", text, sides));
-    };
-    return {side(text.substr(0, times)), side(text.substr(std::min(times + 1, text.size())))};
-}
-
-}  // namespace
 
 ordered_json json_of(const effect::SettingValue& value) {
     if (const auto* on = std::get_if<bool>(&value)) return *on;
@@ -100,9 +80,8 @@ effect::Settings settings_for(const RenderCandidate& candidate, const std::optio
     effect::Settings settings = preset_settings(candidate.preset);
     if (!candidate.method.empty() && candidate.method != settings.method)
         settings = with_method(settings, candidate.method);
-    if (!candidate.radius && !view_radius) {
+    if (!candidate.radius && !view_radius)
         throw std::invalid_argument("no radius: the G-buffer has no ao_radius, so give --radius");
-    }
     settings =
         with_radius(settings, candidate.radius.value_or(static_cast<float>(view_radius.value_or(1.0))));
     if (candidate.samples) settings.samples = *candidate.samples;
@@ -116,12 +95,16 @@ effect::Settings settings_for(const RenderCandidate& candidate, const std::optio
     return settings;
 }
 
-backend::Extent parse_size(const std::string& text) {
-    return size_within(text, 1, std::numeric_limits<std::uint32_t>::max(), "1 or more");
-}
-
-backend::Extent judged_size(const std::string& text) {
-    return size_within(text, 16, 4096, "16 to 4096");
+backend::Extent parse_size(const std::string& text, std::uint32_t least, std::uint32_t most) {
+    const std::size_t times = std::min(text.find('x'), text.size());
+    const auto side = [&](std::string_view number) {
+        const auto pixels = base::number_from<std::uint32_t>(number);
+        if (times < text.size() && pixels && *pixels >= least && *pixels <= most) return *pixels;
+        throw std::invalid_argument(
+            fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {} {}, such as 640x360", text,
+                        least, most == any_size ? "or more" : fmt::format("to {}", most)));
+    };
+    return {side(text.substr(0, times)), side(text.substr(std::min(times + 1, text.size())))};
 }
 
 }  // namespace gloam::cli

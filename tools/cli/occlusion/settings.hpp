@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -32,9 +34,8 @@ void apply(effect::Settings& settings, const std::string& assignment);
 
 // The settings of a preset by name, or of a file if the name ends with ".json": {"name", "description",
 // "settings": {NAME: value, ...}}, lengths for a radius of 1. Settings that the file does not name are those
-// of `tssao-paper`. Throws like effect::preset_named() and base::read_file(); std::runtime_error that names
-// the file for text of another form, std::invalid_argument for an unknown setting, a value out of range, or a
-// radius other than 1.
+// of `tssao-paper`. Throws like preset_named() and base::read_file(); std::runtime_error with the file for
+// another form, std::invalid_argument for unknown settings, values out of range, and a radius other than 1.
 [[nodiscard]] effect::Settings preset_settings(const std::string& name_or_file);
 
 // The settings of a candidate for a view: those of its preset and method, scaled to its radius or the view's,
@@ -43,11 +44,9 @@ void apply(effect::Settings& settings, const std::string& assignment);
 [[nodiscard]] effect::Settings settings_for(const RenderCandidate& candidate,
                                             const std::optional<double>& view_radius);
 
-// The value of --size: "640x360". Throws std::invalid_argument that names --size.
-[[nodiscard]] backend::Extent parse_size(const std::string& text);
-
-// The value of --size for images that are judged: each side 16 to 4096 pixels, so that a kernel, a window and
-// a pixel's neighbours fit.
-[[nodiscard]] backend::Extent judged_size(const std::string& text);
+// The value of --size: "640x360", sides of `least` to `most` pixels. Throws std::invalid_argument otherwise.
+inline constexpr std::uint32_t any_size = std::numeric_limits<std::uint32_t>::max();
+[[nodiscard]] backend::Extent parse_size(const std::string& text, std::uint32_t least = 1,
+                                         std::uint32_t most = any_size);
 
 }  // namespace gloam::cli

@@ -72,8 +72,7 @@ void show_progress(const std::string& text) {
 }
 
 // {"gloam", "device": {"name", "driver"}, "versions", "rows": [{"run", "varied", "quantity", "measured",
-// "bound", "passed"}]}. bound is null where nothing is promised. Infinite numbers are the strings "inf" and
-// "-inf", NaN is "nan".
+// "bound", "passed"}]}. bound is null where nothing is promised; "inf", "-inf" and "nan" are strings.
 std::string to_json(const backend::DeviceInfo& device, const std::vector<stress::Row>& rows) {
     return record::to_text({{"gloam", base::version()},
                             {"device", {{"name", device.name}, {"driver", device.driver}}},

@@ -51,19 +51,11 @@ Candidate plain_candidate(const std::string& text) {
             .layer = {.kind = Kind::plain, .plain = loop}};
 }
 
-// Sorts of candidates, each of which an option may replace.
-enum class Sort { plain, single, sequence, depth_truth, truth };
+// Candidates of one sort, which an option may replace: of a kind, and of the effect in sequence or not.
+using Sort = std::pair<Kind, bool>;
 Sort sort_of(const Candidate& one) {
-    switch (one.layer.kind.value_or(Kind::effect)) {
-        case Kind::plain:
-            return Sort::plain;
-        case Kind::depth_truth:
-            return Sort::depth_truth;
-        case Kind::truth:
-            return Sort::truth;
-        default:
-            return one.layer.sequence.value_or(true) ? Sort::sequence : Sort::single;
-    }
+    const Kind kind = one.layer.kind.value_or(Kind::effect);
+    return {kind, kind == Kind::effect && one.layer.sequence.value_or(true)};
 }
 
 // Candidates of an option replace those of its sort in the description, or all that there are.
@@ -73,13 +65,14 @@ std::vector<Candidate> replaced(const std::vector<Candidate>& candidates, const 
         chosen.push_back({.name = method, .layer = {.kind = Kind::effect, .method = method}});
     if (!chosen.empty()) return chosen;
     std::map<Sort, std::vector<Candidate>> given;
-    for (const std::string& text : options.plain) given[Sort::plain].push_back(plain_candidate(text));
-    for (const std::string& text : options.single)
-        given[Sort::single].push_back(preset_candidate(text, false));
-    for (const std::string& text : options.sequence)
-        given[Sort::sequence].push_back(preset_candidate(text, true));
+    for (const std::string& text : options.plain)
+        given[{Kind::plain, false}].push_back(plain_candidate(text));
+    for (const bool sequence : {false, true})
+        for (const std::string& text : sequence ? options.sequence : options.single)
+            given[{Kind::effect, sequence}].push_back(preset_candidate(text, sequence));
     if (given.empty()) return candidates;
-    for (const Sort sort : {Sort::plain, Sort::single, Sort::sequence, Sort::depth_truth})
+    for (const Sort& sort : {Sort(Kind::plain, false), Sort(Kind::effect, false), Sort(Kind::effect, true),
+                             Sort(Kind::depth_truth, false)})
         std::ranges::copy_if(given.contains(sort) ? given[sort] : candidates, std::back_inserter(chosen),
                              [&](const Candidate& one) { return sort_of(one) == sort; });
     return chosen;
@@ -188,7 +181,7 @@ Experiment described(const ExperimentOptions& options) {
 }
 
 void choose_candidates(Experiment& what, const ExperimentOptions& options) {
-    const auto is_depth_truth = [](const Candidate& one) { return sort_of(one) == Sort::depth_truth; };
+    const auto is_depth_truth = [](const Candidate& one) { return one.layer.kind == Kind::depth_truth; };
     if (what.candidate_query && options.query) {
         experiment::CandidateQuery& query = *what.candidate_query;
         if (!options.query->methods.empty()) query.methods = options.query->methods;

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "cli/commands.hpp"
 #include "experiment/experiment.hpp"
 
@@ -51,8 +46,7 @@ struct ExperimentOptions {
 // has_query: of a description with a query of candidates.
 [[nodiscard]] std::vector<Option> options_of(ExperimentOptions& options, bool has_query);
 
-// The description of the file, or of `gloam bench` alone, in which the options count instead. Throws like
-// experiment::read_experiment().
+// The description of the file, or of `gloam bench` alone, with the options. Throws like read_experiment().
 [[nodiscard]] experiment::Experiment described(const ExperimentOptions& options);
 
 // Replaces candidates by those of the options. Throws std::invalid_argument for texts that name none, and if

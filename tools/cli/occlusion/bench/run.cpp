@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -180,7 +178,8 @@ int run_experiment(const ExperimentOptions& options) {
     choose_candidates(what, options);
     choose_cases(what, options.cases, options.half, meshes);
     std::vector<backend::Extent> sizes;
-    for (const std::string& size : what.sizes) sizes.push_back(judged_size(size));
+    for (const std::string& size : what.sizes)
+        sizes.push_back(parse_size(size, 16, 4096));  // a kernel, a window and a pixel's neighbours fit
     backend::vulkan::Device device = open_device(options.device, options.validation);
     scene::PassLibrary passes(glsl_directory(), cache_directory());
     if (options.inputs != "device")

@@ -2,9 +2,7 @@
 // What `gloam check` takes: equations, the study's passes, and the frame of each own preset.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -77,13 +75,6 @@ const Case cases[] = {
      .samples_distance = 5.0F,
      .samples_least = 0,
      .border = {2, 1}}};
-
-struct MethodValues {
-    float range, epsilon, intensity, thickness, angle_bias, mip_distance;
-    unsigned steps;
-    float disagreement, feature_thickness;
-    int layers;
-};
 
 // Told what an image of a pass shall hold.
 using Judge = std::function<void(const subject::Image& image, const std::function<Wanted(ivec2)>& wanted)>;
@@ -161,7 +152,7 @@ class Frames {
 
     // The history of a view; before: that of the frame before, at its pixels.
     [[nodiscard]] subject::Image occlusion_of(const View& view, const subject::Image* before) {
-        const MethodValues method{.range = range};
+        const effect::MethodValues method{.range = range};
         const pass::PassResult result =
             run("ambient_occlusion", view, "depth_image", view.depth, "normal_image", view.normal,
                 "layer_image", view.normal, "prepared_image", view.normal, "history_before",
