@@ -145,12 +145,6 @@ def namespace(source):
             yield line_of(source.text, block.start()), f"expected namespace gloam::{source.room}"
 
 
-def stands_in(source, home):
-    """Whether a source stands in a room, or in a folder of it, as "room/folder": itself, or its tests."""
-    within = "/".join(source.path.parts)
-    return f"/{home}/" in within if source.area in ("harness", "tests") else source.room == home
-
-
 def library_home(source):
     """A library's headers are included in its own room only, and there not in a public header."""
     if source.area == "examples":  # programs of their own
@@ -159,7 +153,9 @@ def library_home(source):
         for library, (pattern, home) in LIBRARY_HOME.items():
             if not pattern.match(name):
                 continue
-            if not stands_in(source, home):
+            # A home is a room, or a folder of it as "room/folder"; its tests stand there, too.
+            in_rooms = source.area in ("harness", "tests")
+            if not (f"/{home}/" in source.path.as_posix() if in_rooms else source.room == home):
                 yield number, f"{name}: {library} headers belong in {home}"
             elif source.area == "harness" and source.path.suffix == ".hpp" and "internal" not in source.path.parts:
                 yield number, f"{name}: {library} shows in a public header of {home}"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/environment.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
@@ -16,11 +14,6 @@ namespace gloam::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path from_environment(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? fs::path{} : fs::path(value);
-}
 
 struct DataFolder {
     std::string_view name;
@@ -64,19 +57,16 @@ std::vector<fs::path> include_roots_of(const fs::path& file, const std::vector<s
 }
 
 fs::path cache_directory() {
-    if (const fs::path own = from_environment("GLOAM_CACHE_DIR"); !own.empty()) return own;
-    if (const fs::path cache = from_environment("XDG_CACHE_HOME"); !cache.empty()) return cache / "gloam";
-    if (const fs::path home = from_environment("HOME"); !home.empty()) return home / ".cache" / "gloam";
+    for (const auto& [variable, below] :
+         {std::pair("GLOAM_CACHE_DIR", ""), {"XDG_CACHE_HOME", "gloam"}, {"HOME", ".cache/gloam"}})
+        if (const char* folder = std::getenv(variable); folder != nullptr && *folder != '\0')
+            return fs::path(folder) / below;
     return {};
 }
 
 fs::path truth_cache_directory() {
     const fs::path folder = cache_directory();
     return folder.empty() ? folder : folder / "truth";
-}
-
-bool on_terminal() {
-    return isatty(STDERR_FILENO) != 0;
 }
 
 std::string versions() {

@@ -31,7 +31,4 @@ namespace gloam::cli {
 // a result depends, besides the device and its driver.
 [[nodiscard]] std::string versions();
 
-// Whether standard error is a terminal, so that people see it.
-[[nodiscard]] bool on_terminal();
-
 }  // namespace gloam::cli

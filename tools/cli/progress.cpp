@@ -9,8 +9,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "cli/environment.hpp"
-
 namespace gloam::cli {
 namespace {
 
@@ -27,7 +25,7 @@ std::string rough_duration(std::chrono::duration<double> duration) {
 }  // namespace
 
 std::function<void(double)> progress_bar(std::string what, bool watched) {
-    if (!watched || !on_terminal()) return [](double) {};
+    if (!watched || isatty(STDERR_FILENO) == 0) return [](double) {};
     return [what = std::move(what), shown = -1,
             begin = std::chrono::steady_clock::now()](double part) mutable {
         constexpr int steps = 40;

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-// A pass as one text in GLSL ES 3.00, with loose uniforms as OpenGL ES has them, and Vulkan's constants.
+// A pass as one text in GLSL ES 3.00, with its loose uniforms and the specialization constants of Vulkan.
 std::string file_text(const fs::path& file, const fs::path& library) {
     const source::PackRequest request{.language = source::Language::es300,
                                       .stage = source::stage_of_file(file)};

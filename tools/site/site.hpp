@@ -26,7 +26,7 @@ void add_live_effect(record::Page& page, record::OutputFolder& folder, const std
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript with AmbientOcclusion and what it uses.
 [[nodiscard]] std::string effect_classes(const std::filesystem::path& files);
 
-// What AmbientOcclusion needs (effect/ambient-occlusion.js), as JSON: gloam's own presets, and named passes.
+// What AmbientOcclusion needs (effect/ambient-occlusion.js), as JSON: gloam's own presets, passes by name.
 [[nodiscard]] std::string effect_json(const std::filesystem::path& library,
                                       const std::filesystem::path& files);
 

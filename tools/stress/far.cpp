@@ -94,7 +94,7 @@ Errors reproject(const Previous& function, const scene::Scene& scene, const scen
     return worst;
 }
 
-// The occlusion after some frames of a moving camera. in_world: how it moved is of its matrices in float.
+// The occlusion after some frames of a moving camera. in_world: it moves as its matrices in float do.
 std::vector<float> shown_after(effect::AmbientOcclusion& effect, const std::vector<scene::GBuffer>& views,
                                float radius, bool in_world) {
     effect.begin(views[0], effect::with_radius(effect::preset_named("balanced").settings, radius));

@@ -55,7 +55,7 @@ namespace {
 
 constexpr double visible_loss = 0.5;  // decimal digits
 
-// The lines of the file itself, with the most that any function loses there, a colour for 1.5 digits each.
+// The lines of the file itself, with the most that any function loses there: 1.5 digits a step of colour.
 std::string source_html(const AuditReport& report) {
     constexpr unsigned hottest = 4;  // of the classes heat0 to heat4
     const std::filesystem::path file = std::filesystem::path(report.file).filename();

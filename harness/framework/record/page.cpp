@@ -74,14 +74,6 @@ std::string meanings_html(const Table& table) {
     return html.empty() ? html : "<dl>\n" + html + "</dl>\n";
 }
 
-std::string head_html(const Table& table) {
-    std::string html = "<thead><tr>";
-    for (const Column& column : table.columns)
-        html += fmt::format("<th scope=\"col\"{}><button type=\"button\">{}</button></th>",
-                            column.numeric ? " class=\"number\"" : "", escaped_html(column.title));
-    return html + "</tr></thead>\n";
-}
-
 }  // namespace
 
 std::string escaped_html(std::string_view text) {
@@ -140,8 +132,11 @@ void Page::table(const Table& table) {
         if (table.columns[i].filter) body_ += choice_html(table, i);
     body_ +=
         "<output></output></div>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" "
-        "aria-label=\"Table\"><table>\n" +
-        head_html(table) + "<tbody>\n";
+        "aria-label=\"Table\"><table>\n<thead><tr>";
+    for (const Column& column : table.columns)
+        body_ += fmt::format("<th scope=\"col\"{}><button type=\"button\">{}</button></th>",
+                             column.numeric ? " class=\"number\"" : "", escaped_html(column.title));
+    body_ += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
         body_ += "<tr>";
         for (std::size_t i = 0; i < row.size(); ++i) body_ += cell_html(table.columns[i], row[i]);

@@ -47,7 +47,7 @@ class Page {
 };
 
 // Escapes a text for HTML, in element content and in quoted attributes: & < > " ' become entities, control
-// characters except tab and line break become U+FFFD, as which a browser shows bytes that are not UTF-8.
+// characters except tab and line break become U+FFFD. Bytes that are not UTF-8 stay; browsers show U+FFFD.
 [[nodiscard]] std::string escaped_html(std::string_view text);
 
 }  // namespace gloam::record

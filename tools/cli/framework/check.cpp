@@ -16,13 +16,6 @@
 namespace gloam::cli {
 namespace {
 
-void print_failure(const CheckOptions& options, const record::DeviceSummary& device,
-                   const judge::Answer& row) {
-    fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
-    if (row.variant.empty()) return;  // the device itself
-    fmt::print("run it again: {}\n", command_for(options, device, row));
-}
-
 // What is said of rows behind the table: of failures, of what was not judged (which a table would say),
 // coverage, and inputs for which a user's function has no defined result.
 void print_not_judged(const judge::Answer& row) {
@@ -84,8 +77,12 @@ void require_fitting(const CheckOptions& options) {
 // for an outcome that is not complete, unless a check failed.
 int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
     for (const record::CheckReport& report : outcome.reports)
-        for (const judge::Answer& row : report.rows)
-            if (row.failed()) print_failure(options, report.device, row);
+        for (const judge::Answer& row : report.rows) {
+            if (!row.failed()) continue;
+            fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
+            if (!row.variant.empty())  // it is not the device itself
+                fmt::print("run it again: {}\n", command_for(options, report.device, row));
+        }
     if (options.rows)
         fmt::print("\n{}", record::table_legend());
     else

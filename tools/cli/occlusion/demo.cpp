@@ -111,15 +111,6 @@ void add_check(record::Page& page, const CheckOutcome& outcome) {
     page.markup("</details>\n");
 }
 
-std::string pictures_line(const std::vector<Shown>& scenes) {
-    const Rendered& first = scenes.front().run;
-    return fmt::format(
-        "pictures  {} scenes of {} x {} pixels: a frame of the {} takes {:.3g} ms, its occlusion is {:.3f} "
-        "off the truth",
-        scenes.size(), first.frame.extent.width, first.frame.extent.height, scenes.front().name, first.ms(),
-        first.error.value_or(0.0));
-}
-
 std::string check_line(const CheckOutcome& outcome) {
     const record::OutcomeCounts& counts = outcome.counts;
     std::string said = "all are as exact as they document";
@@ -155,7 +146,11 @@ int run_demo(const DemoOptions& demo) {
     record::Page page = page_of(scenes, out);
     out.write("index.html", page.html());
     out.keep();
-    say(demo, pictures_line(scenes));
+    const Rendered& first = scenes.front().run;
+    say(demo, fmt::format("pictures  {} scenes of {} x {} pixels: a frame of the {} takes {:.3g} ms, its "
+                          "occlusion is {:.3f} off the truth",
+                          scenes.size(), first.frame.extent.width, first.frame.extent.height,
+                          scenes.front().name, first.ms(), first.error.value_or(0.0)));
     const CheckOutcome outcome = check({.named = equations_named,
                                         .task = {.run = {.inputs = few_inputs}},
                                         .device = demo.device,

@@ -176,7 +176,7 @@ std::vector<ListedKind> all_kinds() {
             {"views", [] { return each_of(scene::all_views() | filter(has_half), listed_view); }}};
 }
 
-// The properties of these names of a kind, or of all. Throws std::invalid_argument for a name of another.
+// The properties of these names of a kind, or of all. Throws std::invalid_argument for a name that is none.
 nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Listed>& all,
                                  const std::vector<std::string>& names) {
     if (kind == "equations") return equations_json(names);

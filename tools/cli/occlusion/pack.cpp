@@ -182,16 +182,14 @@ std::string method_table(const fs::path& glsl) {
            fmt::format("| together | {} | {} |\n", source::code_lines(functions), source::code_lines(passes));
 }
 
-void pack_npm(const PackCommand& options) {
-    record::OutputFolder folder(options.npm);
-    for (const auto& [name, text] : site::npm_package(glsl_directory(), data_directory("site"),
-                                                      data_directory("docs").parent_path() / "LICENSE"))
-        folder.write(name, text);
-    folder.keep();
-}
-
 void run_pack(const PackCommand& options) {
-    if (!options.npm.empty()) return pack_npm(options);
+    if (!options.npm.empty()) {
+        record::OutputFolder folder(options.npm);
+        for (const auto& [name, text] : site::npm_package(glsl_directory(), data_directory("site"),
+                                                          data_directory("docs").parent_path() / "LICENSE"))
+            folder.write(name, text);
+        return folder.keep();
+    }
     if (options.effect || options.one_pass) {
         const std::string name = options.effect ? "--effect" : "--one-pass";
         if (!options.target.empty()) throw std::invalid_argument(name + " takes no --target");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -68,7 +69,7 @@ void print(const stress::Row& row) {
 
 // Shows one line on a terminal, which is overwritten; prints nothing elsewhere.
 void show_progress(const std::string& text) {
-    if (on_terminal()) fmt::print(stderr, "\r\033[K{}", text);
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K{}", text);
 }
 
 // {"gloam", "device": {"name", "driver"}, "versions", "rows": [{"run", "varied", "quantity", "measured",
