@@ -91,6 +91,8 @@ TEST(Audit, TriesMiddlesQuartersZerosAndDiagonals) {
           "// a in [-8, 8], b in [0, 1]\nfloat f(float a, float b) { return 1.0 / (abs(a - 4.0) + abs(b - "
           "0.75)); }",
           "float f(vec3 n) { return 1.0 / (abs(n.x - n.y) + abs(n.z)); }",
+          "// a in [2, 6], b in [7, 11]\nvec2 f(float a, float b) { return normalize(sqrt(vec2(a, b)) - "
+          "vec2(2, 3)); }",
           "// p in [0, 1]\nvec3 f(vec3 p) { return normalize(p * 4.0 - vec3(1.0, 2.0, 3.0)); }",
           "// n in [0, 65535]\nfloat f(uint n) { return 1.0 / (float(n) - 40000.0); }"}) {
         const Audit audit = Audited(text).audit("f", {}, 1024);

@@ -47,6 +47,14 @@ const Known known[] = {
     {"guarded", 1369, 0.2741F, 0.0774F, 0.3053F, 1.2464F, [](scene::GBuffer&) {}, 1, 0.25},
     {"beside a step", beside, 0.1291F, 0.0F, 0.6787F, 1.1940F, put_step, 1, 0.0, 1024},
     {"beside a step, interleaved", beside, 0.1276F, 0.0F, 0.6528F, 1.2164F, put_step, 4, 0.0, 64},
+    {"beside a step in front of the range", beside, 0.4251F, 0.0F, 0.0579F, 1.5708F,
+     [](scene::GBuffer& view) { view = step(1.0F, 3.0F, close); }, 1, 0.0, 1024},
+    {"normals that differ, interleaved", 1369, 0.3480F, 0.0120F, 0.7184F, 1.4789F,
+     [](scene::GBuffer& view) {
+         for (std::size_t i = 0; i < view.normal.size(); ++i)
+             view.normal[i].x += 0.3F * static_cast<float>(i % 3);
+     },
+     4},
     {"beside a low step, interleaved", beside, 0.4292F, 0.0F, 0.0744F, 1.5480F,
      [](scene::GBuffer& view) { view = step(2.95F, 3.0F, close); }, 4},
     {"behind the eye", 1369, 0.2617F, 0.0245F, 0.3651F, 1.2560F,

@@ -76,6 +76,21 @@ INSTANTIATE_TEST_SUITE_P(All, Prepared, testing::ValuesIn(test::method_names([](
                          })),
                          test::parameter_name);
 
+class MssaoLevels : public OnDevice<testing::Test> {};
+
+// The pixels with the middle depths of four stand for these: at even places the farther of the two.
+TEST_F(MssaoLevels, HaveTheNearersNormalWhereTwoAreOpposite) {
+    const Settings settings = with(settings_for("mssao", 1.0F), "filter=none history=off");
+    constexpr std::array depths{0.02F, 0.01F, 0.0F, 0.03F};
+    scene::GBuffer view = step(2.7F, 3.0F);
+    const auto corner_of = [&](std::size_t i) { return i % 2 + i / view.extent.width % 2 * 2; };
+    for (std::size_t i = 0; i < view.depth.size(); ++i) view.depth[i] += depths.at(corner_of(i));
+    const float want = run(view, settings).occlusion.at(beside + 1);
+    for (std::size_t i = 0; i < view.normal.size(); ++i)
+        if (corner_of(i) == 0) view.normal[i] = -view.normal[i];
+    EXPECT_EQ(run(view, settings).occlusion.at(beside + 1), want);
+}
+
 // Frames pass by pass on OpenGL 4.5, OpenGL ES 3.1 and the interpreter: the picture is that of Vulkan.
 
 // What a plan shows of a view on a device; nothing where this machine has no such device.

@@ -134,6 +134,7 @@ const std::vector<Operation> word_operations{
     whole("i - j", [](const Row& r) { return r.u(0) - r.u(1); }),
     whole("i * j", [](const Row& r) { return r.u(0) * r.u(1); }),
     whole("i / (k | 1)", [](const Row& r) { return std::int64_t{r.i(0)} / (r.i(2) | 1); }),
+    whole("(i & 255) % (k & 7 | 1)", [](const Row& r) { return (r.u(0) & 255U) % ((r.u(2) & 7U) | 1U); }),
     whole("uint(i) / uint(k | 1)", [](const Row& r) { return r.u(0) / (r.u(2) | 1U); }),
     whole("uint(i) % uint(k | 1)", [](const Row& r) { return r.u(0) % (r.u(2) | 1U); }),
     whole("i << (k & 31)", [](const Row& r) { return r.u(0) << (r.u(2) & 31U); }),

@@ -75,6 +75,7 @@ TEST_F(JudgeTest, DiscreteResultsMustBeEqualOrMeetTheBackwardBudget) {
         return Function<bool(float, float)>(lab, "wrong.glsl", "at_least")
             .compare(above, at_limit, {.backward_ulp = backward_ulp});
     };
+    EXPECT_THAT(check(0).story, HasSubstr("got  true"));
     EXPECT_FALSE(check(0).passed()) << "x >= limit differs from x > limit where they are equal";
     EXPECT_TRUE(check(1).passed()) << "and meets it one ULP beside";
     EXPECT_FALSE(

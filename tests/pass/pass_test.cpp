@@ -62,6 +62,15 @@ TEST_P(OnEachDevice, IsAsTheReference) {
     EXPECT_EQ(testing::PrintToString(same.image("result").compare(source)), "largest difference 0\n");
 }
 
+TEST_P(OnEachDevice, RoundsToTheFormatOfAnImage) {
+    std::ifstream file(FIXTURES "/box.comp");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    text.replace(text.rfind("rgba32f"), 7, "rgb10_a2");
+    const Image one = make_image<glm::vec4>({1, 1}, [](auto) { return glm::vec4(0.1, 0.2, 0.4, 1.0); });
+    const Pass pass(*lab_, "box.comp", module::compile({"box.comp", text}, {}));
+    EXPECT_TRUE(pass.run(box_inputs(one, 0)).image("result").compare(one, 0.6 / 1023.0));
+}
+
 TEST_P(OnEachDevice, FindsABorderPixelThatIsSkipped) {
     const Image source = picture();
     const PassResult out = Pass(*lab_, "box.comp").run(box_inputs(source, 1, 1));

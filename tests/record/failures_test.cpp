@@ -66,6 +66,7 @@ TEST(Amber, AnOutputLiesInItsRange) {
         {number(0.25, 0.5), {"floats NE nan", "floats GE 0.250000000", "floats LE 0.500000000"}},
         {number(-0.125, 3.0, true), {"floats GE -0.125000000", "floats LE 3.00000000"}},
         {number(0.1, 0.1 + 1e-12), {"floats NE nan", "floats GE 0.100000001", "floats LE 0.0999999940"}},
+        {number(0.7, 0.8), {"floats NE nan", "floats GE 0.700000048", "floats LE 0.799999952"}},
         {number(infinity, infinity), {"floats NE nan", "floats GT 3.40282347e+38"}},
         {number(-infinity, -infinity), {"floats NE nan", "floats LT -3.40282347e+38"}},
         {number(1.0, infinity), {"floats NE nan", "floats GE 1.00000000"}},

@@ -124,6 +124,7 @@ TEST(Domain, AnAdjustedDomainKeepsAGivenInputAsItIs) {
     EXPECT_EQ(from_word<float>(inputs.row(0)[0]), 0.5F);
     EXPECT_EQ(inputs.row(1)[0], 0U);
     EXPECT_EQ(domain.draw(1, 1).count(), 1U);
+    EXPECT_THAT(Domain{image_size()}.and_words({1U, 1U}).draw(1, 1, {9, 7}).words, ElementsAre(9U, 7U));
 }
 
 TEST(Values, AdmitNothingElse) {
