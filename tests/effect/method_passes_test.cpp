@@ -80,7 +80,7 @@ class MssaoLevels : public OnDevice<testing::Test> {};
 
 // The pixels with the middle depths of four stand for these: at even places the farther of the two.
 TEST_F(MssaoLevels, HaveTheNearersNormalWhereTwoAreOpposite) {
-    const Settings settings = with(settings_for("mssao", 1.0F), "filter=none history=off");
+    const Settings settings = with({}, "method=mssao filter=none history=off");
     constexpr std::array depths{0.02F, 0.01F, 0.0F, 0.03F};
     scene::GBuffer view = step(2.7F, 3.0F);
     const auto corner_of = [&](std::size_t i) { return i % 2 + i / view.extent.width % 2 * 2; };

@@ -138,8 +138,8 @@ TEST_F(Pictures, MovingObjectsLeaveNoGhostAndNoPixelAlone) {
     scene::Scene stopped = scene;
     for (scene::MovingObject& object : stopped.objects)
         object.transform = [at_the_end = object.transform(frames - 1)](int) { return at_the_end; };
-    const auto moving = sequence_of(scene, extent, frames, {.motion = true, .ids = true});
-    const auto standing = sequence_of(stopped, extent, frames, {.motion = true, .ids = true});
+    const auto moving = sequence_of(scene, extent, frames, {.motion = true});
+    const auto standing = sequence_of(stopped, extent, frames, {.motion = true});
     const Truth traced = truth(scene, frames - 1, moving.back());
     for (const Preset& preset : presets()) {
         if (!preset.settings.history) continue;
