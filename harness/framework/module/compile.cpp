@@ -2,6 +2,7 @@
 #include "module/compile.hpp"
 
 #include <fmt/ranges.h>
+#include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/libspirv.h>
 #include <spirv_cross_c.h>
