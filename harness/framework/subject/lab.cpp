@@ -18,21 +18,6 @@
 namespace gloam::subject {
 namespace {
 
-std::vector<ImagePrototype> image_prototypes(const std::vector<module::Function>& functions,
-                                             const std::string& file) {
-    std::vector<ImagePrototype> images;
-    for (const module::Function& function : functions) {
-        if (function.defined) continue;
-        const auto image = image_prototype(function);
-        if (!image)
-            throw std::invalid_argument(
-                fmt::format("{}: cannot serve the prototype \"{}\": expected T name(ivec2)", file,
-                            module::to_glsl(function)));
-        images.push_back(*image);
-    }
-    return images;
-}
-
 void require_opengl_options(const LabOptions& options, source::Language language) {
     if (!options.variant.runs_on_opengl(source::usual_stage(language) == source::Stage::compute))
         throw std::invalid_argument(
@@ -127,6 +112,21 @@ bool is_of(const std::string& resource, const ImagePrototype& image) {
 }
 
 }  // namespace
+
+std::vector<ImagePrototype> image_prototypes(const std::vector<module::Function>& functions,
+                                             const std::string& file) {
+    std::vector<ImagePrototype> images;
+    for (const module::Function& function : functions) {
+        if (function.defined) continue;
+        const auto image = image_prototype(function);
+        if (!image)
+            throw std::invalid_argument(
+                fmt::format("{}: cannot serve the prototype \"{}\": expected T name(ivec2)", file,
+                            module::to_glsl(function)));
+        images.push_back(*image);
+    }
+    return images;
+}
 
 std::vector<ImagePrototype> images_of(const source::Excerpt& excerpt, const module::Function& function) {
     std::vector<ImagePrototype> images;

@@ -73,6 +73,11 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 // The image that serves a prototype T f(ivec2). Empty for any other prototype.
 [[nodiscard]] std::optional<ImagePrototype> image_prototype(const module::Function& function);
 
+// Those that serve the functions of a file that have no body. Throws std::invalid_argument for one that no
+// image can serve.
+[[nodiscard]] std::vector<ImagePrototype> image_prototypes(const std::vector<module::Function>& functions,
+                                                           const std::string& file);
+
 // The samplers and images of an excerpt, then samplers that are parameters of the function.
 [[nodiscard]] std::vector<ImagePrototype> images_of(const source::Excerpt& excerpt,
                                                     const module::Function& function);

@@ -228,13 +228,15 @@ void add_functions(const OwnFile& file, const source::Excerpt& excerpt, const mo
         if (why.empty() && unserved != compiled.end())
             why = fmt::format("it calls {}, which has no body; expected T name(ivec2)",
                               definition_of(*unserved));
-        if (!why.empty())
+        if (!why.empty()) {
             all.left_out.push_back({definition, why});
-        else
-            all.found.push_back({{file.name, together(function, team), images_of(excerpt, function), false,
-                                  excerpt.text, team},
-                                 own.size() > 1 ? definition : function.name,
-                                 comment});
+            continue;
+        }
+        std::vector<ImagePrototype> images = images_of(excerpt, function);
+        std::ranges::copy(image_prototypes(compiled, file.name), std::back_inserter(images));
+        all.found.push_back({{file.name, together(function, team), images, false, excerpt.text, team},
+                             own.size() > 1 ? definition : function.name,
+                             comment});
     }
 }
 
