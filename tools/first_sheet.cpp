@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // gloam-sheet FOLDER: the sheet of `gloam demo` alone. tools/run draws it before the rest of the program is
-// compiled.
+// compiled, and goes on where it cannot: the program tries each driver apart, this one does not.
 #include <fmt/format.h>
 
 #include <cstdio>

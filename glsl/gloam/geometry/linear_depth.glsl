@@ -54,7 +54,8 @@ float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
 // That of Vulkan and Direct3D: b = P22 z + P32.
 // b: depth-buffer value in [0, 1].
 // p22, p32: projection elements: 1 / (near - far), near / (near - far); reversed 1 / (far - near), far / (far - near).
-// Returns d as gloam_linear_depth_perspective_vk does. Error: at most 3 ulp.
+// Returns d in world units; +infinity for the background: NaN, anything that gives no positive finite d.
+// Error: at most 3 ulp.
 float gloam_linear_depth_orthographic_vk(float b, float p22, float p32) {
     return gloam_depth_quotient(p32 - b, p22);
 }
@@ -64,8 +65,8 @@ float gloam_linear_depth_orthographic_vk(float b, float p22, float p32) {
 // OpenGL's: 2 b - 1 = P22 z + P32.
 // b: depth-buffer value in [0, 1] (window depth).
 // p22, p32: projection elements: -2 / (far - near), -(far + near) / (far - near); both negated when reversed.
-// Returns d as gloam_linear_depth_perspective_vk does. Error: at most 4 ulp, for |p32| >= 1 (every projection with
-// 0 <= near < far).
+// Returns d in world units; +infinity for the background: NaN, anything that gives no positive finite d.
+// Error: at most 4 ulp, for |p32| >= 1 (every projection with 0 <= near < far).
 // No method or pass here calls it: it is OpenGL's projection; the passes read depth buffers of the range [0, 1].
 float gloam_linear_depth_orthographic_gl(float b, float p22, float p32) {
     // In this order: the sum of both constants would round away what the depth adds.

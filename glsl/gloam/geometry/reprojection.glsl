@@ -50,8 +50,10 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
 // previous clip-space point of a point of a moving object (TSSAO-RP-moving): `P' V' M' M^-1 V^-1 P^-1 t` [TSSAO,
 // reprojection].
 // (Printed without frame indices, the chain P V M M^-1 V^-1 P^-1 would be the identity.)
-// inverse_model: of the current frame. previous_model: of the previous frame. All else as gloam_previous_clip_static,
-// but for an error of 5e-4 where sums cancel: 2.5e-6 of their terms.
+// clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
+// previous_model, previous_view, previous_projection: of the previous frame.
+// Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite. Error: 4
+// ulp of the largest component, or 5e-4 where sums cancel whose terms add up to no more than 200 units: 2.5e-6 of them.
 // No method or pass here calls it: it is TSSAO, the reprojection; the pass starts from view space.
 vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 inverse_model,
                                 mat4 previous_model, mat4 previous_view, mat4 previous_projection) {

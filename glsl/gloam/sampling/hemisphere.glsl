@@ -19,8 +19,9 @@ vec3 gloam_hemisphere_cosine(vec3 zeta) {
 
 // point of the half ball: uniform direction, uniform radius (TSSAO-14-uniform): `a = 2 pi zeta_x, r = zeta_y; s = r
 // (cos a sqrt(1 - zeta_z^2), sin a sqrt(1 - zeta_z^2), zeta_z)` [TSSAO, variant of eq 14].
-// zeta and what it returns: as for gloam_hemisphere_cosine, but that directions have density 1 / (2 pi), so an average
-// over samples carries the cosine and a factor 2. Error: 3e-7.
+// zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
+// Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density 1 / (2 pi),
+// so an average over samples carries the cosine and a factor 2. zeta_y = 0 gives the zero vector: skip it. Error: 3e-7.
 vec3 gloam_hemisphere_uniform(vec3 zeta) {
     float radius = gloam_unit_interval(zeta.y);
     float cosine = gloam_unit_interval(zeta.z);
@@ -38,7 +39,9 @@ vec3 gloam_hemisphere_cosine_point(uint index) {
 
 // point of a sample: hemisphere_uniform (POINTS-hemisphere-uniform): `TSSAO-14-uniform of the Halton point` [TSSAO, eqs
 // 13 and 14].
-// As gloam_hemisphere_cosine_point. Error: 2e-6 where that of the other is 1.2e-6.
+// index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error:
+// 2e-6 where the third coordinate of the Halton point is below 0.998; up to 5e-4 beyond, where the square root
+// magnifies the error of that coordinate.
 vec3 gloam_hemisphere_uniform_point(uint index) {
     return gloam_hemisphere_uniform(gloam_halton_3d(index));
 }

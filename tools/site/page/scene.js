@@ -2,7 +2,7 @@
 // Scenes of the page, loaded when they are chosen (scene-NAME.js, tools/site/scene_data.cpp), and their cameras.
 "use strict";
 
-// The values of a type, Float64Array for one, from their compressed bytes as base64 (page_data.hpp).
+// The values of a type, Float64Array for one, from their compressed bytes as base64 (live_page.cpp).
 gloam.values = async (Type, text) => {
     const packed = new Blob([Uint8Array.from(atob(text), (character) => character.charCodeAt(0))]);
     const bytes = packed.stream().pipeThrough(new DecompressionStream("deflate"));
