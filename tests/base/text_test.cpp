@@ -27,6 +27,16 @@ TEST(Text, OneLineShowsWhatATerminalWouldObey) {
     EXPECT_EQ(for_terminal("a\n\tb\x1b]0;c\x07\r\n"), "a\n\tb ]0;c  \n");
 }
 
+TEST(Pattern, FindsTakesApartAndReplaces) {
+    const Pattern pair("(\\w+)=(\\d)?;", true);
+    EXPECT_THAT(pair.first("a; b=2; c=;"), ElementsAre("b=2;", "b", "2"));
+    EXPECT_THAT(pair.first("c=;"), ElementsAre("c=;", "c", ""));
+    EXPECT_THAT(pair.first("none"), IsEmpty());
+    EXPECT_THAT(pair.all("a=1; b=2;"), ElementsAre("a=1;", "b=2;"));
+    EXPECT_EQ(Pattern("X+").replaced("aXXbXc", "-"), "a-b-c");
+    EXPECT_EQ(Pattern("(x|y)+", true).first(std::string(1 << 20, 'X')).front().size(), 1U << 20U);  // no stack
+}
+
 TEST(Text, HasOtherWordsOrSmallLetters) {
     EXPECT_EQ(replaced("aaba", "a", "aa"), "aaaabaa");
     EXPECT_EQ(lower("AMD Radeon 7\u00c9"), "amd radeon 7\u00c9");

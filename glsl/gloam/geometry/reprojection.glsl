@@ -113,7 +113,7 @@ vec3 gloam_previous_view(ivec2 pixel, float depth, GloamCamera camera, mat4 prev
 // Returns the position in the view space of the previous frame, world units. The zero vector, which is read as
 // background, behind the eye, where it would not be finite, and for a point that was not in the image unless the camera
 // alone has carried it in. Error: 4 ULP and 4e-6, for motions of some pixels.
-// For engines that have motion vectors: the passes here read positions, and call it nowhere.
+// No method or pass here calls it: it is TSSAO, the reprojection by motion vectors; the pass reads positions.
 vec3 gloam_previous_moved(ivec2 pixel, vec2 motion, vec3 still, GloamCamera camera) {
     vec3 previous = still;
     if (abs(motion.x) < 1e9 && abs(motion.y) < 1e9) {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <regex>
 
 #include "audit/internal/runs.hpp"
 #include "audit/internal/search.hpp"
+#include "base/pattern.hpp"
 #include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
 #include "subject/kernel_code.hpp"
@@ -31,10 +31,9 @@ constexpr double small_error = 4.0;  // ULP
 
 // Whether a text has conditions besides the guard of an include.
 bool has_conditions(const std::string& text) {
-    static const std::regex condition(R"((?:^|\n)[ \t]*#[ \t]*(if\w*))");
-    std::smatch first;
-    if (!std::regex_search(text, first, condition)) return false;
-    return !first[1].str().starts_with("ifndef") || std::regex_search(first.suffix().str(), condition);
+    static const base::Pattern condition(R"((?:^|\n)[ \t]*#[ \t]*if\w*)");
+    const std::vector<std::string> all = condition.all(text);
+    return !all.empty() && (all.size() > 1 || !all.front().ends_with("ifndef"));
 }
 
 bool is_same(double a, double b) {

@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 // Where a character stands: quotes end with their line, a block comment does not.
 enum class In { code, quotes, line_comment, block_comment };
 
@@ -46,6 +40,12 @@ Step step(std::string_view rest, In& in) {
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
 
 std::vector<Line> split_lines(std::string_view text) {
     std::vector<Line> lines;

@@ -13,6 +13,9 @@
 
 namespace gloam::source {
 
+// Without white space around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 // A logical line of the preprocessor, with the lines that a trailing backslash continues.
 struct Line {
     std::string_view text;  // as written, with its newline

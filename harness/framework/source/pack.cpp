@@ -5,9 +5,9 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <regex>
 #include <set>
 
+#include "base/pattern.hpp"
 #include "source/internal/selection.hpp"
 
 namespace gloam::source {
@@ -30,22 +30,23 @@ std::string literal(const std::string& type, std::uint32_t bits) {
 
 // The declaration of a specialization constant with the value asked for.
 std::string with_value(const std::string& text, const std::map<std::uint32_t, std::uint32_t>& constants) {
-    static const std::regex declaration(
+    static const base::Pattern declaration(
         R"((constant_id\s*=\s*(\d+)\s*\)\s*const\s+(bool|int|uint|float)\s+\w+\s*=\s*)[^;]+)");
-    std::smatch found;
-    if (constants.empty() || !std::regex_search(text, found, declaration)) return text;
+    const std::vector<std::string> found =
+        constants.empty() ? std::vector<std::string>{} : declaration.first(text);
+    if (found.empty()) return text;
     const auto value = constants.find(static_cast<std::uint32_t>(std::stoul(found[2])));
     if (value == constants.end()) return text;
-    return found.prefix().str() + found[1].str() + literal(found[3], value->second) + found.suffix().str();
+    std::string given = text;
+    return given.replace(text.find(found[0]), found[0].size(), found[1] + literal(found[3], value->second));
 }
 
 // Interfaces as OpenGL has them: constants of their values, and a uniform block in the place of push
 // constants. The members that push constants may have here have the same offsets in std140.
 std::string for_opengl(const std::string& text) {
-    static const std::regex constant(R"(layout\s*\(\s*constant_id\s*=\s*\d+\s*\)\s*const\b)");
-    static const std::regex pushed(R"(layout\s*\(\s*push_constant\s*\)\s*uniform\b)");
-    return std::regex_replace(std::regex_replace(text, constant, "const"), pushed,
-                              "layout(binding = 0, std140) uniform");
+    static const base::Pattern constant(R"(layout\s*\(\s*constant_id\s*=\s*\d+\s*\)\s*const\b)");
+    static const base::Pattern pushed(R"(layout\s*\(\s*push_constant\s*\)\s*uniform\b)");
+    return pushed.replaced(constant.replaced(text, "const"), "layout(binding = 0, std140) uniform");
 }
 
 std::string written(const Outline& outline, const std::vector<const Declaration*>& kept,
@@ -83,10 +84,12 @@ Packed packed(const ActiveText& texts, const PackRequest& request) {
 
 std::string code_of(std::string_view text) {
     std::string all;
-    for (const Line& line : split_lines(text))
-        if (!is_blank(line)) all += line.code + "\n";
-    std::erase(all, '\0');
-    return std::regex_replace(all, std::regex(R"(\s*\n\s*)"), "\n");
+    for (Line& line : split_lines(text)) {
+        std::erase(line.code, '\0');
+        const std::string_view code = trimmed(line.code);
+        if (!code.empty()) all.append(code).append("\n");
+    }
+    return all;
 }
 
 std::size_t code_lines(std::string_view text) {

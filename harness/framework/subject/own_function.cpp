@@ -8,11 +8,11 @@
 #include <array>
 #include <cctype>
 #include <optional>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 
+#include "base/pattern.hpp"
 #include "interpreter/machine.hpp"
 #include "module/module.hpp"
 #include "module/reflection.hpp"
@@ -136,9 +136,10 @@ bool is_legacy(std::string_view name) {
 
 // A word of HLSL; empty if the text has none.
 std::string word_of_hlsl(const std::string& text) {
-    static const std::regex words(R"(\b(float[234](x[234])?|half[234]|int[234]|uint[234]|cbuffer|SV_\w+)\b)");
-    std::smatch found;
-    return std::regex_search(text, found, words) ? found.str() : "";
+    static const base::Pattern words(
+        R"(\b(float[234](x[234])?|half[234]|int[234]|uint[234]|cbuffer|SV_\w+)\b)");
+    const std::vector<std::string> found = words.first(text);
+    return found.empty() ? "" : found.front();
 }
 
 // A reference to a buffer as a type of the excerpt, which lacks it.
@@ -297,9 +298,9 @@ Domain domain_of(const OwnFunction& own, const Ranges& ranges) {
 }
 
 bool OwnFunction::is_property() const {
-    static const std::regex line(R"((^|\n)[\s/*]*must hold[\s.*/]*(\n|$))", std::regex::icase);
+    static const base::Pattern line(R"((^|\n)[ \t/*]*must hold[ \t\r.*/]*(\n|$))", true);
     const std::vector<Scalar> outputs = signature().output_scalars();
-    return (function.name.starts_with("test_") || std::regex_search(comment, line)) &&
+    return (function.name.starts_with("test_") || !line.first(comment).empty()) &&
            std::ranges::count(outputs, Scalar::bool_) == std::ssize(outputs);
 }
 

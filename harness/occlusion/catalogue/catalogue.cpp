@@ -94,6 +94,14 @@ void describe(Entries& entries, const std::filesystem::path& glsl) {
 
 }  // namespace
 
+judge::Question& add_question(Entries& entries, std::string id, judge::Question question,
+                              const subject::Domain& domain) {
+    question.scenarios = with_exact_ends(std::move(question.scenarios));
+    question.domain = domain.and_degenerate(question.signature);
+    return entries.emplace_back(Entry{.description = {.id = std::move(id)}, .question = std::move(question)})
+        .question;
+}
+
 Entries all_entries(const std::filesystem::path& glsl) {
     Entries entries;
     for (const auto append :

@@ -67,6 +67,11 @@ struct GlslOf<R (C::*)(P...) const> : GlslOf<R (*)(P...)> {};
 
 }  // namespace detail
 
+// Adds an entry: the question with this domain and its degenerate inputs. What add() does for any reference
+// is here, so that it is compiled once.
+judge::Question& add_question(Entries& entries, std::string id, judge::Question question,
+                              const subject::Domain& domain);
+
 // Adds an entry. `promised`: called with the exact values of all inputs; nullptr: all.
 template <class Reference, class Promised = std::nullptr_t>
 judge::Question& add(Entries& entries, std::string id, Reference reference, const subject::Domain& domain,
@@ -77,12 +82,10 @@ judge::Question& add(Entries& entries, std::string id, Reference reference, cons
                              .reference = judge::make_reference<Signature>(reference),
                              .budget = budget,
                              .codomain = codomain,
-                             .scenarios = with_exact_ends(std::move(scenarios))};
-    question.domain = domain.and_degenerate(question.signature);
+                             .scenarios = std::move(scenarios)};
     if constexpr (!std::same_as<Promised, std::nullptr_t>)
         question.promised = judge::make_predicate<Signature>(promised);
-    return entries.emplace_back(Entry{.description = {.id = std::move(id)}, .question = std::move(question)})
-        .question;
+    return add_question(entries, std::move(id), std::move(question), domain);
 }
 
 // The entries of each file, in the order of glsl/gloam.

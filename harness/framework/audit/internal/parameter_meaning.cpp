@@ -6,10 +6,10 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
-#include <regex>
 #include <vector>
 
 #include "base/number.hpp"
+#include "base/pattern.hpp"
 #include "base/text.hpp"
 
 namespace gloam::audit::internal {
@@ -97,29 +97,35 @@ double after(double x, double towards) {
     return static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(towards)));
 }
 
+// Bytes. Patterns that begin with a repetition take the square of a text's length.
+constexpr std::size_t longest_clause = 4000;
+
 // What the rest of a sentence behind a parameter's name says.
 std::optional<Meaning> meaning_of_words(const std::string& words, bool is_vector) {
-    static const std::regex interval(R"(([\[(])\s*([-+\w.π]+)\s*,\s*([-+\w.π]+)\s*([\])]))");
-    static const std::regex span(  // without brackets
+    static const base::Pattern interval(R"(([\[(])\s*([-+\w.π]+)\s*,\s*([-+\w.π]+)\s*([\])]))");
+    static const base::Pattern span(  // without brackets
         R"(()([-+]?[\d.]+(?:e-?\d+)?)\s*(?:to|\.\.+)\s*([-+]?[\d.]*\d(?:e-?\d+)?|pi|2pi)())");
-    static const std::regex bound(R"(^\s*(>=|>|≥)\s*([-+]?[\d.]*\d(?:e-?\d+)?))");
-    static const std::regex upward(R"(([-+]?[\d.]*\d)\s+and up)");
-    static const std::regex unit(R"(\b(unit|normali[sz]ed|direction)\b)");
-    std::smatch m;
-    for (const std::regex* const form : {&interval, &span}) {
-        if (!std::regex_search(words, m, *form)) continue;
+    static const base::Pattern bound(R"(^\s*(>=|>|≥)\s*([-+]?[\d.]*\d(?:e-?\d+)?))");
+    static const base::Pattern upward(R"(([-+]?[\d.]*\d)\s+and up)");
+    static const base::Pattern unit(R"(\b(unit|normali[sz]ed|direction)\b)");
+    if (words.size() > longest_clause) return std::nullopt;
+    for (const base::Pattern* const form : {&interval, &span}) {
+        const std::vector<std::string> m = form->first(words);
+        if (m.empty()) continue;
         const auto low = number_of(m[2]);
         const auto high = number_of(m[3]);
         if (low && high && *low <= *high)
             return Meaning{Kind::range, m[1] == "(" ? after(*low, *high) : *low,
                            m[4] == ")" ? after(*high, *low) : *high};
     }
-    if (std::regex_search(words, m, bound) || std::regex_search(words, m, upward)) {
+    std::vector<std::string> m = bound.first(words);
+    if (m.empty()) m = upward.first(words);
+    if (!m.empty()) {
         const bool open = m.size() > 2 && m[1] == ">";
-        const double low = number_of(m[m.size() - 1]).value_or(0.0);
+        const double low = number_of(m.back()).value_or(0.0);
         return Meaning{Kind::range, open ? after(low, usual_high) : low, std::max(low * 2.0, usual_high)};
     }
-    if (is_vector && std::regex_search(words, unit)) return Meaning{Kind::unit, 0.0, 0.0};
+    if (is_vector && !unit.first(words).empty()) return Meaning{Kind::unit, 0.0, 0.0};
     if (words.find("positive") != std::string::npos) return Meaning{Kind::positive, 0.0, 0.0};
     return std::nullopt;
 }

@@ -2,11 +2,11 @@
 #include "backend/gl/program.hpp"
 
 #include <fmt/format.h>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
 #include "backend/gl/internal/context.hpp"
+#include "base/pattern.hpp"
 
 namespace gloam::backend::gl {
 namespace {
@@ -37,9 +37,9 @@ std::string one_line(std::string log) {
 
 // "0:12(5): error: ..." of Mesa, "ERROR: 0:12: ..." of others: the line of the first message.
 std::string with_line(const ShaderText& shader, const std::string& log) {
-    static const std::regex place(R"((?:^|[^\d])\d+:(\d+)(?:\(\d+\))?:)");
-    std::smatch found;
-    if (!std::regex_search(log, found, place)) return fmt::format("{}: {}", shader.name, one_line(log));
+    static const base::Pattern place(R"((?:^|[^\d])\d+:(\d+)(?:\(\d+\))?:)");
+    const std::vector<std::string> found = place.first(log);
+    if (found.empty()) return fmt::format("{}: {}", shader.name, one_line(log));
     const std::size_t line = std::stoul(found[1]);
     return fmt::format("{}: line {}: {} [{}]", shader.name, line, one_line(log), line_of(shader.text, line));
 }

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "base/pattern.hpp"
 #include "source/lines.hpp"
 
 namespace gloam::source {
@@ -27,9 +27,9 @@ std::string all_comments(const Declaration& one) {
 
 // The comment of a prototype as a clause: "eye-linear depth of a pixel, world units".
 std::string meaning_of(const Declaration& prototype) {
-    static const std::regex marks(R"((//+|/\*+|\*+/|\s)+)");
-    static const std::regex ends(R"(^ ?(Defined by the user: )?|\.? ?$)");
-    return std::regex_replace(std::regex_replace(all_comments(prototype), marks, " "), ends, "");
+    static const base::Pattern marks(R"((//+|/\*+|\*{1,120}/|\s)+)");
+    static const base::Pattern ends(R"(^ ?(Defined by the user: )?|\.? ?$)");
+    return ends.replaced(marks.replaced(all_comments(prototype), " "), "");
 }
 
 bool uses(const Declaration& one, const std::string& name) {
@@ -60,9 +60,8 @@ std::string paragraph(const std::string& text) {
 // The constants that comments name: "FX_STEP" as it is, "FX_FALLOFF_*" for every name that begins so. Names
 // have no lower-case letters.
 std::vector<std::string> constants_in(const std::string& comments) {
-    static const std::regex constant(R"(\b[A-Z][A-Z0-9]*_[A-Z0-9_]*(\*|\b))");
-    return {std::sregex_token_iterator(comments.begin(), comments.end(), constant),
-            std::sregex_token_iterator()};
+    static const base::Pattern constant(R"(\b[A-Z][A-Z0-9]*_[A-Z0-9_]*(\*|\b))");
+    return constant.all(comments);
 }
 
 class Selection {
