@@ -116,6 +116,21 @@ TEST(RelaxedPrecision, LeavesDoublesAlone) {
     EXPECT_FALSE(module.results("OpFConvert").empty());
 }
 
+TEST(Spirv, AnInterfaceHasSizesThatAreKnown) {
+    const auto reflected = [](const std::string& head) { return reflect(compile(kernel(head, "1.0"), {})); };
+    const std::string size = "layout(constant_id = 0) const int N = 2;\n";
+    for (const char* block : {"layout(std430, binding = 1) buffer B", "layout(push_constant) uniform B"})
+        EXPECT_THAT(message_of<std::runtime_error>(
+                        [&] { (void)reflected(size + block + " { float x[N * 2]; float y; };"); }),
+                    HasSubstr("array x: its size is an expression on specialization constants"));
+    EXPECT_EQ(reflected(size + "shared float x[N * 2];").bindings.size(), 1u);
+    const ModuleInterface nodes = reflected(
+        "#extension GL_EXT_buffer_reference : require\nlayout(buffer_reference) buffer Node;\n"
+        "layout(buffer_reference) buffer Node { Node next; };\n"
+        "layout(push_constant) uniform P { Node first; float y; };");
+    EXPECT_EQ(nodes.push_constants.value().size, 12u);
+}
+
 TEST(Spirv, WhatIsNoModuleIsRefusedEverywhere) {
     const std::function<void(const Spirv&)> readers[] = {
         [](const Spirv& m) { validate(m); },

@@ -103,26 +103,40 @@ class Reflector {
     }
 
   private:
-    const spirv::Type& type(Id id) const { return declared_.types.at(id); }
+    const spirv::Type& type(Id id) const {
+        const auto found = declared_.types.find(id);
+        if (found == declared_.types.end())
+            throw std::runtime_error("a type that is not known: ID " + std::to_string(id));
+        return found->second;
+    }
 
     static std::uint32_t bits_of(const Instruction& constant) {
         const bool is_true = constant.opcode == SpvOpConstantTrue || constant.opcode == SpvOpSpecConstantTrue;
         return is_true ? 1 : constant.word(3);
     }
 
-    // The element of an array of any dimensions, and their sizes, outermost first: 0 of one without.
-    Id element_of(Id id, std::vector<unsigned>& sizes) const {
+    // The element of array `name` of any dimensions, and their sizes, outermost first: 0 of one without.
+    Id element_of(Id id, const std::string& name, std::vector<unsigned>& sizes) const {
         for (; type(id).kind == Kind::array || type(id).kind == Kind::runtime_array; id = type(id).element) {
+            const bool unbounded = type(id).kind == Kind::runtime_array;
             const auto size = constants_.find(type(id).length);
-            sizes.push_back(size == constants_.end() ? 0 : bits_of(size->second));
+            if (!unbounded && size == constants_.end())
+                throw std::runtime_error(
+                    "array " + name +
+                    ": its size is an expression on specialization constants, which is not supported");
+            sizes.push_back(unbounded ? 0 : bits_of(size->second));
         }
         return id;
     }
 
     void add_variable(const Instruction& variable, ModuleInterface& all) const {
-        std::vector<unsigned> sizes;
-        const Id id = element_of(type(variable.word(1)).element, sizes);
         const std::uint32_t storage = variable.word(3);
+        constexpr std::array<std::uint32_t, 4> outside{SpvStorageClassUniformConstant, SpvStorageClassUniform,
+                                                       SpvStorageClassStorageBuffer,
+                                                       SpvStorageClassPushConstant};
+        if (std::ranges::find(outside, storage) == outside.end()) return;
+        std::vector<unsigned> sizes;
+        const Id id = element_of(type(variable.word(1)).element, declared_.name_of(variable.word(2)), sizes);
         if (storage == SpvStorageClassPushConstant) all.push_constants = block(id);
         const auto kind = binding_type(storage, type(id));
         if (!kind) return;
@@ -171,13 +185,15 @@ class Reflector {
                        .offset = member.offset,
                        .stride = type(member.type).array_stride,
                        .row_major = member.matrix.row_major};
-        Id id = element_of(member.type, result.sizes);
-        const bool pointer = type(id).kind == Kind::pointer;  // to a buffer, of 64 bits
-        if (pointer) id = type(id).element;
+        const Id id = element_of(member.type, member.name, result.sizes);
         if (type(id).kind == Kind::structure) {
             result.type = declared_.name_of(id);
             result.members = members(id);
-            result.size = pointer ? 8 : size_of(result.members);
+            result.size = size_of(result.members);
+        } else if (type(id).kind == Kind::pointer) {  // to a buffer, of 64 bits
+            result.type = "uint";
+            result.rows = 2;
+            result.size = 8;
         } else {
             const spirv::Type* scalar = &type(id);
             if (scalar->kind == Kind::matrix) {

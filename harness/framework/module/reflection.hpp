@@ -12,7 +12,7 @@
 
 namespace gloam::module {
 
-// A member of a block with its memory layout.
+// A member of a block with its memory layout. A reference to a buffer is its address, a uvec2.
 struct LaidOut {
     std::string name;
     std::string type;      // of its components: "float", "int", "uint", "bool"; of a structure its name
@@ -65,8 +65,8 @@ struct ModuleInterface {
     std::array<std::optional<std::uint32_t>, 3> local_size_ids{};
 };
 
-// The interface of a module. Throws std::runtime_error for words that are not a module, and for a binding of
-// another type.
+// The interface of a module. Throws std::runtime_error for words that are not a module, for a binding of
+// another type, and for an array in one whose size is an expression on specialization constants.
 [[nodiscard]] ModuleInterface reflect(const Spirv& module);
 
 // "storage image", "storage buffer" ...
