@@ -69,7 +69,7 @@ Handle::~Handle() {
 }
 
 Buffer::Buffer(const Device& device, std::span<const Word> words, std::size_t size)
-    : words_(std::max(words.size(), size)), handle_(device, Handle::Kind::buffer) {
+    : words_(std::max({words.size(), size, std::size_t{1}})), handle_(device, Handle::Kind::buffer) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
     std::vector<Word> contents(words.begin(), words.end());
