@@ -72,7 +72,7 @@ inline constexpr std::size_t input_class_count = 7;
 
 // An error, or the largest of some by each measure.
 struct ErrorSize {
-    double ulp = 0.0;  // of outputs that the absolute part of the budget does not cover
+    double ulp = 0.0;
     double absolute = 0.0;
     double fraction = 0.0;  // of the budget: ULP or absolute error, whichever is less
 
@@ -95,7 +95,7 @@ struct Sample {
     std::vector<Word> inputs;
     std::vector<Word> got;
     std::vector<double> want;
-    ErrorSize error;         // the largest of its outputs
+    ErrorSize error;         // the largest of its outputs; ulp: of those beyond Budget::absolute
     double fraction = 0.0;   // of what the criterion allows (budget, permitted width); above 1 is outside
     Outcome permitted;       // the hull of all outcomes, if the rules were asked
     bool forbidden = false;  // the rules do not permit the outputs
@@ -197,7 +197,7 @@ struct AnswerCounts {
 
 // The largest errors, and the inputs that show most.
 struct WorstCases {
-    ErrorSize largest;            // over judged outputs
+    ErrorSize largest;            // over judged outputs; ulp: of those beyond Budget::absolute
     double fraction = 0.0;        // worst error as a fraction of what the criterion allows
     std::optional<Sample> worst;  // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class

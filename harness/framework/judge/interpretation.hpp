@@ -48,7 +48,7 @@ struct InputRow {
 class Interpretation {
   public:
     // `of_driver`: what is permitted includes what a driver makes of NaN and infinity that it need not keep,
-    // and the function may leave an out parameter as it is. The modules must outlive this object.
+    // and the function may leave an out parameter as it is. `decoded` must outlive this object.
     Interpretation(const Decoded& decoded, const subject::Signature& signature, bool of_driver = true)
         : decoded_(decoded),
           outputs_(signature.output_scalars()),

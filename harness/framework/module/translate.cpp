@@ -102,7 +102,7 @@ std::string text_of(const Cross& cross,
 
 // HLSL of shader model 6.0 for Direct3D. The number of a register is that of the binding: b for uniform
 // buffers, t for what is only read, u for what is written, s for samplers. Push constants are the constant
-// buffer after the last one.
+// buffer after the last one. Throws std::runtime_error with SPIRV-Cross's message.
 std::string to_hlsl(const Spirv& module) {
     const Cross cross(module, SPVC_BACKEND_HLSL, "write the module as HLSL");
     name_buffers(cross);
@@ -118,7 +118,7 @@ std::string to_hlsl(const Spirv& module) {
 }
 
 // Metal Shading Language 2.1. The number of a buffer, texture or sampler is that of the binding; push
-// constants are the buffer after the last binding.
+// constants are the buffer after the last binding. Throws std::runtime_error with SPIRV-Cross's message.
 std::string to_msl(const Spirv& module) {
     const Cross cross(module, SPVC_BACKEND_MSL, "write the module as MSL");
     spvc_msl_resource_binding push_constants;

@@ -36,7 +36,7 @@ struct Column {
 // A table as text, in Markdown, and on a page.
 struct Table {
     std::vector<Column> columns;
-    std::vector<std::vector<Cell>> rows = {};  // each with a cell for each column
+    std::vector<std::vector<Cell>> rows = {};  // each with a cell for each column, no more
 };
 
 // In columns of spaces.

@@ -155,7 +155,8 @@ std::string block_text(Tokens tokens, std::size_t brace, std::vector<std::string
 }
 
 // The text of a declaration of kind `interface` in an excerpt: plain variables in the place of a loose
-// uniform, a stage input or output, or a block; layouts, storage qualifiers and initial values are dropped. A
+// uniform, a stage input or output, a block without an instance (each member is one) or with one (it has a
+// structure of the block's name). Layouts, storage qualifiers and initial values are dropped. A
 // specialization constant becomes a constant. Nothing of other types without values and of references to
 // buffers, whose names the excerpt then lists.
 std::string interface_text(const Declaration& one, const Macros& macros, Excerpt& excerpt) {

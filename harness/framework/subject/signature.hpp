@@ -101,8 +101,8 @@ inline constexpr bool is_output = ParameterOf<P>::direction != source::Direction
 // An in or inout parameter, and where its words stand in an input.
 struct InputSlot {
     const module::Parameter* parameter;
-    std::size_t first;
-    std::size_t count;  // 0 of a sampler
+    std::size_t first;  // word
+    std::size_t count;  // words; 0 of a sampler
 };
 
 // A signature without its C++ types, for the wrapper, the domain and the judge.

@@ -12,6 +12,7 @@
 
 namespace gloam::audit::internal {
 
+// The words of one in or inout parameter in an input, and the values that they may have.
 struct Slot : subject::InputSlot {
     const subject::Values* values;
 };

@@ -71,8 +71,8 @@ class Commands {
     // while an earlier submission that timed out still runs (see Device).
     void submit();
 
-    // The readings in milliseconds since the first one, after submit(). Empty without calls of timestamp();
-    // NaN where DeviceInfo::timestamp_period_ns is 0.
+    // The readings in milliseconds since the first one. Call it only after submit() has returned. Empty
+    // without calls of timestamp(); NaN where DeviceInfo::timestamp_period_ns is 0.
     [[nodiscard]] std::vector<double> times_ms() const;
 
     struct Handles;  // of Vulkan; defined inside this room only
