@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "interpreter/program.hpp"
 #include "judge/explain.hpp"

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"

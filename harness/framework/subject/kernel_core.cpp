@@ -2,6 +2,7 @@
 #include "subject/lab.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <utility>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 
 #include "audit/internal/search.hpp"
 #include "interpreter/program.hpp"
