@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/pattern.hpp"
 #include "base/text.hpp"
 #include "support/test.hpp"
 
