@@ -54,6 +54,15 @@ TEST(Process, WhatItStartedEndsWithItsStreams) {
     EXPECT_FALSE(std::filesystem::exists(program));
 }
 
+// Without a limit the shell would end well, with 256 MiB.
+TEST(Process, MemoryIsLimited) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "no limit there: the sanitizer takes all of the address space";
+#endif
+    const std::string script = "x=xxxxxxxxxxxxxxxx; for i in 1 2 3 4 5 6 7 8 9 10 11 12; do x=$x$x$x$x; done";
+    EXPECT_FALSE(shell(script, {.memory_bytes = 200U << 20U}).succeeded());
+}
+
 TEST(Process, WhatCannotBeStartedIsNamed) {
     expect_error<std::system_error>([] { (void)run_process({"no-such-program-anywhere"}, {}); },
                                     {"no-such-program-anywhere"});
@@ -118,7 +127,7 @@ TEST(Apart, WhatTheWorkThrowsIsThrown) {
                 ThrowsMessage<WorkError>("beyond"));
 }
 
-// A crash, and what takes too much memory: tests/tools/stories/hostile.txt.
+// A crash: tests/tools/stories/hostile.txt. Too much memory: Process.MemoryIsLimited.
 TEST(Apart, WhatTheWorkDoesToItsProcessIsAnError) {
     using Work = std::string (*)();
     const auto expect = [](Work work, const testing::Matcher<const std::string&>& message,
