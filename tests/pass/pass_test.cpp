@@ -66,9 +66,11 @@ TEST_P(OnEachDevice, RoundsToTheFormatOfAnImage) {
     std::ifstream file(FIXTURES "/box.comp");
     std::string text{std::istreambuf_iterator<char>(file), {}};
     text.replace(text.rfind("rgba32f"), 7, "rgb10_a2");
-    const Image one = make_image<glm::vec4>({1, 1}, [](auto) { return glm::vec4(0.1, 0.2, 0.4, 1.0); });
+    const Image one = make_image<glm::vec4>({1, 1}, [](auto) { return glm::vec4(0.1, 0.2, 0.4, 0.4); });
+    const Image rounded =
+        make_image<glm::vec4>({1, 1}, [](auto) { return glm::vec4(102, 205, 409, 341) / 1023.0F; });
     const Pass pass(*lab_, "box.comp", module::compile({"box.comp", text}, {}));
-    EXPECT_TRUE(pass.run(box_inputs(one, 0)).image("result").compare(one, 0.6 / 1023.0));
+    EXPECT_TRUE(pass.run(box_inputs(one, 0)).image("result").compare(rounded, 1e-6));
 }
 
 TEST_P(OnEachDevice, FindsABorderPixelThatIsSkipped) {
