@@ -32,6 +32,10 @@ void expect_same(const GBuffer& got, const GBuffer& want) {
     EXPECT_EQ(got.normal, want.normal);
     EXPECT_EQ(got.motion, want.motion);
     EXPECT_EQ(got.layers, want.layers);
+    EXPECT_EQ(got.ao_radius, want.ao_radius);
+    EXPECT_EQ(got.border, want.border);
+    EXPECT_EQ(got.camera.view, want.camera.view);
+    EXPECT_EQ(got.camera.proj_vk, want.camera.proj_vk);
 }
 
 using GBufferTest = InFolder;
