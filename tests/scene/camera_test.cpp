@@ -38,6 +38,7 @@ void expect_projection(const Camera& camera, double middle) {
     const Planes planes = planes_of(frame.proj_vk);
     EXPECT_NEAR(planes.near, camera.near, 0x1p-23 * 20.0);
     EXPECT_NEAR(1.0 / planes.far, 1.0 / camera.far, 0x1p-23 / 0.5);
+    EXPECT_EQ(std::isinf(planes.far), std::isinf(camera.far));
     EXPECT_EQ(planes.reversed_z, camera.reversed_z);
 }
 
