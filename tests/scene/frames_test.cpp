@@ -8,7 +8,7 @@ GBuffer shot(const Scene& scene, int number) {
     return draw(scene, {96, 54}, {.frame = number, .motion = true});
 }
 
-// tests/tools/stories has the cuts of files, tests/effect a pass that finds what link() finds.
+// tests/tools/stories has the cuts of files, and sequences that are read back and give the same pictures.
 TEST(FrameLink, WithoutMotionTheMatricesTell) {
     const Scene scene = make_scene("far");  // 128 km from the origin
     GBuffer drawn = shot(scene, 5);
