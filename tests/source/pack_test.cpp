@@ -219,6 +219,11 @@ TEST(Pack, AFunctionThatIsNotThereIsNamed) {
         AllOf(StartsWith("text: "), HasSubstr("fetch")));
 }
 
+TEST(Pack, ATextThatDoesNotEndIsRefused) {
+    for (const char* text : {"float f() { return 1.0;\n", "/* no end\nfloat f() { return 1.0; }\n"})
+        EXPECT_THROW((void)packed(text), CompileError) << text;
+}
+
 TEST(Pack, WithAMainItIsTheWholeShader) {
     const std::string shader = R"(#version 450
 // What the shader does.
