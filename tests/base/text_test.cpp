@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/pattern.hpp"
 #include "base/text.hpp"
+#include "base/pattern.hpp"
 #include "support/test.hpp"
 
 namespace gloam::base::text_test {
@@ -35,7 +35,8 @@ TEST(Pattern, FindsTakesApartAndReplaces) {
     EXPECT_THAT(pair.first("none"), IsEmpty());
     EXPECT_THAT(pair.all("a=1; b=2;"), ElementsAre("a=1;", "b=2;"));
     EXPECT_EQ(Pattern("X+").replaced("aXXbXc", "-"), "a-b-c");
-    EXPECT_EQ(Pattern("(x|y)+", true).first(std::string(1 << 20, 'X')).front().size(), 1U << 20U);  // no stack
+    EXPECT_EQ(Pattern("(x|y)+", true).first(std::string(1 << 20, 'X')).front().size(),
+              1U << 20U);  // no stack
 }
 
 TEST(Text, HasOtherWordsOrSmallLetters) {
