@@ -27,7 +27,7 @@ namespace gloam::cli {
 // Folder for ray-traced truth, in cache_directory(); empty without that.
 [[nodiscard]] std::filesystem::path truth_cache_directory();
 
-// "gloam 0.3.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": the versions on which
+// "gloam 0.4.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": the versions on which
 // a result depends, besides the device and its driver.
 [[nodiscard]] std::string versions();
 

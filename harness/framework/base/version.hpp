@@ -5,7 +5,7 @@
 
 namespace gloam::base {
 
-// The version of gloam, "0.3.0": project(VERSION) of the CMakeLists.txt. All that gloam writes begins with
+// The version of gloam, "0.4.0": project(VERSION) of the CMakeLists.txt. All that gloam writes begins with
 // it.
 [[nodiscard]] std::string version();
 
