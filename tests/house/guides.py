@@ -12,7 +12,8 @@ one of them does not do what the page says. A block's first line says what it is
     ```glsl NAME    a file that tests/judge/snippets.py makes of the block
     ```cmake consumer  lines of the CMakeLists.txt in examples/own_function; others may stand between them
 
-Blocks of C++, and of engine.glsl, are those of borders.py, and of tests/judge/snippets.py.
+Blocks of C++, and of engine.glsl, are those of borders.py, and of tests/judge/snippets.py; those of JavaScript and C
+are shown alone: tests/site and tests/examples run such programs.
 Also: every source that an equation cites by author and year is in docs/glossary.md.
 """
 import json
@@ -25,10 +26,10 @@ import unittest
 from pathlib import Path
 
 ROOT, GLOAM = (Path(argument).resolve() for argument in sys.argv[1:3])
-GUIDES = ("testing.md", "judge-a-driver.md", "copy-a-shader.md")
+GUIDES = ("testing.md", "judge-a-driver.md", "copy-a-shader.md", "integration.md", "one-pass.md")
 WHY_NOT_RUN = ("package",  # tests/house/package does the same
                "long",     # takes minutes
-               "engine")   # needs a cluster or a build: tests/laboratory, tests/tools/stories/steps.txt
+               "engine")   # needs a cluster, a build or an engine: tests/laboratory, tests/site, tests/tools/stories
 BLOCK = re.compile(r"^```(\S*) ?(\S*)\n(.*?)^```$", re.S | re.M)
 CITED = re.compile(r"([A-Z][\w-]+(?:, [A-Z][\w-]+)*(?: and [A-Z][\w-]+)?(?: et al\.)? \d{4})")
 SECONDS = 300  # for the commands of a block
@@ -69,7 +70,7 @@ class Guides(unittest.TestCase):
             elif kind == "glsl" and argument != "engine.glsl":
                 Path(folder, argument).write_text(text, encoding="utf-8")
             else:
-                self.assertIn(kind, ("glsl", "cpp"), "a block of an unknown kind")
+                self.assertIn(kind, ("glsl", "cpp", "js", "c"), "a block of an unknown kind")
 
     def test_each_does_what_it_says(self):
         for name in GUIDES:
