@@ -44,7 +44,7 @@ async function shot(width, height, {eye, step, ...look}) {
     view.setSize(width, height);
     for (let i = 0; i < 3; ++i) {  // until all is compiled
         draw(0);
-        await view.ready();
+        await view.ready?.();
         await new Promise((resolve) => setTimeout(resolve, 100));
     }
     view.restart();
@@ -100,8 +100,7 @@ def page(example, mesh, radius, shots):
     """Draws the shots with each pass of a page: its name, and their milliseconds and visibilities, lowest row first."""
     positions, indices = ([x for row in rows for x in row] for rows in mesh)
     with Browser(timeout=300) as browser:
-        browser.call("Page.navigate", url=(example / "index.html").resolve().as_uri() + "#compare")
-        browser.wait("window.View && document.readyState === 'complete'")
+        browser.open(example / "index.html", "#compare")
         model = json.dumps({"positions": positions, "indices": indices, "radius": radius})
         browser.evaluate(f"{SCRIPT} const model = {model}; 0")
         for name in browser.evaluate("View.passes"):

@@ -9,15 +9,15 @@ import {StandardMaterial} from "@babylonjs/core/Materials/standardMaterial.js";
 import {Color3, Color4} from "@babylonjs/core/Maths/math.color.js";
 import {Vector3} from "@babylonjs/core/Maths/math.vector.js";
 import {CreateBox} from "@babylonjs/core/Meshes/Builders/boxBuilder.js";
+import {CreateCapsule} from "@babylonjs/core/Meshes/Builders/capsuleBuilder.js";
 import {CreateSphere} from "@babylonjs/core/Meshes/Builders/sphereBuilder.js";
-import {CreateTorusKnot} from "@babylonjs/core/Meshes/Builders/torusKnotBuilder.js";
 import {Mesh} from "@babylonjs/core/Meshes/mesh.js";
 import {VertexData} from "@babylonjs/core/Meshes/mesh.vertexData.js";
 import {SSAO2RenderingPipeline}
     from "@babylonjs/core/PostProcesses/RenderPipeline/Pipelines/ssao2RenderingPipeline.js";
 import {Scene} from "@babylonjs/core/scene.js";
 import {AmbientOcclusionPostProcess} from "gloam/babylon";
-import {open} from "../page.js";
+import {open, things} from "../page.js";
 
 // How each adds ambient occlusion to a camera; what it returns has a restart(), or nothing of frames before.
 const passes = {
@@ -42,17 +42,13 @@ const inScene = (scene, z) => scene.useRightHandedSystem ? z : -z;
 
 // Things on a floor.
 function addThings(scene) {
-    const add = (mesh, color, x, y, z) => {
+    const shapes = {box: CreateBox, sphere: CreateSphere, capsule: CreateCapsule};
+    for (const [shape, color, [x, y, z], scale] of things) {
+        const mesh = shapes[shape](shape, shape === "capsule" ? {height: 2, radius: 0.5} : {size: 1}, scene);
         mesh.position.set(x, y, inScene(scene, z));
+        mesh.scaling.set(...scale);
         mesh.material = material(color, Color3.FromHexString(color), scene);
-    };
-    const box = (width, height, depth) => CreateBox("box", {width, height, depth}, scene);
-    add(box(12, 0.1, 12), "#d8d2c8", 0, -0.05, 0);
-    add(box(12, 3, 0.1), "#d2d6d0", 0, 1.5, -2);
-    add(box(1, 1.6, 1), "#c96f4a", -1.7, 0.8, -1.3);
-    add(box(1.2, 0.5, 0.8), "#7a9cb8", -0.6, 0.25, -1.2);
-    add(CreateSphere("sphere", {diameter: 1}, scene), "#e0c067", 0.3, 0.5, 0.1);
-    add(CreateTorusKnot("knot", {radius: 0.45, tube: 0.16, radialSegments: 128}, scene), "#6fa287", 1.6, 0.75, -1);
+    }
     new DirectionalLight("sun", new Vector3(-2, -4, inScene(scene, -5)), scene).intensity = 0.5;
     const sky = new HemisphericLight("sky", new Vector3(0, 1, 0), scene);
     Object.assign(sky, {intensity: 0.7, groundColor: new Color3(0.8, 0.75, 0.7), specular: Color3.Black()});

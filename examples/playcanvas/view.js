@@ -2,7 +2,7 @@
 // A scene of PlayCanvas whose ambient light ambient occlusion darkens: gloam's, and that of the engine.
 import * as pc from "playcanvas";
 import {AmbientOcclusionCameraFrame} from "gloam/playcanvas";
-import {open} from "../page.js";
+import {open, things} from "../page.js";
 
 // How each makes the CameraFrame of a camera.
 const passes = {
@@ -29,19 +29,13 @@ function material(color) {
 
 // Things on a floor.
 function addThings(app) {
-    const add = (type, color, place, scale) => {
+    for (const [type, color, place, scale] of things) {
         const entity = new pc.Entity();
         entity.addComponent("render", {type, material: material(color)});
         entity.setPosition(...place);
         entity.setLocalScale(...scale);
         app.root.addChild(entity);
-    };
-    add("box", "#d8d2c8", [0, -0.05, 0], [12, 0.1, 12]);
-    add("box", "#d2d6d0", [0, 1.5, -2], [12, 3, 0.1]);
-    add("box", "#c96f4a", [-1.7, 0.8, -1.3], [1, 1.6, 1]);
-    add("box", "#7a9cb8", [-0.6, 0.25, -1.2], [1.2, 0.5, 0.8]);
-    add("sphere", "#e0c067", [0.3, 0.5, 0.1], [1, 1, 1]);
-    add("capsule", "#6fa287", [1.6, 1, -1], [1, 1, 1]);
+    }
     const sun = new pc.Entity();
     sun.addComponent("light", {type: "directional", intensity: 1});
     sun.setEulerAngles(50, 20, 0);
@@ -93,8 +87,6 @@ class View {
     setSize(width, height) {
         this.app.setCanvasResolution(pc.RESOLUTION_FIXED, width, height);
     }
-
-    ready() {}
 
     restart() {
         this.frame.restart?.();

@@ -1,66 +1,110 @@
 // SPDX-License-Identifier: MIT
-// A scene of three.js, which the pass of ambient occlusion draws.
-import {BoxGeometry, Color, DirectionalLight, HemisphereLight, Mesh, MeshStandardMaterial, PerspectiveCamera,
-    PlaneGeometry, Scene, SphereGeometry, TorusKnotGeometry, WebGLRenderer} from "three";
+// A scene of three.js with ambient occlusion: gloam's, that of the engine, and N8AO.
+import {BoxGeometry, BufferGeometry, CapsuleGeometry, Color, DirectionalLight, Float32BufferAttribute, HemisphereLight,
+    MathUtils, Mesh, MeshLambertMaterial, MeshStandardMaterial, OrthographicCamera, PerspectiveCamera, Scene,
+    SphereGeometry, WebGLRenderer} from "three";
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
+import {GTAOPass} from "three/addons/postprocessing/GTAOPass.js";
 import {OutputPass} from "three/addons/postprocessing/OutputPass.js";
+import {RenderPass} from "three/addons/postprocessing/RenderPass.js";
+import {N8AOPass} from "n8ao";
 import {AmbientOcclusionPass} from "gloam/three";
+import {open, things} from "../page.js";
 
-function placed(geometry, color, x, y, z) {
-    const mesh = new Mesh(geometry, new MeshStandardMaterial({color, roughness: 0.9}));
-    mesh.position.set(x, y, z);
-    return mesh;
-}
+// The passes before the OutputPass. The settings of GTAOPass and N8AO are, of some tried, nearest to the truth.
+const passes = {
+    "none": (scene, camera) => [new RenderPass(scene, camera)],
+    "GTAOPass, 16 samples": (scene, camera, radius) => {
+        const gtao = new GTAOPass(scene, camera);
+        gtao.updateGtaoMaterial({radius: 1.5 * radius, thickness: radius});
+        return [new RenderPass(scene, camera), gtao];
+    },
+    "N8AO, 16 samples, neural": (scene, camera, radius) => {
+        const n8ao = new N8AOPass(scene, camera);
+        Object.assign(n8ao.configuration, {aoRadius: radius, intensity: 3, distanceFalloff: 1.5, neuralDenoise: true});
+        return [n8ao];
+    },
+    "gloam, balanced": (scene, camera, radius) => [new AmbientOcclusionPass(scene, camera, {radius})],
+};
 
-// A floor at y = 0, a wall at z = -2, and things on the floor.
-function makeScene() {
-    const scene = new Scene();
-    scene.background = new Color(0xc9d4e0);
-    const floor = placed(new PlaneGeometry(12, 12), 0xd8d2c8, 0, 0, 0);
-    floor.rotation.x = -Math.PI / 2;
-    scene.add(floor, placed(new PlaneGeometry(12, 3), 0xd2d6d0, 0, 1.5, -2));
-    scene.add(placed(new BoxGeometry(1, 1.6, 1), 0xc96f4a, -1.7, 0.8, -1.3),
-        placed(new BoxGeometry(1.2, 0.5, 0.8), 0x7a9cb8, -0.6, 0.25, -1.2),
-        placed(new SphereGeometry(0.5, 48, 32), 0xe0c067, 0.3, 0.5, 0.1),
-        placed(new TorusKnotGeometry(0.45, 0.16, 160, 24), 0x6fa287, 1.6, 0.75, -1));
-    for (let i = 0; i < 5; ++i) scene.add(placed(new BoxGeometry(1.6, 0.2, 0.3), 0xb9b2a6, 3.4, 0.1 + 0.2 * i,
-        -0.4 - 0.3 * i));
-    const sun = new DirectionalLight(0xfff2dd, 1);
+// Things on a floor.
+function addThings(scene) {
+    const shapes = {box: new BoxGeometry(), sphere: new SphereGeometry(0.5, 48, 32),
+        capsule: new CapsuleGeometry(0.5, 1, 16, 48)};
+    for (const [shape, color, place, scale] of things) {
+        const mesh = new Mesh(shapes[shape], new MeshStandardMaterial({color, roughness: 0.9}));
+        mesh.position.set(...place);
+        mesh.scale.set(...scale);
+        scene.add(mesh);
+    }
+    const sun = new DirectionalLight("#fff2dd", 1);
     sun.position.set(2, 4, 5);
-    scene.add(new HemisphereLight(0xf4f8ff, 0xb8ada0, 2.2), sun);
-    return scene;
+    scene.add(new HemisphereLight("#f4f8ff", "#b8ada0", 2.2), sun);
 }
 
-export class View {
-    // options: of the renderer, besides the canvas.
-    constructor(canvas, options = {}) {
+// Triangles in white light from everywhere: the picture is the visibility.
+function addModel(scene, {positions, indices}) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new Float32BufferAttribute(positions, 3));
+    geometry.setIndex(indices);
+    geometry.computeVertexNormals();
+    scene.add(new Mesh(geometry, new MeshLambertMaterial()), new HemisphereLight("white", "white", Math.PI));
+}
+
+class View {
+    static passes = Object.keys(passes);
+    static encoded = true;  // the picture, for sRGB
+
+    // model: positions and indices of triangles, and a radius; default: a scene of its own. options: of the renderer.
+    constructor(canvas, pass, model = null, options = {}) {
         this.renderer = new WebGLRenderer({canvas, antialias: false, ...options});
-        this.scene = makeScene();
-        this.camera = new PerspectiveCamera(40, 1, 0.1, 100);
+        this.gl = this.renderer.getContext();
+        this.scene = new Scene();
+        this.scene.background = new Color("#c9d4e0");
+        if (model) addModel(this.scene, model);
+        else addThings(this.scene);
+        this.camera = new PerspectiveCamera();
         this.composer = new EffectComposer(this.renderer);
-        this.occlusion = new AmbientOcclusionPass(this.scene, this.camera, {preset: "balanced", radius: 1});
-        this.composer.addPass(this.occlusion);
-        this.composer.addPass(new OutputPass());
-        this.look(0);
+        const added = passes[pass](this.scene, this.camera, model?.radius ?? 1);
+        for (const one of [...added, new OutputPass()]) this.composer.addPass(one);
+        this.occlusion = added.at(-1);
     }
 
-    // Pixels of the page, and pixels of the screen for each of them.
-    setSize(width, height, ratio) {
-        this.renderer.setPixelRatio(ratio);
+    // fovy: radians. height: of an orthographic view.
+    look({eye, target, fovy, height = 0}) {
+        if (height > 0 === !this.camera.isOrthographicCamera) {
+            this.camera = new (height > 0 ? OrthographicCamera : PerspectiveCamera)();
+            for (const pass of this.composer.passes) if (pass.camera) pass.camera = this.camera;
+        }
+        const {camera, aspect} = this;
+        camera.position.set(...eye);
+        camera.lookAt(...target);
+        const near = 0.02 * Math.hypot(...eye.map((x, i) => x - target[i]));
+        const [top, right] = [0.5 * height, 0.5 * height * aspect];
+        Object.assign(camera, {near, far: 300, fov: MathUtils.radToDeg(fovy), aspect,
+            top, right, bottom: -top, left: -right});
+        camera.updateProjectionMatrix();
+    }
+
+    setSize(width, height) {
+        this.aspect = width / height;
         this.renderer.setSize(width, height, false);
-        this.composer.setPixelRatio(ratio);
         this.composer.setSize(width, height);
-        this.camera.aspect = width / height;
-        this.camera.updateProjectionMatrix();
     }
 
-    // Turns the camera around the scene by this angle, radians.
-    look(angle) {
-        this.camera.position.set(7 * Math.sin(angle), 2.6, 7 * Math.cos(angle) - 0.5);
-        this.camera.lookAt(0.3, 0.6, -0.6);
+    restart() {
+        this.occlusion.restart?.();
     }
 
     draw() {
         this.composer.render();
     }
+
+    dispose() {
+        this.occlusion.dispose();
+        this.renderer.dispose();
+        this.renderer.forceContextLoss();
+    }
 }
+
+open(View);

@@ -10,7 +10,7 @@ from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 PROGRAMS = {"vtk": "gloam_vtk", "openscenegraph": "gloam_osg"}
-PAGES = ("babylon", "playcanvas")
+PAGES = ("threejs", "babylon", "playcanvas")
 
 
 def run(*words, folder):

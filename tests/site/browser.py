@@ -101,10 +101,10 @@ class Browser:
                 raise BrowserError(f"{method}: {answer['error']['message']}")
             return answer["result"]
 
-    def open(self, file):
+    def open(self, file, fragment=""):
         """Opens a file and waits until its scripts have run."""
         self.call("Page.navigate", url="about:blank")
-        self.call("Page.navigate", url=Path(file).resolve().as_uri())
+        self.call("Page.navigate", url=Path(file).resolve().as_uri() + fragment)
         self.wait("document.readyState === 'complete' && location.protocol === 'file:'")
 
     def evaluate(self, script):

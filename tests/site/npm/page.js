@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: MIT
 // What npm_test.py asks of views of the example, bundled with it.
 import {Bone, BoxGeometry, BufferAttribute, DataTexture, DepthTexture, DoubleSide, FloatType, Fog, FogExp2,
-    HalfFloatType, Mesh, MeshBasicMaterial, MeshStandardMaterial, OrthographicCamera, Plane, PlaneGeometry, Skeleton,
-    SkinnedMesh, Vector3, WebGLRenderTarget} from "three";
+    HalfFloatType, Mesh, MeshBasicMaterial, MeshStandardMaterial, Plane, PlaneGeometry, Skeleton, SkinnedMesh, Vector3,
+    WebGLRenderTarget} from "three";
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
 import {RenderPass} from "three/addons/postprocessing/RenderPass.js";
 import {AmbientOcclusion, effect} from "gloam";
-import {View} from "./view.js";
+import {around} from "../page.js";
+import "./view.js";
 
 const size = [160, 90];
 
 let views = [];
 
 // A view that shows its visibility alone, until closeViews().
-function made(options = {}, [width, height] = size) {
-    const view = new View(document.createElement("canvas"), options);
+function made(options = {}) {
+    const view = new View(document.createElement("canvas"), "gloam, balanced", null, options);
     view.occlusion.output = "visibility";
-    view.setSize(width, height, 1);
+    view.setSize(...size);
+    turn(view, 0);
     views.push(view);
     return view;
 }
 
+// Turns the camera around the scene. height: of an orthographic view.
+function turn(view, angle, height = view.camera.isOrthographicCamera ? 2 * view.camera.top : 0) {
+    view.look({...around(angle), height});
+}
+
 function closeViews() {
-    for (const {occlusion, renderer} of views) {
-        occlusion.dispose();
-        renderer.dispose();
-        renderer.forceContextLoss();
-    }
+    for (const view of views) view.dispose();
     views = [];
 }
 
@@ -65,11 +68,7 @@ function jitter(view, i) {
 const leftHanded = (view) => Object.assign(view, {left: true});
 
 function orthographic(view) {
-    const camera = new OrthographicCamera(-4.8, 4.8, 2.7, -2.7, 0.1, 100);
-    camera.position.copy(view.camera.position);
-    camera.quaternion.copy(view.camera.quaternion);
-    camera.updateProjectionMatrix();
-    view.camera = view.occlusion.camera = camera;
+    turn(view, 0, 5.4);
     return view;
 }
 
@@ -305,4 +304,4 @@ function refusal(call) {
 
 Object.assign(window, {AmbientOcclusion, Fog, FogExp2, ambient, apart, closeViews, comparedPairs, darkening, effect,
     encoded, fogged, frames, jitter, leftHanded, lostAndRestored, made, occlusion, orthographic, recorded, refusal,
-    sheet, shown, shownByFormula, withComposerDepth, written});
+    sheet, shown, shownByFormula, turn, withComposerDepth, written});
