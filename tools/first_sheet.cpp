@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
         if (argc != 2) throw std::invalid_argument("expected a folder");
         record::OutputFolder out(argv[1]);
         const backend::vulkan::Device device({.cache_directory = cli::cache_directory()});
-        const cli::RenderOptions options = cli::demo_options("room", true);
+        const cli::RenderOptions options = cli::demo_options(true);
         out.write("sheet.png",
                   cli::sheet_of({cli::render(options, open_input(options), device, nullptr).front()}));
         out.keep();

@@ -30,7 +30,7 @@ class Page {
     // A script in a file beside the page. It runs when the page has been read.
     void script(std::string_view file);
 
-    // Pictures of one size with a button each: the chosen one is shown, at first the first. At most five.
+    // Pictures of one size with a button each: the chosen one is shown, at first the first. At most four.
     void choose(const std::vector<PagePicture>& pictures, std::string_view caption);
 
     // A table that is sorted by a click on a title, and from eight rows on filtered by words and columns.

@@ -115,16 +115,16 @@ struct RenderInput {
     // With the guard band and the layers of the settings.
     std::function<scene::GBuffer(const backend::vulkan::Device&, int view, const effect::Settings&)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
-    // Adds the truth of a view; frame: of the scene. Empty: it is unknown.
-    std::function<void(ShadedView& shown, int frame)> truth;
+    // Adds the truth of a view; frame: of the scene; both: (D) beside (G), too. Empty: it is unknown.
+    std::function<void(ShadedView& shown, int frame, bool both)> truth;
     std::string truth_name;
     // Every view of a sequence is compared; otherwise the last: tracing takes long, and a file has one image.
     bool every_truth = true;
     std::vector<RenderCandidate> candidates;
 };
 
-// What the demo shows of a scene or mesh: eight frames beside traced truth.
-[[nodiscard]] RenderOptions demo_options(const std::string& source, bool quiet);
+// What the demo shows: a view that no setting is fitted to, with skipped tiles, beside traced truth.
+[[nodiscard]] RenderOptions demo_options(bool quiet);
 
 // Checks the names and files of the options, as far as that is possible without a device. Throws
 // std::invalid_argument or std::runtime_error with the error in one line.
@@ -146,6 +146,7 @@ struct Pictures {
     base::RgbBytes truth{};      // white where open
     base::RgbBytes truth_lit{};  // lit, with the true occlusion
     base::RgbBytes error{};      // of the occlusion against the truth
+    base::RgbBytes tiles{};      // tinted_tiles(); empty without Resolution::tiles
 };
 
 // One candidate, rendered; all but the report is of its last frame.
@@ -181,9 +182,11 @@ void write_gbuffer(record::OutputFolder& folder, int number, const scene::GBuffe
 // (the standard errors).
 void write_truth(record::OutputFolder& folder, const std::string& prefix, const ShadedView& traced);
 
-// Writes STEM_ao.pfm and .png, of the filtered image. With Resolution::tiles STEM_tiles.png as well: the
-// occlusion, tinted in each tile of 8 x 8 pixels by the frame's work in it: blue background, green a radius
-// below a pixel, white half size, orange in full.
+// With Resolution::tiles the occlusion, tinted in each tile of 8 x 8 pixels by the frame's work in it: blue
+// background, green a radius below a pixel, white half size, orange in full. Otherwise empty.
+[[nodiscard]] base::RgbBytes tinted_tiles(const ShadedView& shown, const effect::Frame& frame);
+
+// Writes STEM_ao.pfm and .png, of the filtered image, and STEM_tiles.png where there are some.
 void write_frame(record::OutputFolder& folder, const std::string& stem, const ShadedView& shown,
                  const effect::Frame& frame);
 
@@ -208,10 +211,9 @@ void write_pictures(record::OutputFolder& folder, const Pictures& pictures);
 // the truth, then the occlusion of each with its name, time and error. Without a truth there is no error.
 [[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
 
-// Writes the pictures of a run into a page's folder, under names that begin with `prefix`, and adds them to
-// the page, one of them shown at a time.
-void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
-                  const Rendered& run);
+// Writes the pictures of a run into a page's folder, and adds them to the page, one of them shown at a time.
+void add_pictures(record::Page& page, record::OutputFolder& folder, const Rendered& run,
+                  const std::string& caption);
 
 // Renders the views of an input with each candidate. folder: of PREFIXrender.json and all files, or nullptr.
 [[nodiscard]] std::vector<Rendered> render(const RenderOptions& options, const RenderInput& input,

@@ -173,14 +173,15 @@ void add_traced(RenderInput& input, const RenderCase& shown, scene::Falloff fall
         throw std::invalid_argument(fmt::format("--truth-thickness {}: expected > 0", settings.thickness));
     input.truth_name = input.scene ? "traced geometry" : "traced depth buffer";
     input.every_truth = shown.truth_every;
-    input.truth = [settings, scene = input.scene, name = input.name](ShadedView& one, int frame) mutable {
+    input.truth = [settings, scene = input.scene, name = input.name](ShadedView& one, int frame,
+                                                                     bool both) mutable {
         const auto of = [&](const char* what) {
             settings.rays.radius = double{one.settings.radius};
             settings.progress = progress_bar(fmt::format("{}: truth of the {}", name, what));
             return settings;
         };
         if (scene) one.geometry = scene::trace_geometry(*scene, frame, one.view, of("geometry"));
-        one.depth = scene::trace_depth(one.view, of("depth buffer"));
+        if (both || !scene) one.depth = scene::trace_depth(one.view, of("depth buffer"));
         one.truth = effect::truth_from(one.view, one.best().occlusion);
     };
 }
@@ -197,7 +198,8 @@ void add_truth(RenderInput& input, const RenderCase& shown) {
     if (shown.truth) {
         input.truth_name = *shown.truth;
         input.every_truth = false;
-        input.truth = [file = *shown.truth, image = base::read_pfm(*shown.truth)](ShadedView& one, int) {
+        input.truth = [file = *shown.truth, image = base::read_pfm(*shown.truth)](ShadedView& one, int,
+                                                                                  bool) {
             const backend::Extent size = one.view.extent;
             if (backend::Extent{image.width, image.height} != size || image.channels != 1)
                 throw std::invalid_argument(
@@ -207,7 +209,7 @@ void add_truth(RenderInput& input, const RenderCase& shown) {
         };
     } else if (shown.source == "corner") {
         input.truth_name = "closed form";
-        input.truth = [](ShadedView& one, int) {
+        input.truth = [](ShadedView& one, int, bool) {
             one.truth = effect::truth_of(one.view, double{one.settings.radius}, scene::corner_occlusion_at);
         };
     }
@@ -248,8 +250,11 @@ std::vector<RenderCandidate> candidates_of(const RenderOptions& options) {
 
 }  // namespace
 
-RenderOptions demo_options(const std::string& source, bool quiet) {
-    return {.shown = {.source = source, .frames = 8, .truth = "", .traced = {.rays = {.rays = 128}}},
+RenderOptions demo_options(bool quiet) {
+    return {.shown = {.source = "workshop", .truth = "", .traced = {.rays = {.rays = 128}}},
+            .presets = {"quality"},
+            .candidate = {.set = {"history=off"}},  // all as in gloam bench views --single
+            .repeat = 3,                            // a driver may compile in the first frame's time
             .quiet = quiet};
 }
 

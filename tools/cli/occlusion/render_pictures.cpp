@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "pictures/sheet.hpp"
 #include "scene/read_gbuffer.hpp"
@@ -69,11 +70,9 @@ void write_truth(record::OutputFolder& folder, const std::string& prefix, const 
     folder.write(prefix + "truth_error.pfm", pfm_of(traced.best().standard_error, size));
 }
 
-void write_frame(record::OutputFolder& folder, const std::string& stem, const ShadedView& shown,
-                 const effect::Frame& frame) {
-    write_occlusion(folder, stem + "_ao", frame.filtered, frame.extent);
-    if (shown.settings.resolution != effect::Resolution::tiles) return;
-    const auto [width, height] = frame.extent;
+base::RgbBytes tinted_tiles(const ShadedView& shown, const effect::Frame& frame) {
+    if (shown.settings.resolution != effect::Resolution::tiles) return {};
+    const std::uint32_t width = frame.extent.width;
     const std::map<effect::TileWork, glm::vec3> tints{{effect::TileWork::background, {0.5F, 0.65F, 1.0F}},
                                                       {effect::TileWork::below_pixel, {0.6F, 1.0F, 0.5F}},
                                                       {effect::TileWork::half, glm::vec3(1.0F)},
@@ -86,7 +85,14 @@ void write_frame(record::OutputFolder& folder, const std::string& stem, const Sh
         const glm::vec3& tint = tints.at(frame.tiles[row * columns + column]);
         rgb[i] = static_cast<std::uint8_t>(static_cast<float>(rgb[i]) * tint[static_cast<int>(i % 3)]);
     }
-    folder.write(stem + "_tiles.png", png_of(rgb, frame.extent));
+    return rgb;
+}
+
+void write_frame(record::OutputFolder& folder, const std::string& stem, const ShadedView& shown,
+                 const effect::Frame& frame) {
+    write_occlusion(folder, stem + "_ao", frame.filtered, frame.extent);
+    const base::RgbBytes tiles = tinted_tiles(shown, frame);
+    if (!tiles.empty()) folder.write(stem + "_tiles.png", png_of(tiles, frame.extent));
 }
 
 void write_bent(record::OutputFolder& folder, const std::string& stem, const effect::BentNormals& bent) {
@@ -162,7 +168,7 @@ double Rendered::ms() const {
 
 std::string sheet_of(const std::vector<Rendered>& runs) {
     const Rendered& first = runs.front();
-    const auto& [name, extent, plain, shaded, visibility, truth, truth_lit, error] = first.pictures;
+    const auto& [name, extent, plain, shaded, visibility, truth, truth_lit, error, tiles] = first.pictures;
     std::vector<pictures::SheetPicture> sheet;
     if (runs.size() == 1) {
         sheet = {{plain, "Light without ambient occlusion"},
@@ -178,23 +184,18 @@ std::string sheet_of(const std::vector<Rendered>& runs) {
     return pictures::to_sheet_png(sheet, extent.width, extent.height, 4);
 }
 
-void add_pictures(record::Page& page, record::OutputFolder& folder, const std::string& prefix,
-                  const Rendered& run) {
+void add_pictures(record::Page& page, record::OutputFolder& folder, const Rendered& run,
+                  const std::string& caption) {
     const Pictures& last = run.pictures;
     std::vector<record::PagePicture> all;
-    const auto add = [&](const char* name, const base::RgbBytes& rgb, const std::string& caption) {
-        folder.write(prefix + name, png_of(rgb, last.extent));
-        all.push_back({prefix + name, caption});
-    };
-    add("shaded.png", last.shaded, "with ambient occlusion");
-    add("plain.png", last.plain, "without");
-    if (!last.truth_lit.empty()) add("truth.png", last.truth_lit, "ray-traced truth");
-    add("visibility.png", last.visibility, "the occlusion alone");
-    if (!last.error.empty()) add("error.png", last.error, "its error");
-    page.choose(all, caption_of(run) +
-                         (last.error.empty()
-                              ? ""
-                              : fmt::format("; its error: pale yellow is {} and more", brightest_error)));
+    for (const auto& [file, name, rgb] : {std::tuple("shaded.png", "with ambient occlusion", &last.shaded),
+                                          {"plain.png", "without", &last.plain},
+                                          {"truth.png", "ray-traced truth", &last.truth_lit},
+                                          {"tiles.png", "tiles", &last.tiles}}) {
+        folder.write(file, png_of(*rgb, last.extent));
+        all.push_back({file, name});
+    }
+    page.choose(all, caption);
 }
 
 }  // namespace gloam::cli

@@ -75,8 +75,8 @@ void add_errors(ordered_json& report, const ShadedView& shown, const effect::Fra
     ordered_json errors{{"compared", raw.compared},
                         {"raw", errors_json(raw)},
                         {"filtered", errors_json(effect::errors_of(frame.filtered, shown.truth))}};
-    if (shown.depth) report["truth"] = truth_json(shown.best());
-    if (shown.geometry) {
+    if (shown.geometry || shown.depth) report["truth"] = truth_json(shown.best());
+    if (shown.geometry && shown.depth) {
         const effect::Truth depth = effect::truth_from(shown.view, shown.depth->occlusion);
         report["truth"]["depth_against_geometry"] = errors_json(effect::errors_of(depth, shown.truth));
         errors["filtered_against_depth"] = errors_json(effect::errors_of(frame.filtered, depth));

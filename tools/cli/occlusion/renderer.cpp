@@ -121,7 +121,7 @@ class Renderer {
         if (shown.cut.empty()) link(shown.wide, before->wide);
         shown.view = scene::cropped(shown.wide);
         if (input_.truth && (number == input_.views.back() || input_.every_truth))
-            input_.truth(shown, input_.first_frame + number);
+            input_.truth(shown, input_.first_frame + number, folder_ != nullptr);
         if (shown.depth && folder_ != nullptr) {
             const bool only = input_.views.size() == 1 || !input_.every_truth;
             const std::string prefix = candidate.prefix + (only ? "" : scene::frame_prefix(number) + "_");
@@ -138,9 +138,11 @@ class Renderer {
         const bool last = i + 1 == input_.frames_per_view;
         const bool alone = folder_ != nullptr && candidate.prefix.empty();
         const std::string stem = candidate.prefix + scene::frame_prefix(shown.number + i);
-        if (last && (alone || shown.number == input_.views.back()))
+        if (last && (alone || shown.number == input_.views.back())) {
             made.pictures = pictures_of(composite_, stem, light_of(shown), made.frame.filtered, shown.truth,
                                         options_.multi_bounce);
+            made.pictures.tiles = tinted_tiles(shown, made.frame);
+        }
         if (folder_ == nullptr) return;
         write_frame(*folder_, stem, shown, made.frame);
         if (made.pictures.name == stem) write_pictures(*folder_, made.pictures);
