@@ -86,9 +86,7 @@ Spirv SpirvCache::compile(const source::Source& source, const CompileOptions& op
 
 std::vector<Function> SpirvCache::functions(const source::Source& source,
                                             const CompileOptions& options) const {
-    CompileOptions any_variant = options;
-    any_variant.variant = {};
-    any_variant.lines = false;
+    const CompileOptions any_variant{.stage = options.stage, .include_roots = options.include_roots};
     return stored_or_made(directory_, "functions", source, any_variant, module::functions, bytes_of_functions,
                           functions_of);
 }

@@ -113,8 +113,7 @@ Path resolved(std::string_view name, const Path& from, const IncludeFolders& fol
     const std::vector<Path> files = candidates(name, from, folders.roots);
     if (const std::optional<Path> file = first_file(files, folders.permitted)) return *file;
     const std::string quoted = "include \"" + std::string(name) + "\"";
-    const auto outside = std::ranges::find_if(files, is_file);
-    if (outside != files.end())
+    if (std::ranges::any_of(files, is_file))
         throw std::runtime_error(
             quoted + " is outside the include roots, expected a file below" +
             (folders.permitted.empty() ? " one of them, found none" : listed(folders.permitted)));
@@ -142,8 +141,11 @@ std::vector<IncludedFile> include_closure(const source::Source& source, const st
     std::set<Name> mentioned;
     std::set<Path> seen;
     std::size_t bytes = 0;
-    // Puts the includes of a text before those that wait, the last one first.
+    // Puts the includes of a text before those that wait, the last one first. Behind the last "include", in
+    // most of a library, there are none, unless lines go on in the next.
     const auto open = [&waiting](std::string_view text, const Path& from) {
+        if (text.find('\\') == std::string_view::npos)
+            text = text.substr(0, text.find('\n', text.rfind("include") + 1));
         const auto before = static_cast<std::ptrdiff_t>(waiting.size());
         for (const source::Line& line : source::split_lines(text))
             if (const auto include = source::include_of(line))
