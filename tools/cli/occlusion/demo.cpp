@@ -76,9 +76,11 @@ void add_guides(record::Page& page, record::OutputFolder& out) {
 
 record::Page page_of(const RenderOptions& options, const Rendered& run, record::OutputFolder& out) {
     record::Page page("gloam demo");
-    page.paragraph(fmt::format("The view {} on {}: preset {}, {:.4g} ms a frame.", options.shown.source,
-                               run.report["device"]["name"].get<std::string>(), options.presets.front(),
-                               run.ms()));
+    page.paragraph(
+        fmt::format("Ambient occlusion whose error is known. The view {} on {}: preset {}, {:.3g} ms "
+                    "a frame.",
+                    options.shown.source, run.report["device"]["name"].get<std::string>(),
+                    options.presets.front(), run.ms()));
     add_pictures(page, out, run, caption_of(options, run));
     site::add_live_effect(page, out, glsl_directory(), data_directory("site"));
     page.heading("Time and error");

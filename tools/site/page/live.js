@@ -45,7 +45,7 @@ gloam.live = (() => {
         state.times = [...state.times.slice(-30), now];
         const ms = (now - state.times[0]) / Math.max(state.times.length - 1, 1);
         at("timing").textContent = `WebGL2: ${ms.toFixed(1)} ms from frame to frame, ` +
-            `${state.picture.occlusion.frames} frames since the last choice`;
+            `frame ${state.picture.occlusion.frames} since the last choice`;
     }
 
     // Whether the GPU still draws the last frame. A queue of frames on a slow one would stop the whole page.
