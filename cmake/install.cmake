@@ -55,7 +55,7 @@ if(NOT GLOAM_FRAMEWORK_ONLY)
     DESTINATION ${data}/site COMPONENT program)
 endif()
 
-install(FILES README.md LICENSE DESTINATION ${data} COMPONENT common)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${data} COMPONENT common)
 
 list(JOIN spirv_cross_packages " " spirv_cross_packages)
 configure_package_config_file(cmake/gloam-config.cmake.in ${PROJECT_BINARY_DIR}/gloam-config.cmake

@@ -83,6 +83,8 @@ class Debian(unittest.TestCase):
         machine.install("mesa-vulkan-drivers")
         machine.run("gloam render corner --size 32x18 --radius 1 --out corner && test -s corner/render.json")
         machine.run("gloam demo --quiet && test -s gloam-demo/live.js")
+        machine.install("lintian")
+        self.assertEqual("", machine.run("lintian --allow-root --fail-on none /packages/*.deb"))
         for name in PROGRAM:
             self.assertIn("MIT License", machine.run(f"cat /usr/share/doc/{name}/copyright"))
         machine.run("rm -r npm gloam-demo corner ~/.cache && apt-get -q -y purge " + " ".join(PROGRAM))
