@@ -32,10 +32,6 @@ def built():
     return build / "python" / "gloam"
 
 
-def get_requires_for_build_wheel(config_settings=None):
-    return []
-
-
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     tag = f"cp{sys.version_info.major}{sys.version_info.minor}"
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
@@ -49,6 +45,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                                  "Requires-Dist: numpy\n").encode()
     files[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: gloam\nRoot-Is-Purelib: false\n"
                               f"Tag: {tag}-{tag}-{platform}\n").encode()
+    files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
     lines = []
     for path, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()

@@ -31,11 +31,12 @@ class Wheel(unittest.TestCase):
             pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps"]
             subprocess.run([*pip, "--target", target, str(ROOT)], check=True,
                            env=dict(os.environ, GLOAM_BUILD=str(BUILD)))
-            code = ("import gloam, importlib.metadata; print(gloam.__version__ == importlib.metadata.version('gloam'), "
+            code = ("import gloam, importlib.metadata as of; print(gloam.__version__ == of.version('gloam'), "
+                    "'LICENSE' in [file.name for file in of.files('gloam')], "
                     f"gloam.File({str(GUIDE / 'tone.glsl')!r})['tone_reinhard'](1.0))")
             ran = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True,
                                  env=dict(os.environ, PYTHONPATH=target), cwd=target)
-            self.assertEqual(ran.stdout, "True 0.5\n")
+            self.assertEqual(ran.stdout, "True True 0.5\n")
 
 
 class Module(unittest.TestCase):
