@@ -45,7 +45,7 @@ string(JOIN ", " needed "gloam-common ${same}" libvulkan1 libvulkan-dev glslang-
   libspirv-cross-c-shared-dev libfmt-dev libglm-dev)
 gloam_debian(shader_test libgloam-shader-test-dev "tests for GLSL functions, in C++\nThey run on any Vulkan driver."
   SECTION libdevel DEPENDS "${needed}"
-  RECOMMENDS "mesa-vulkan-drivers, libgtest-dev, libgmock-dev, cmake")
+  RECOMMENDS "mesa-vulkan-drivers, vulkan-validationlayers, libgtest-dev, libgmock-dev, cmake, g++")
 if(NOT GLOAM_FRAMEWORK_ONLY)
   list(APPEND CPACK_COMPONENTS_ALL program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
