@@ -149,6 +149,8 @@ def library_home(source):
     """A library's headers are included in its own room only, and there not in a public header."""
     if source.area == "examples":  # programs of their own
         return
+    if source.path.suffix in (".cpp", ".hpp") and "fmt::join(" in source.text and "<fmt/ranges.h>" not in source.text:
+        yield 1, "fmt::join needs <fmt/ranges.h>: fmt 11 has it nowhere else"
     for number, _, name in source.includes():
         for library, (pattern, home) in LIBRARY_HOME.items():
             if not pattern.match(name):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/runner.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

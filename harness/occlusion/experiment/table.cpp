@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backend/vulkan/internal/instance.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <map>
