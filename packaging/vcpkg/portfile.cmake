@@ -6,5 +6,6 @@ vcpkg_cmake_configure(SOURCE_PATH "${source}" OPTIONS
   -DGLOAM_FRAMEWORK_ONLY=ON -DGLOAM_PYTHON=OFF -DGLOAM_QUICK_TOOLS=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/gloam)
-file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share"
+  "${CURRENT_PACKAGES_DIR}/share/doc")  # of the Debian packages
 vcpkg_install_copyright(FILE_LIST "${source}/LICENSE")
