@@ -79,14 +79,9 @@ std::string run_apart(const std::function<std::string()>& work, const ProcessLim
     throw LimitError(fmt::format("takes more than {} MiB of memory", limits.memory_bytes >> 20));
 }
 
-void try_compiler(const std::filesystem::path& name, const std::function<void()>& work) {
-    const auto without_result = [&work] {
-        work();
-        return std::string();
-    };
+std::string try_compiler(const std::filesystem::path& name, const std::function<std::string()>& work) {
     try {
-        (void)run_apart(without_result, compiler_limits);
-    } catch (const WorkError&) {  // the work will say so itself
+        return run_apart(work, compiler_limits);
     } catch (const LimitError& error) {
         throw LimitError(name.string() + ": the compiler " + error.what());
     }

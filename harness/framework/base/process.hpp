@@ -108,14 +108,18 @@ inline const ProcessLimits compiler_limits{.memory_bytes = std::uint64_t{3} << 3
                                            .cpu = std::chrono::seconds(60),
                                            .patience = std::chrono::minutes(5)};
 
-// Tries what a compiler is to do with a text in a copy of this process. Throws LimitError, "NAME: the
+// What a compiler makes of a text in a copy of this process. Throws WorkError, and LimitError, "NAME: the
 // compiler takes more than 60 s", if the copy does not survive it.
-void try_compiler(const std::filesystem::path& name, const std::function<void()>& work);
+std::string try_compiler(const std::filesystem::path& name, const std::function<std::string()>& work);
 
-// The result of the work, which is tried first.
+// The result of the work, which is tried first. A text is the copy's.
 template <class Work>
 auto tried(const std::filesystem::path& name, const Work& work) {
-    try_compiler(name, [&work] { (void)work(); });
+    if constexpr (std::is_same_v<decltype(work()), std::string>) return try_compiler(name, work);
+    try {
+        (void)try_compiler(name, [&work] { return (void)work(), std::string(); });
+    } catch (const WorkError&) {  // the work will say so itself
+    }
     return work();
 }
 

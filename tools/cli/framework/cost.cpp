@@ -63,8 +63,9 @@ std::string with_definitions(std::string text, const std::vector<std::string>& d
 std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::filesystem::path& file) {
     const std::string text = with_definitions(module::read_text(file), command.own.defines);
     const module::Spirv module = base::tried(file, [&] {
-        return module::compile({std::filesystem::absolute(file).string(), text},
-                               {.include_roots = include_roots_of(file, command.own.includes)});
+        return subject::shader_cache({.cache_directory = cache_directory()})
+            .compile({std::filesystem::absolute(file).string(), text},
+                     {.include_roots = include_roots_of(file, command.own.includes)});
     });
     return {{{.name = file.filename().string()}, cost_of(module, command.options)}};
 }

@@ -174,8 +174,7 @@ class Trials {
             const std::string text = module::read_text(file);
             real.push_back(fs::canonical(file));
             const auto roots = include_roots_of(real.back(), command_.includes);
-            base::try_compiler(file, [&] { const audit::MutantFile tried(real.back(), text, roots); });
-            files_.emplace_back(real.back(), text, roots);
+            files_.push_back(base::tried(file, [&] { return audit::MutantFile(real.back(), text, roots); }));
             report.files.push_back(file.string());
         }
         root_ = command_.includes.empty() ? common_folder(real) : fs::canonical(command_.includes.front());

@@ -21,8 +21,7 @@ std::string mark_of(std::size_t file, std::size_t line) {
 // "450", "330 core", "300 es" and their like.
 bool is_version(std::string_view text) {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-    text.remove_prefix(digits);
-    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(" \t", digits), text.size()));
     text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
     return digits == 3 && (text.empty() || text == "core" || text == "compatibility" || text == "es");
 }
@@ -71,9 +70,8 @@ std::string marked_line(const source::TextFile& file, std::size_t number, std::s
     static const std::set<std::string_view> conditions{"if",   "ifdef", "ifndef", "elif",
                                                        "else", "endif", "error"};
     if (conditions.contains(directive->keyword)) return joined(line);
-    if (directive->keyword == "define" || directive->keyword == "undef")
-        return joined(line) + "\n" + mark_of(number, index);
-    return mark_of(number, index);
+    const bool defines = directive->keyword == "define" || directive->keyword == "undef";
+    return (defines ? joined(line) + "\n" : "") + mark_of(number, index);
 }
 
 // The file with marks for its code. Lines keep their numbers, for messages.
@@ -101,10 +99,9 @@ std::vector<source::Line> with_directives_apart(const std::vector<source::Line>&
         }
         const std::size_t end = line.code.find_last_not_of(" \t\r\n") + 1;
         const auto add = [&](std::size_t from, std::size_t to, bool crosses) {
-            if (line.text.substr(from, to - from).find_first_not_of(" \t\r\n") == std::string_view::npos)
-                return;
-            apart.push_back(
-                {line.text.substr(from, to - from), line.code.substr(from, to - from), line.number, crosses});
+            const auto text = line.text.substr(from, to - from);
+            if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+            apart.push_back({text, line.code.substr(from, to - from), line.number, crosses});
         };
         add(0, begin, true);
         add(begin, end, false);
@@ -163,9 +160,10 @@ source::ActiveText active_text(std::vector<source::Source> given, source::Langua
     all.given = given.size();
     // Errors of the version itself are the first text's.
     std::vector<source::Source> pieces{{given.empty() ? "nothing" : given.back().name, preamble(language)}};
-    for (source::Source& source : given) {
-        const std::string name = source.name;
-        pieces.push_back({name, added(all, std::move(source), folders)});
+    std::string active;
+    for (const source::Source& source : given) {
+        pieces.push_back({source.name, added(all, source, folders)});
+        active += pieces.back().text;
     }
     const auto reading = [&](const std::filesystem::path& path, std::string text) {
         // A file that another one includes first is still one of those given.
@@ -173,8 +171,10 @@ source::ActiveText active_text(std::vector<source::Source> given, source::Langua
         if (same < all.given) return marked(all.files[same], same, folders);
         return added(all, {path.string(), std::move(text)}, folders);
     };
-    const std::string text = preprocessed(pieces, stage, client_of(language), folders, reading);
-    all.lines = places_in(text, all);
+    // It follows directives alone, and its tables cost a process more than most texts.
+    if (active.find('#') != std::string::npos)
+        active = preprocessed(pieces, stage, client_of(language), folders, reading);
+    all.lines = places_in(active, all);
     return all;
 }
 

@@ -112,7 +112,7 @@ std::vector<std::string> worker_command(const CheckOptions& options) {
 
 }  // namespace
 
-Checker::Checker(const CheckOptions& options) : options_(options), equations_(options.named({})) {
+Checker::Checker(const CheckOptions& options) : options_(options) {
     lab({.identity = {.variant = "shipped"}});
 }
 
@@ -137,6 +137,7 @@ const subject::Lab& Checker::lab(const CheckTask& task) {
 
 judge::Question Checker::question_of(const CheckTask& task) {
     const std::string& name = task.identity.equation;
+    if (task.path.empty() && equations_.empty()) equations_ = options_.named({});
     if (task.path.empty()) return *std::ranges::find(equations_, name, &judge::Question::name);
     const subject::OwnFunctions own = subject::own_functions(lab(task).options(), {name});
     if (own.found.empty())
