@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -78,21 +79,19 @@ Values Values::and_special(Scalar scalar) const {
 
 Values Values::and_near(std::initializer_list<double> points, Scalar scalar) const {
     Values more = *this;
-    for (const double point : points) {
+    for (const double point : points)
         for (const int steps : {-1, 0, 1}) {
             const Word word = stepped_float(scalar, float_word(scalar, point), steps);
             more.fixed.push_back({.words = {word}, .branch = true});
         }
-    }
     return more;
 }
 
 Values Values::and_near_integers(std::initializer_list<long> points) const {
     Values more = *this;
-    for (const long point : points) {
+    for (const long point : points)
         for (const long offset : {-1L, 0L, 1L})
             more.fixed.push_back({.words = {static_cast<Word>(point + offset)}, .branch = true});
-    }
     return more;
 }
 
@@ -199,14 +198,15 @@ std::size_t fixed_stride(const std::vector<Values>& components) {
 
 Values vector(const std::vector<Values>& components) {
     Values values;
-    values.draw = [components](DrawContext& context, Words& words) {
-        for (const Values& component : components) component.draw(context, words);
+    const auto shared = std::make_shared<const std::vector<Values>>(components);
+    values.draw = [shared](DrawContext& context, Words& words) {
+        for (const Values& component : *shared) component.draw(context, words);
     };
     std::vector<std::size_t> sizes;
     for (const Values& component : components) sizes.push_back(component.words());
-    values.contains = [components, sizes](std::span<const Word> words) {
-        for (std::size_t i = 0; i < components.size(); words = words.subspan(sizes[i++]))
-            if (!components[i].admits(words.first(sizes[i]))) return false;
+    values.contains = [shared, sizes](std::span<const Word> words) {
+        for (std::size_t i = 0; i < shared->size(); words = words.subspan(sizes[i++]))
+            if (!shared->at(i).admits(words.first(sizes[i]))) return false;
         return true;
     };
     numeric::Random random(2);

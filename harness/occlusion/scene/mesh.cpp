@@ -31,7 +31,6 @@ void append(Mesh& mesh, const Mesh& other) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
     mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
-    mesh.indices.reserve(mesh.indices.size() + other.indices.size());
     for (const std::uint32_t index : other.indices) mesh.indices.push_back(first + index);
 }
 
