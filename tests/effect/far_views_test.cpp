@@ -82,10 +82,12 @@ scene::Scene seen_in_parallel() {
 }
 
 TEST_P(FarViews, ANarrowViewIsAsRightAsAUsualOne) {
+    static std::map<std::pair<double, scene::Projection>, Truth> truths;  // for all presets
     const auto error = [&](const scene::Scene& scene, const char* depth, const char* changes = "") {
         scene::GBuffer view = drawn(scene, extent);
-        const Truth truth = truth_from(
-            view, scene::trace_geometry(scene, 0, view, {.rays = {.radius = radius, .rays = 256}}).occlusion);
+        Truth& truth = truths[{scene.camera.fovy_rad, scene.camera.projection}];
+        const scene::TruthSettings traced{.rays = {.radius = radius, .rays = 256}};
+        if (truth.empty()) truth = truth_from(view, scene::trace_geometry(scene, 0, view, traced).occlusion);
         store({depth, "view", scene.camera.reversed_z, scene.camera.far}, view);
         return errors_of(run(view, with(settings(), changes)).filtered, truth).rmse;
     };
@@ -124,7 +126,7 @@ TEST_P(FarViews, AZoomChangesThePictureSmoothly) {
         camera.fovy_rad = glm::radians(std::pow(60.0, 1.0 - frame / (frame_count - 1.0)));
         return camera;
     };
-    const std::vector<scene::GBuffer> views = sequence_of(scene, extent, frame_count);
+    static const std::vector<scene::GBuffer> views = sequence_of(scene, extent, frame_count);
     const Settings deep = with(settings(), "deep=on");
     const std::vector<Frame> frames = run(views, deep);
     std::vector<double> changes;

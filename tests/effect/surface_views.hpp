@@ -18,12 +18,11 @@ inline scene::GBuffer view_of(backend::Extent extent, const scene::Camera& camer
                               const std::function<double(glm::dvec2)>& depth) {
     scene::GBuffer view{.extent = extent};
     view.camera = scene::make_frame(camera, static_cast<double>(extent.width) / extent.height);
-    for (unsigned y = 0; y < extent.height; ++y) {
+    for (unsigned y = 0; y < extent.height; ++y)
         for (unsigned x = 0; x < extent.width; ++x) {
             const glm::dvec2 ndc(2.0 * (x + 0.5) / extent.width - 1.0, 2.0 * (y + 0.5) / extent.height - 1.0);
             view.depth.push_back(static_cast<float>(depth(ndc / glm::dvec2(view.camera.p00_p11()))));
         }
-    }
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     return view;
 }
@@ -70,13 +69,12 @@ inline scene::Scene floor_and_wall(bool box, double speed = 0.05) {
     append(scene.mesh, scene::make_parallelogram({-4, 0, -1}, {8, 0, 0}, {0, 4, 0}, 0.5));
     scene.camera = {.eye = {0, 1.2, 3}, .target = {0, 0.4, -1}, .near = 0.1, .far = 50};
     scene.ao_radius = 0.5;
-    if (box) {
+    if (box)
         scene.objects.push_back({scene::make_box({-0.3, 0, -0.3}, {0.3, 0.6, 0.3}, 0.2), [speed](int frame) {
                                      glm::dmat4 move(1.0);
                                      move[3] = glm::dvec4(-0.5 + speed * frame, 0.0, -0.5, 1.0);
                                      return move;
                                  }});
-    }
     return scene;
 }
 

@@ -47,20 +47,18 @@ TEST_F(Tiles, AreFullSizeOrHalf) {
     }
 }
 
-// More groups than a dimension of a dispatch has.
+// More groups, of two tiles each, than a dimension of a dispatch has: 65,535.
 TEST_F(Tiles, AreListedInLargeViews) {
-    for (const backend::Extent extent : {backend::Extent{3840, 2160}, {7680, 4320}}) {
-        scene::GBuffer view = wall({1, 1}, 1.0F);
-        view.extent = extent;
-        view.normal.clear();
-        view.depth.resize(std::size_t{extent.width} * extent.height);
-        for (std::size_t i = 0; i < view.depth.size(); ++i)
-            view.depth[i] = 1.0F + 0.001F * static_cast<float>(i % extent.width / 5 % 3);
-        const Settings all = with({}, "preset=quality radius=0.01 history=off mark=0 steps=1 samples=2");
-        const std::vector<float> listed = run(view, all).filtered;
-        EXPECT_EQ(listed, run(view, with(all, "resolution=full")).filtered) << extent.width;
-        EXPECT_GT(std::ranges::max(listed), 0.05F);
-    }
+    scene::GBuffer view = wall({1, 1}, 1.0F);
+    view.extent = {4096, 2176};
+    view.normal.clear();
+    view.depth.resize(std::size_t{view.extent.width} * view.extent.height);
+    for (std::size_t i = 0; i < view.depth.size(); ++i)
+        view.depth[i] = 1.0F + 0.001F * static_cast<float>(i % view.extent.width / 5 % 3);
+    const Settings all = with({}, "preset=quality radius=0.01 history=off mark=0 steps=1 samples=2");
+    const std::vector<float> listed = run(view, all).filtered;
+    EXPECT_EQ(listed, run(view, with(all, "resolution=full")).filtered);
+    EXPECT_GT(std::ranges::max(listed), 0.05F);
 }
 
 // Full-size texels are valid in marked tiles and around them. Nothing else is read of them: neither what is

@@ -220,7 +220,7 @@ class SizeRun {
         constexpr std::uint32_t pixels = 257;  // of a side of its image
         if (!closed_form_) closed_form_.emplace(place_.device, place_.passes);
         const effect::Estimate measured =
-            effect::measured(*closed_form_, pixels, view, settings, experiment_.frames);
+            effect::measured(*closed_form_, scene::draw(view, pixels), settings, experiment_.frames);
         const effect::Remap remap = remap_of(settings);
         return PointQuality{.truth = view.occlusion,
                             .occlusion = measured.value,

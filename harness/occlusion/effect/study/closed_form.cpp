@@ -36,9 +36,9 @@ double error_of(const std::vector<double>& values) {
 
 }  // namespace
 
-Estimate measured(AmbientOcclusion& effect, std::uint32_t pixels, const scene::ClosedFormView& view,
-                  const Settings& settings, int frames) {
-    effect.begin(scene::draw(view, pixels), accumulated(settings));
+Estimate measured(AmbientOcclusion& effect, const scene::GBuffer& view, const Settings& settings,
+                  int frames) {
+    effect.begin(view, accumulated(settings));
     std::vector<double> means;
     double sum = 0.0;
     double weight = 0.0;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-
 #include "effect/ambient_occlusion.hpp"
-#include "scene/analytic_scene.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 
@@ -14,12 +12,12 @@ struct Estimate {
     double error = 0.0;
 };
 
-// The occlusion of a closed-form view's point by the real passes, with history, without filter, remap and
-// rotation: the mean over all frames of 1024 samples, with a standard error from the spread of the frames'
-// means. Consecutive frames of a low-discrepancy sequence have opposite errors, so the actual error of the
-// mean is smaller than this estimate. pixels: of the image on each side, odd. Settings are for a radius of 1.
-// frames: 2 or more. Throws like AmbientOcclusion.
-[[nodiscard]] Estimate measured(AmbientOcclusion& effect, std::uint32_t pixels,
-                                const scene::ClosedFormView& view, const Settings& settings, int frames);
+// The occlusion of the point of a closed-form view, drawn, by the real passes, with history, without filter,
+// remap and rotation: the mean over all frames of 1024 samples, with a standard error from the spread of the
+// frames' means. Consecutive frames of a low-discrepancy sequence have opposite errors, so the actual error
+// of the mean is smaller than this estimate. Settings are for a radius of 1. frames: 2 or more. Throws like
+// AmbientOcclusion.
+[[nodiscard]] Estimate measured(AmbientOcclusion& effect, const scene::GBuffer& view,
+                                const Settings& settings, int frames);
 
 }  // namespace gloam::effect
