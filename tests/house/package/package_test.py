@@ -4,7 +4,6 @@
 of its own."""
 import re
 import shutil
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -17,10 +16,14 @@ OPTIONS = (COMPILER, f"-DCMAKE_BUILD_TYPE={CACHE['CMAKE_BUILD_TYPE']}",
 ONLY_THE_PROGRAM_NEEDS = ("embree", "assimp", "OpenEXR", "CLI11", "SQLite3", "rapidcheck", "benchmark")
 
 
-class Installed(unittest.TestCase):
+class InFolder(unittest.TestCase):
     def setUp(self):
-        self.work = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.work = BUILD / "tests/house/package" / self._testMethodName  # not another each time: ccache knows it
+        shutil.rmtree(self.work, ignore_errors=True)
+        self.work.mkdir(parents=True)
 
+
+class Installed(InFolder):
     def assert_fails(self, pattern, *command):
         with self.assertRaisesRegex(AssertionError, f"(?s){pattern}"):
             run(*command)
@@ -68,18 +71,17 @@ class Installed(unittest.TestCase):
             self.assert_fails(verdict, program)
 
 
-class Included(unittest.TestCase):
+class Included(InFolder):
     def test_it_is_the_framework_alone(self):
         """Without the packages that only the program needs, without gloam's tests, and without its warnings. The project's
         test compiles against the headers by their installed names."""
         without = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ONLY_THE_PROGRAM_NEEDS]
-        with tempfile.TemporaryDirectory() as build:
-            targets = configured(CONSUMER, build, f"-DGLOAM_SOURCE={SOURCE}", COMPILER, "-DCMAKE_BUILD_TYPE=Debug",
-                                 *without)
-            self.assertNotRegex(targets, "gloam_(catalogue|effect|scene|record):|bin/gloam|_tests:")
-            self.assertIn("gloam_judge:", targets)
-            run("ninja", "-C", build, "CMakeFiles/own_function_test.dir/shader_test.cpp.o")
-            self.assertNotIn("-Werror", Path(build, "compile_commands.json").read_text(encoding="utf-8"))
+        targets = configured(CONSUMER, self.work, f"-DGLOAM_SOURCE={SOURCE}", COMPILER, "-DCMAKE_BUILD_TYPE=Debug",
+                             *without)
+        self.assertNotRegex(targets, "gloam_(catalogue|effect|scene|record):|bin/gloam|_tests:")
+        self.assertIn("gloam_judge:", targets)
+        run("ninja", "-C", self.work, "CMakeFiles/own_function_test.dir/shader_test.cpp.o")
+        self.assertNotIn("-Werror", (self.work / "compile_commands.json").read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":
