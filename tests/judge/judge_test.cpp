@@ -135,7 +135,8 @@ TEST_F(JudgeTest, TheWorstInputIsPrintedInDecimalAndHexadecimalAndExplainedLineB
                               .compare([](double x) { return x; }, {uniform(0.5, 0.5)}, {}, {.inputs = 4});
     EXPECT_THAT(result.story, AllOf(HasSubstr("0.5 (0x3f000000)"), HasSubstr("0.50000006 (0x3f000001)")));
     const Answer wrong = weight("weight_wrong_constant");
-    EXPECT_THAT(wrong.story, AllOf(HasSubstr("the worst input, operation by operation"),
+    EXPECT_THAT(wrong.story, AllOf(HasSubstr("in double the function gives"), HasSubstr("not the rounding"),
+                                   HasSubstr("the worst input, operation by operation"),
                                    testing::ContainsRegex("wrong.glsl:[0-9]+ weight_wrong_constant +OpF")));
     EXPECT_EQ(weight("weight").story, "");
 }

@@ -45,12 +45,8 @@ AuditLocation place_of(const ExplainedStep& step) {
     return {step.file, step.line, step.function, step.undefined.empty() ? step.operation : step.undefined};
 }
 
-// Where an undefined value comes from, with the cause in place of an operation.
-AuditLocation place_of(const interpreter::Undefined& why) {
-    return {why.place.file, why.place.line, why.place.function, why.cause};
-}
-
-// The operation at which the width of what is permitted, beside the exact value, grows most.
+// The operation at which the width of what is permitted, beside the exact value and that of one rounding,
+// grows by the largest factor.
 AuditLocation widest_place(const Explanation& all) {
     double widest = 0.0;
     double most = 0.0;
@@ -58,8 +54,8 @@ AuditLocation widest_place(const Explanation& all) {
     for (const ExplainedStep& step : all.steps) {
         const double span = step.permitted.high - step.permitted.low;
         const double width = std::isfinite(span) && step.exact != 0.0 ? span / std::abs(step.exact) : 0.0;
-        if (width - widest > most) {
-            most = width - widest;
+        if (const double growth = (width - widest) / (widest + 0x1p-24); growth > most) {
+            most = growth;
             place = place_of(step);
         }
         widest = std::max(widest, width);
@@ -115,15 +111,13 @@ class Findings {
 
     // The first operation with a result that is not finite, or of which every value is permitted.
     AuditLocation origin(Concern concern, const std::vector<Word>& words) {
-        if (concern == Concern::undefined) {
-            const Reading reading = runs_.read(words);
-            for (const internal::OutputReading& output : reading.outputs)
-                if (output.undefined) return place_of(*output.undefined);
-        }
         const Explanation steps = runs_.steps(words, gaps_of(concern));
         const auto first = std::ranges::find_if(steps.steps, [concern](const ExplainedStep& step) {
             return concern == Concern::not_finite ? !std::isfinite(step.value)
                                                   : step.permitted.is_anything() || step.permitted.nan;
+        if (concern == Concern::undefined)
+            for (const ExplainedStep& one : steps.result)
+                if (!one.undefined.empty()) return place_of(one);
         });
         return first == steps.steps.end() ? AuditLocation{} : place_of(*first);
     }

@@ -80,9 +80,11 @@ void add_outcomes(std::vector<ExplainedStep> steps, std::vector<ExplainedStep>& 
     }
 }
 
-// By how much the error of each step, in ULP, rises above the errors of all steps before it. It can decrease
-// in between.
+// By how many times the error of each step, in ULP and with that of one rounding, rises above the errors of
+// all steps before it. It can decrease in between.
 std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
+    constexpr double one_rounding = 0.5;
+    constexpr double all_lost = 0x1p24;
     std::vector<double> rises;
     double highest = 0.0;
     for (const ExplainedStep& step : steps) {
@@ -90,8 +92,10 @@ std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
             rises.push_back(-1.0);
             continue;
         }
-        rises.push_back(std::max(step.ulps - highest, 0.0));
-        highest = std::max(highest, step.ulps);
+        const bool overflows = std::isinf(step.value) && std::isfinite(step.exact);
+        const double ulps = overflows ? all_lost : std::min(step.ulps, all_lost);
+        rises.push_back(ulps > highest ? (ulps - highest) / (highest + one_rounding) : 0.0);
+        highest = std::max(highest, ulps);
     }
     return rises;
 }
@@ -207,7 +211,9 @@ std::string last_lines(const Explanation& explanation) {
         const ExplainedStep& worst = steps[explanation.worst];
         const bool inherits = std::abs(worst.inherited()) > std::abs(worst.local);
         text = fmt::format("the error in ULP grows most at {}, {}: {}\n", place_of(worst), worst.operation,
-                           inherits ? "its operands bring errors, in ULP of its result" : "its own rounding");
+                           std::isinf(worst.value) ? "it is beyond the largest number"
+                           : inherits              ? "its operands bring errors, in ULP of its result"
+                                                   : "its own rounding");
     }
     // The result is a variable that no operation wrote, or that of an operation.
     for (const std::vector<ExplainedStep>* all : {&steps, &explanation.result}) {
@@ -217,9 +223,15 @@ std::string last_lines(const Explanation& explanation) {
                             found->undefined);
         break;
     }
-    const auto nan = std::ranges::find_if(steps, [](const auto& step) { return std::isnan(step.value); });
-    if (nan == steps.end()) return text;
-    return text + fmt::format("the first NaN is the result of {}, {}\n", place_of(*nan), nan->operation);
+    const auto first = [&](const char* what, const auto& is_so) {
+        const auto found = std::ranges::find_if(steps, is_so);
+        if (found != steps.end())
+            text += fmt::format("the first {} is the result of {}, {}\n", what, place_of(*found),
+                                found->operation);
+    };
+    first("infinity", [](const auto& step) { return std::isinf(step.value); });
+    first("NaN", [](const auto& step) { return std::isnan(step.value); });
+    return text;
 }
 
 KernelModule lined_module(const module::CompileOptions& options, const KernelSource& source,
@@ -258,6 +270,12 @@ Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> 
     // The path is that of float32. What is permitted apart from the first bounds comes from further runs.
     (void)numeric::Paths::explore(numeric::float32, most_outcomes, run, gaps);
     all.worst = worst_of(all.steps);
+    for (ExplainedStep& one : all.result) {  // what was never written is known where the function ends
+        if (one.undefined.empty() || !one.file.empty() || all.steps.empty()) continue;
+        one.file = all.steps.back().file;
+        one.line = all.steps.back().line;
+        one.function = all.steps.back().function;
+    }
     return all;
 }
 

@@ -40,8 +40,8 @@ struct ExplainedStep {
 // The operations of a shader function on one input.
 struct Explanation {
     std::vector<ExplainedStep> steps;  // in the order of execution
-    // The step at which the error, in ULP, rises most above those of all steps before it; steps.size() if
-    // none does.
+    // The step at which the error, in ULP, grows by the largest factor above those of all steps before it;
+    // steps.size() if it nowhere does.
     std::size_t worst = 0;
     // Its outputs, as steps without a place; empty for a kernel whose function is not known.
     std::vector<ExplainedStep> result;

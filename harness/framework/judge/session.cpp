@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -201,13 +202,28 @@ namespace {
 
 constexpr std::size_t most_lines = 16;
 
+// Where the module in double is as far from the reference as the result.
+std::string reference_text(const Question& question, const Sample& sample, const Explanation& all) {
+    const std::vector<module::Scalar> scalars = question.signature.output_scalars();
+    for (std::size_t i = 0; question.reference && i < std::min(all.result.size(), scalars.size()); ++i) {
+        const double got = number_at(scalars[i], sample.got[i]);
+        const double exact = all.result[i].exact;
+        if (module::is_float(scalars[i]) && std::abs(exact - sample.want[i]) > std::abs(exact - got))
+            return fmt::format(
+                "  in double the function gives {:.9g}, too, and the reference {:.9g}: the formula or the "
+                "reference is wrong, not the rounding\n",
+                exact, sample.want[i]);
+    }
+    return {};
+}
+
 std::string explanation_of(const Lab& lab, const Question& question, const KernelSource& source,
                            const Sample& sample, std::uint64_t seed) {
     try {
-        return "  the worst input, operation by operation, rounded correctly:\n" +
-               to_text(explain(lab.judged_options(), source, sample.inputs,
-                               images_of(question.scenario_of(sample.scenario), seed)),
-                       most_lines);
+        const Explanation all = explain(lab.judged_options(), source, sample.inputs,
+                                        images_of(question.scenario_of(sample.scenario), seed));
+        return reference_text(question, sample, all) +
+               "  the worst input, operation by operation, rounded correctly:\n" + to_text(all, most_lines);
     } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story
         return fmt::format("  the worst input cannot be explained: {}\n", error.what());
     }

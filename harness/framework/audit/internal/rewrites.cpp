@@ -82,11 +82,13 @@ bool harms(const Score& before, const Score& after) {
 
 // What is better; empty: nothing is.
 std::string gain_text(const Score& before, const Score& after, std::size_t inputs) {
-    constexpr double least = 0.6;  // digits: a quarter of the error
+    constexpr double least = 0.6;     // digits: a quarter of the error
+    constexpr std::size_t part = 10;  // one of this many inputs at least
     std::vector<std::string> gains;
     for (const auto& [what, a, b] : {std::tuple{"proper result", before.broken, after.broken},
                                      {"stated precision", before.unspecified, after.unspecified}})
-        if (b < a) gains.push_back(fmt::format("no {} for {} -> {} of {} inputs", what, a, b, inputs));
+        if (b < a && (a - b) * part >= a)
+            gains.push_back(fmt::format("no {} for {} -> {} of {} inputs", what, a, b, inputs));
     for (const auto& [what, a, b] :
          {std::tuple{"loses", before.loss, after.loss}, {"drivers differ by", before.width, after.width}})
         if (digits(a) - digits(b) >= least)

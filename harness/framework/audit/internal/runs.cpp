@@ -59,8 +59,8 @@ Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
             reading.outputs[w].permitted = numeric::hull(reading.outputs[w].permitted, more);
             return;
         }
-        if (auto why = kernel_.machine().why_undefined(value)) {
-            reading.outputs.push_back({.permitted = numeric::Bounds::anything(), .undefined = why});
+        if (kernel_.machine().why_undefined(value)) {
+            reading.outputs.push_back({.permitted = numeric::Bounds::anything()});
         } else if (module::is_float(scalars_[w])) {
             const interpreter::Explained x = value.number();
             reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});

@@ -21,7 +21,6 @@ struct OutputReading {
     double value = 0.0;
     double exact = 0.0;
     numeric::Bounds permitted = numeric::Bounds::point(0.0);
-    std::optional<interpreter::Undefined> undefined = {};  // every value is permitted
 };
 
 // The results of one input.
