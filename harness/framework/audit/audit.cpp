@@ -21,8 +21,8 @@ using namespace judge;
 using namespace subject;
 
 std::string name_of(Concern concern) {
-    static constexpr std::array names{"fault",    "not finite",   "undefined",     "unspecified",
-                                      "two ways", "loses digits", "drivers differ"};
+    static constexpr std::array names{"fault",       "is false", "not finite",   "undefined",
+                                      "unspecified", "two ways", "loses digits", "drivers differ"};
     return names.at(static_cast<std::size_t>(concern));
 }
 
@@ -82,6 +82,9 @@ class Findings {
     // The gravest first.
     [[nodiscard]] std::vector<AuditFinding> all() {
         add_fault();
+        add_first(Concern::is_false, [&](const std::vector<Word>& words) {
+            return internal::shows(Concern::is_false, runs_.read(words));
+        });
         for (const Concern concern : {Concern::not_finite, Concern::undefined, Concern::unspecified})
             add_places(concern);
         add_parting();
@@ -112,12 +115,12 @@ class Findings {
     // The first operation with a result that is not finite, or of which every value is permitted.
     AuditLocation origin(Concern concern, const std::vector<Word>& words) {
         const Explanation steps = runs_.steps(words, gaps_of(concern));
-        const auto first = std::ranges::find_if(steps.steps, [concern](const ExplainedStep& step) {
-            return concern == Concern::not_finite ? !std::isfinite(step.value)
-                                                  : step.permitted.is_anything() || step.permitted.nan;
         if (concern == Concern::undefined)
             for (const ExplainedStep& one : steps.result)
                 if (!one.undefined.empty()) return place_of(one);
+        const auto first = std::ranges::find_if(steps.steps, [concern](const ExplainedStep& step) {
+            return concern == Concern::not_finite ? !std::isfinite(step.value)
+                                                  : step.permitted.is_anything() || step.permitted.nan;
         });
         return first == steps.steps.end() ? AuditLocation{} : place_of(*first);
     }

@@ -26,6 +26,7 @@ inline constexpr std::uint64_t most_audited_instructions = 500'000;
 
 enum class Concern {
     fault,        // an access outside an array, or a loop that does not end
+    is_false,     // of a property, which must hold
     not_finite,   // a result is NaN or infinite
     undefined,    // the result of an operation is undefined: every result is permitted, or NaN
     unspecified,  // the same, where only the precision is not stated: sin beyond pi, sqrt(0), pow(0, y)
@@ -102,7 +103,8 @@ struct Audit {
 
     // Whether an input came to its end. Otherwise nothing is known of the function.
     [[nodiscard]] bool was_run() const { return inputs > too_long; }
-    // Whether an input of the domain faults, or gives NaN, infinity or an undefined result.
+    // Whether an input of the domain faults, makes a property false, or gives NaN, infinity or no defined
+    // result.
     [[nodiscard]] bool is_broken() const;
 };
 

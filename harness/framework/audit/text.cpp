@@ -105,6 +105,8 @@ std::string result_text(const AuditFinding& finding) {
     switch (finding.concern) {
         case Concern::fault:
             return base::one_line(finding.message);
+        case Concern::is_false:
+            return "it must hold";
         case Concern::not_finite:
             return fmt::format("{}{}", number(finding.value),
                                std::isfinite(finding.exact) ? ", exactly " + number(finding.exact) : "");

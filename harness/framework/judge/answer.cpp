@@ -148,8 +148,8 @@ void AnswerCounts::merge(const AnswerCounts& later) {
         for (const auto one : {&PredicateCount::inputs, &PredicateCount::judged})
             predicate[i].*one += later.predicate[i].*one;
     using All = AnswerCounts;
-    for (const auto one :
-         {&All::by_rules, &All::forbidden, &All::bounded, &All::unbounded, &All::undefined, &All::differs})
+    for (const auto one : {&All::by_rules, &All::forbidden, &All::bounded, &All::unbounded, &All::undefined,
+                           &All::distinct, &All::differs})
         this->*one += later.*one;
 }
 
@@ -167,7 +167,6 @@ void Answer::merge(const Answer& later) {
     AnswerCounts::merge(later);
     WorstCases::merge(later);
     guarantee.raise(later.guarantee);
-    if (broken.empty()) broken = later.broken;
 }
 
 bool Coverage::is_complete() const {

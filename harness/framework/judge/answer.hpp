@@ -159,6 +159,7 @@ struct AnswerIdentity {
     std::string variant;
     Criterion criterion = Criterion::budget;
     Budget budget;
+    bool must_hold = false;  // see Question::must_hold
 
     // Whether Vulkan's rules alone judge; the budget is measured then.
     [[nodiscard]] bool rules_alone() const { return criterion == Criterion::rules; }
@@ -176,6 +177,7 @@ struct AnswerCounts {
     std::size_t bounded = 0;    // inputs whose bounds were calculated; the next counts among these
     std::size_t unbounded = 0;  // inputs for which the rules permit anything for some output
     std::size_t undefined = 0;  // of the recorded inputs: the function's own result is undefined
+    std::size_t distinct = 0;   // of a property: inputs that are not the same
     // For inputs as constants of the shader: the number whose results differ in any bit from those of the
     // same shader with the inputs in memory. All NaNs count as equal.
     std::size_t differs = 0;
@@ -217,7 +219,7 @@ struct Answer : AnswerIdentity, AnswerCounts, WorstCases {
     ErrorSize guarantee;
     std::optional<Coverage> coverage;  // what the inputs reached, if measured
     std::string fault;                 // an access outside an image; empty: none
-    std::string broken;                // see Question::must_hold; the first such input; empty: none
+    std::string domain;                // of a property: "8 different inputs: x 0 to 7 (type)"; else empty
     std::string error;                 // why it could not run; empty: it ran
     Reason reason = Reason::none;
     double seconds = 0.0;

@@ -82,8 +82,11 @@ std::string describe_outputs(const Signature& signature, const std::vector<Word>
 std::string describe(const Signature& signature, const Answer& answer) {
     const std::string limit =
         answer.rules_alone() ? "what Vulkan's precision rules permit" : to_text(answer.budget);
-    std::string text = fmt::format("{} ({}): {} of {} inputs outside {}\n", answer.function, answer.file,
-                                   answer.outside(), answer.inputs(), limit);
+    std::string text = answer.must_hold && answer.forbidden == 0
+                           ? fmt::format("{} ({}) must hold, and is false for {} of {} inputs\n",
+                                         answer.function, answer.file, answer.outside(), answer.inputs())
+                           : fmt::format("{} ({}): {} of {} inputs outside {}\n", answer.function,
+                                         answer.file, answer.outside(), answer.inputs(), limit);
     if (!answer.fault.empty()) text += fmt::format("  {}\n", answer.fault);
     for (std::size_t i = 0; i < input_class_count; ++i) {
         const ClassCount& count = answer.classes[i];

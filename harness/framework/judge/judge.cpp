@@ -79,16 +79,22 @@ class Judge {
         const bool accurate = promised && sample.error.fraction <= 1.0;
         if (edge && !accurate && !internal::holds_at_edge(question_, images_, scalars_, sample))
             sample.fraction = infinity;
-        answer.add(sample, sample.fraction > 1.0);
-        const bool holds = std::ranges::find(sample.got, Word{0}) == sample.got.end();
-        if (question_.must_hold && !holds && answer.broken.empty())
-            answer.broken = describe_inputs(question_.signature, sample.inputs);
         const bool open = free && !by_budget && !edge;
         if (open) ++answer.count(sample.input_class).open;
         if (predicate_) answer.add_predicate(sample.want, !open);
+        if (question_.must_hold && sample.fraction <= 1.0) require_true(sample);
+        answer.add(sample, sample.fraction > 1.0);
     }
 
   private:
+    // A false that the rules permit is the function's own failure.
+    void require_true(Sample& sample) const {
+        if (std::ranges::find(sample.got, Word{0}) == sample.got.end()) return;
+        std::ranges::fill(sample.want, 1.0);
+        sample.error = internal::error_of(question_, images_, scalars_, sample, true);
+        sample.fraction = infinity;
+    }
+
     void find_want(Sample& sample) {
         if (question_.reference) {
             question_.reference(images_, sample.inputs, sample.want);
@@ -254,7 +260,8 @@ Answer empty_answer(const Question& question, Criterion criterion) {
              .function = question.function,
              .file = question.file,
              .criterion = criterion,
-             .budget = question.budget}};
+             .budget = question.budget,
+             .must_hold = question.must_hold}};
 }
 
 Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,
@@ -287,9 +294,6 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
         }
     });
     for (const Answer& answer : parts) all.merge(answer);
-    if (all.outside() == 0 && !all.broken.empty())
-        throw std::runtime_error(
-            fmt::format("{} must hold, and is false for {}", question.function, all.broken));
     describe_samples(question.signature, all);
     return all;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "interpreter/program.hpp"
 #include "judge/explain.hpp"
@@ -24,6 +25,12 @@ Domain::Inputs few_inputs(const Domain& domain, std::size_t scenarios, std::uint
     constexpr std::size_t least = 8;
     const std::size_t count = std::max(least, most_constants / std::max<std::size_t>(scenarios, 1));
     return domain.draw(spread * count, seed, image_size).where([](std::size_t i) { return i % spread == 0; });
+}
+
+std::size_t distinct_of(const Domain::Inputs& inputs) {
+    std::set<std::vector<Word>> rows;
+    for (std::size_t i = 0; i < inputs.count(); ++i) rows.emplace(inputs.row(i).begin(), inputs.row(i).end());
+    return rows.size();
 }
 
 // Inputs of many words are fewer: those of a run take 256 MiB at most.
@@ -71,6 +78,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
                 variant.constants == module::Variant::Constants::none
                     ? domain.draw(share, seed, scenario.size)
                     : few_inputs(domain, question.scenarios.size(), seed, scenario.size);
+            if (question.must_hold) answer.distinct += distinct_of(drawn);
             Domain::Inputs inputs = session.without_long_runs(drawn, answer);
             if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
         }

@@ -101,6 +101,7 @@ void members(Io& io, judge::Answer& answer) {
               Present::derived);
     each(io, "budget", answer.budget, "classes", answer.classes);
     io.member("predicate", answer.predicate, Present::later);
+    io.member("domain", answer.domain, Present::if_any);
     for (const judge::PredicateCount& c : answer.predicate)
         io.require(c.inputs <= answer.inputs(), "counts within its inputs");
     each(io, "worst", answer.worst, "coverage", answer.coverage, "fault", answer.fault, "error", answer.error,

@@ -36,6 +36,10 @@ void print_undefined(const judge::Answer& row) {
                    row.undefined, row.inputs(), row.first_undefined);
 }
 
+void print_domain(const judge::Answer& row) {
+    if (!row.domain.empty()) fmt::print("{} {}: {}\n", row.equation, row.variant, row.domain);
+}
+
 void print_rows(const CheckOutcome& outcome, void (*print)(const judge::Answer& row)) {
     for (const record::CheckReport& report : outcome.reports) std::ranges::for_each(report.rows, print);
 }
@@ -90,6 +94,7 @@ int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
     fmt::print("{}", step_summary(outcome.reports));
     print_rows(outcome, print_coverage);
     print_rows(outcome, print_undefined);
+    print_rows(outcome, print_domain);
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
     if (outcome.counts.not_judged > 0 && is_of_file(options) && options.task.own.ranges.empty())
         fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");

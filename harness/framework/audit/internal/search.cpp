@@ -168,8 +168,9 @@ class Search {
 
     // Returns whether a result is undefined.
     bool keep_broken(const std::vector<Word>& words, const Reading& reading, bool random) {
-        for (const Concern concern : {Concern::fault, Concern::not_finite})
-            if (shows(concern, reading)) keep(concern, words, random);
+        for (const Concern concern : {Concern::fault, Concern::is_false, Concern::not_finite})
+            if ((concern != Concern::is_false || runs_.question().must_hold) && shows(concern, reading))
+                keep(concern, words, random);
         const bool undefined = runs_.is_undefined(words, reading);
         if (undefined) keep(Concern::undefined, words, random);
         return undefined;
@@ -201,6 +202,7 @@ double digits_of(double relative, double unit) {
 
 bool shows(Concern concern, const OutputReading& output) {
     const bool finite = std::isfinite(output.value);
+    if (concern == Concern::is_false) return output.value == 0.0;
     if (concern == Concern::not_finite) return !finite;
     return finite && (output.permitted.is_anything() || output.permitted.nan);
 }

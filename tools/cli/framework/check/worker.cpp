@@ -135,7 +135,7 @@ const subject::Lab& Checker::lab(const CheckTask& task) {
     return *lab_;
 }
 
-judge::Question Checker::question_of(const CheckTask& task) {
+judge::Question Checker::question_of(const CheckTask& task, std::string* described) {
     const std::string& name = task.identity.equation;
     if (task.path.empty() && equations_.empty()) equations_ = options_.named({});
     if (task.path.empty()) return *std::ranges::find(equations_, name, &judge::Question::name);
@@ -145,16 +145,24 @@ judge::Question Checker::question_of(const CheckTask& task) {
     const subject::OwnFunction& function = own.found.front();
     const subject::Ranges ranges = ranges_from(task.own.ranges);
     judge::Question question = judge::question_of(*lab_, function, ranges);
-    if (question.must_hold)  // for what it is meant for
-        question.domain = audit::ordinary_domain(function.function, audit::ordinary_values(function, ranges));
+    if (!question.must_hold) return question;
+    const std::vector<audit::OrdinaryValues> values = audit::ordinary_values(function, ranges);
+    question.domain = audit::ordinary_domain(function.function, values);  // for what it is meant for
+    for (const audit::OrdinaryValues& one : values)
+        if (described != nullptr)
+            *described += fmt::format("{} {} {} ({})", described->empty() ? "" : ",", one.parameter, one.text,
+                                      one.reason);
     return question;
 }
 
 judge::Answer Checker::run(const CheckTask& task) {
     const auto begin = Clock::now();
     try {
-        const judge::Question question = question_of(task);
+        std::string domain;
+        const judge::Question question = question_of(task, &domain);
         judge::Answer answer = judge::run(lab(task), question, task.run);
+        if (question.must_hold)
+            answer.domain = fmt::format("{} different inputs:{}", answer.distinct, domain);
         if (task.coverage && !question.answers)
             answer.coverage = audit::measure_coverage(lab(task), question, task.run);
         answer.seconds = seconds_since(begin);

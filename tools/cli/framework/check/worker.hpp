@@ -39,7 +39,7 @@ class Checker {
 
   private:
     const subject::Lab& lab(const CheckTask& task);
-    [[nodiscard]] judge::Question question_of(const CheckTask& task);
+    [[nodiscard]] judge::Question question_of(const CheckTask& task, std::string* described = nullptr);
 
     CheckOptions options_;
     std::vector<judge::Question> equations_;
