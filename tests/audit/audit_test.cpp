@@ -1,54 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where a function itself goes wrong. NaN beyond the domain of a function: tests/tools/stories/own_files.txt.
-#include "audit/audit.hpp"
+#include "audit/audited.hpp"
 #include "audit/internal/search.hpp"
-#include "support/lab.hpp"
 
 namespace gloam::audit::audit_test {
 
-using namespace subject;
-
 using testing::Field;
-
-// The functions of a text, for the interpreter.
-class Audited {
-  public:
-    explicit Audited(const std::string& text, const std::string& name = "audit.glsl") {
-        const std::filesystem::path folder(FIXTURES);
-        options_ = {.device = std::string(interpreter_name),
-                    .file = std::make_shared<const OwnFile>(folder / name, text,
-                                                            std::vector<std::filesystem::path>{folder})};
-        lab_ = std::make_unique<const Lab>(options_);
-    }
-
-    [[nodiscard]] OwnFunction function(const std::string& function) const {
-        return own_functions(options_, {function}).found.at(0);
-    }
-
-    [[nodiscard]] Audit audit(const std::string& name, const Ranges& ranges = {},
-                              std::size_t inputs = 2048) const {
-        return audit::audit(*lab_, function(name), ranges, {.inputs = inputs});
-    }
-
-    [[nodiscard]] std::vector<OrdinaryValues> values(const std::string& name,
-                                                     const Ranges& ranges = {}) const {
-        return ordinary_values(function(name), ranges);
-    }
-
-  private:
-    LabOptions options_;
-    std::unique_ptr<const Lab> lab_;
-};
-
-const AuditFinding* find(const Audit& audit, Concern concern) {
-    const auto found = std::ranges::find(audit.findings, concern, &AuditFinding::concern);
-    return found == audit.findings.end() ? nullptr : &*found;
-}
-
-const Audited& fixture() {
-    static const Audited audited(module::read_text(std::filesystem::path(FIXTURES) / "audit.glsl"));
-    return audited;
-}
 
 TEST(Audit, FindsNothingInASoundFunction) {
     const Audit audit = fixture().audit("sound");
@@ -144,6 +101,34 @@ TEST(Audit, FindsWhereDigitsAreLostAndWhatHelps) {
         << to_text(arc);
 }
 
+// A loss is where the error grows by the largest factor, and what was never written where the function ends.
+TEST(Audit, BlamesTheOperationAndNotWhatFollows) {
+    const Audit lost = Audited(
+                           "float f(float n, float a) {\n    float d = n * n * (a - 1.0) + 1.0;\n"
+                           "    return a / (3.14159 * d * d);\n}\n")
+                           .audit("f", {{"n", {0.0, 1.0}}, {"a", {1e-6, 1.0}}});
+    ASSERT_NE(find(lost, Concern::digits), nullptr) << to_text(lost);
+    EXPECT_EQ(find(lost, Concern::digits)->place.line, 2U) << to_text(lost);
+    EXPECT_EQ(find(lost, Concern::drivers)->place.line, 2U) << to_text(lost);
+    const Audit unwritten = Audited(
+                                "bool f(float x, out float t) {\n    if (x < 0.0) return false;\n    t = "
+                                "sqrt(x);\n    return true;\n}\n")
+                                .audit("f", {{"x", {-1.0, 1.0}}});
+    ASSERT_NE(find(unwritten, Concern::undefined), nullptr) << to_text(unwritten);
+    EXPECT_EQ(to_text(find(unwritten, Concern::undefined)->place), "audit.glsl:2 (\"t\" was never written)");
+}
+
+TEST(Audit, FindsWhereAPropertyIsFalse) {
+    const Audited audited(
+        "// x in [0, 1]\nbool test_small(float x) { return x < 0.9; }\n"
+        "bool is_small(float x) { return x < 0.9; }\n");
+    const Audit audit = audited.audit("test_small");
+    ASSERT_NE(find(audit, Concern::is_false), nullptr) << to_text(audit);
+    EXPECT_NEAR(find(audit, Concern::is_false)->share, 0.1, 0.05);
+    EXPECT_TRUE(audit.is_broken());
+    EXPECT_FALSE(audited.audit("is_small").is_broken());
+}
+
 TEST(Audit, FindsHowFarDriversMayBeApart) {
     const Audit audit = fixture().audit("arc");
     const AuditFinding* const finding = find(audit, Concern::drivers);
@@ -237,85 +222,6 @@ TEST(AuditDecisions, TakesNothingBetweenTwoWholeNumbers) {
         EXPECT_LT(differ == nullptr ? 0.0 : differ->lost, 5.0) << to_text(audit);
         EXPECT_EQ(find(audit, Concern::parting), nullptr) << to_text(audit);
     }
-}
-
-// The domain.
-
-std::vector<std::string> described(const std::vector<OrdinaryValues>& all) {
-    std::vector<std::string> texts;
-    for (const OrdinaryValues& values : all)
-        texts.push_back(values.parameter + ": " + values.text + " (" + values.reason + ")");
-    return texts;
-}
-
-TEST(OrdinaryValues, FollowRangeCommentNameArrayAndType) {
-    EXPECT_THAT(
-        described(fixture().values("meanings", {{"count", {2.0, 9.0}}})),
-        ElementsAre("lamp.color: 0 to 1 (name)", "lamp.radius: 0.001 to 1000 (name)", "uv: 0 to 1 (name)",
-                    "view_dir: unit vectors (name)", "rotation: unit quaternions (name)",
-                    "NdotL: 0 to 1 (name)", "other: -1000 to 1000, half of them 0 to 1 (type)",
-                    "count: 2 to 9 (--range)", "t: 2 to 3 (comment)"));
-    EXPECT_THAT(described(fixture().values("table")),
-                ElementsAre("index: 0 to 3 (array)", "second: false, true (type)"));
-}
-
-TEST(OrdinaryValues, DescribeArraysSamplersAndWhatStandsAtFileScope) {
-    const Audited file(
-        "uniform sampler2D image;\nuniform float exposure;\nstruct Lamp { vec3 color; };\n"
-        "float f(float weights[3], Lamp lamps[2], vec2 uv) {\n"
-        "    return textureLod(image, uv, 0.0).x * exposure * lamps[0].color.x / (weights[0] + weights[1] + "
-        "weights[2]);\n"
-        "}\n");
-    EXPECT_THAT(described(file.values("f", {{"weights", {0.0, 1.0}}})),
-                ElementsAre("weights: 3 of 0 to 1 (--range)", "lamps: 2 of 0 to 1 (name)",
-                            "uv: 0 to 1 (name)", "exposure: 0.001 to 1000 (name)"));
-    const Audit audit = file.audit("f", {{"weights", {0.0, 1.0}}});
-    const AuditFinding* const finding = find(audit, Concern::not_finite);
-    ASSERT_NE(finding, nullptr) << to_text(audit);
-    EXPECT_THAT(finding->values, StartsWith("weights = (0, 0, 0), lamps[0].color = ("));
-    EXPECT_THAT(finding->values, HasSubstr("exposure = 1"));
-}
-
-TEST(OrdinaryValues, ReadComments) {
-    const auto of = [](const std::string& comment) {
-        return described(Audited(comment + "float f(float x, vec3 q) { return x + q.x; }").values("f"));
-    };
-    EXPECT_THAT(of("// x in (0, 2pi], q a unit vector\n"),
-                ElementsAre("x: 1.401298e-45 to 6.283185 (comment)", "q: unit vectors (comment)"));
-    EXPECT_THAT(of("/* q: -2 .. 2;\n   x >= 5. */\n"),
-                ElementsAre("x: 5 to 1000 (comment)", "q: -2 to 2 (comment)"));
-    EXPECT_THAT(of("// x is positive\n"), Contains("x: 0.001 to 1000 (comment)"));
-    EXPECT_THAT(of("// x in [3, 1]\n"), Contains("x: -1000 to 1000, half of them 0 to 1 (type)"))
-        << "no range";
-    EXPECT_THAT(of("// x in [0, 1]\n\nfloat g() { return 1.0; }\n"), Contains(HasSubstr("x: -1000")))
-        << "not above f";
-    for (const char* text : {"float f(float x /* 0 to 4 */) { return x; }",
-                             "uniform float k;\n// x in [0, 4]\nfloat\nf(float x) { return x * k; }"})
-        EXPECT_THAT(described(Audited(text).values("f")), Contains("x: 0 to 4 (comment)"));
-}
-
-TEST(OrdinaryValues, AreAnyWordWhereTheTextTakesItApart) {
-    const std::string parts = "uint mixed(float x, uint a) { return a ^ (a >> 16); }\n";
-    for (const char* text :
-         {"float f(uint w) { return float((w & 0x8000u) << 16); }", "uint f(uint w) { return w >> 10; }",
-          "uint f(uint w) { return 255u & w; }", "float f(uint w) { return uintBitsToFloat(w); }",
-          "vec2 f(uint w) { return unpackHalf2x16(w); }", "uint f(uvec2 w) { return w.x >> 4u; }",
-          "uint f(uint w) { return mixed(1.0, w); }", "uint f(uint w) { w ^= w >> 3; return w; }"})
-        EXPECT_THAT(described(Audited(parts + text).values("f")), ElementsAre("w: 0 to 4294967295 (bits)"))
-            << text;
-    for (const char* text :
-         {"uint f(uint w) { return mixed(2.0, 3u) << w; }", "uint f(uint w) { return w + 1u; }",
-          "bool f(uint w) { return w > 1u && w < 3u; }", "uint f(int w) { return uint(w) & 1u; }",
-          "uint f(uint w) { uint s = 0u; for (uint i = 0u; i < w; ++i) s += w & 1u; return s; }"})
-        EXPECT_THAT(described(Audited(parts + text).values("f")), ElementsAre("w: 0 to 7 (type)")) << text;
-}
-
-TEST(OrdinaryValues, DrawNoSubnormalNumbers) {
-    const auto own = fixture().function("gamma_curve");
-    const Domain domain = ordinary_domain(own.function, fixture().values("gamma_curve"));
-    const Domain::Inputs inputs = domain.draw(512, 1);
-    for (std::size_t i = 0; i < inputs.count(); ++i)
-        EXPECT_NE(std::fpclassify(from_word<float>(inputs.row(i)[0])), FP_SUBNORMAL);
 }
 
 // What is tried.

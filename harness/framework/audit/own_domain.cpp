@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -49,6 +50,16 @@ Values without_tiny(Values values, Scalar scalar) {
 Values in_each(const Type& type, const Values& values) {
     const int components = type.columns * type.rows;
     return components == 1 ? values : vector(components, values);
+}
+
+// Of an integer of a property, which must hold for all of them.
+std::pair<std::string, Values> any_whole(const Type& type) {
+    const bool has_sign = type.scalar == Scalar::int_;
+    const long high =
+        has_sign ? long{std::numeric_limits<std::int32_t>::max()} : long{std::numeric_limits<Word>::max()};
+    const long low = has_sign ? -high - 1 : 0;
+    return {fmt::format("{} to {}, half of them 0 to {}", low, high, usual_index),
+            in_each(type, either(integers(0, usual_index), either(log_integers(high), integers(low, high))))};
 }
 
 // What is said of a value, and its values.
@@ -109,35 +120,60 @@ std::pair<std::string, std::size_t> call_with(source::Tokens tokens, std::size_t
     return {};
 }
 
-// Whether a function reads single bits of an integer parameter, itself or where it passes it on: by shifts,
-// masks, and functions of bits and packed numbers. A limit of a loop is a count.
-// `asked`: functions and parameters that were asked before.
-bool takes_apart(const std::vector<source::Declaration>& text, const std::string& function,
-                 const std::string& name, std::set<std::pair<std::string, std::string>>& asked) {
-    if (!asked.emplace(function, name).second) return false;
+// The variable that the statement around the token sets; empty: none.
+std::string set_around(source::Tokens tokens, std::size_t at) {
+    static const std::set<std::string, std::less<>> assignments{
+        "=", "+=", "-=", "*=", "/=", "%=", "^=", "|=", "&=", "<<=", ">>="};
+    std::string target;
+    for (; at > 1 && tokens[at] != ";" && tokens[at] != "{" && tokens[at] != "}"; --at)
+        if (assignments.contains(tokens[at].text))
+            target = tokens[tokens[at - 2] == "." && at > 2 ? at - 3 : at - 1].text;
+    return target;
+}
+
+// What a function does with an integer.
+enum class Use {
+    unknown,
+    count,  // of rounds or bits
+    bits    // reads single ones, by shifts, masks, and functions of bits and packed numbers; mixes them
+};
+
+// Whether the token is the limit of a loop: "; i < n".
+bool is_limit(source::Tokens tokens, std::size_t at) {
+    if (at < 4 || (tokens[at - 1] != "<" && tokens[at - 1] != "<=")) return false;
+    return tokens[at - 3] == ";" || tokens[at - 4] == "while";
+}
+
+// That of a parameter or variable itself; else in what it sets and where it is passed on, bits before counts.
+// `asked`: functions and variables that were asked before.
+Use use_of(const std::vector<source::Declaration>& text, const std::string& function, const std::string& name,
+           std::set<std::pair<std::string, std::string>>& asked) {
+    if (!asked.emplace(function, name).second) return Use::unknown;
     static const std::set<std::string, std::less<>> of_bits{
         "uintBitsToFloat", "bitfieldExtract", "bitfieldReverse", "unpackHalf2x16",
         "unpackUnorm2x16", "unpackSnorm2x16", "unpackUnorm4x8",  "unpackSnorm4x8"};
-    bool found = false;
+    static const std::set<std::string, std::less<>> takes{">>", "&", ">>=", "&=", "^", "^="};
+    Use use = Use::unknown;
     for (const source::Declaration& declared : text) {
         if (!declared.defines(function)) continue;
         const source::Tokens body = source::Tokens(declared.tokens).subspan(declared.function->body);
         for (std::size_t i = 1; i + 1 < body.size(); ++i) {
-            if (body[i] != name) continue;
+            if (body[i] != name || body[i - 1] == ".") continue;
             const std::string& before = body[i - 1].text;
             const std::string& after = body[body[i + 1] == "." && i + 3 < body.size() ? i + 3 : i + 1].text;
-            if (before == "<" || before == "<=") return false;
-            found =
-                found || after == ">>" || after == "&" || after == ">>=" || after == "&=" || before == "&";
+            if (before == "<<" || before == ">>" || is_limit(body, i)) return Use::count;
             const auto [called, argument] = call_with(body, i);
-            found = found || of_bits.contains(called);
+            if (takes.contains(after) || before == "&" || before == "^" || of_bits.contains(called))
+                use = std::max(use, Use::bits);
+            if (const std::string target = set_around(body, i); !target.empty())
+                use = std::max(use, use_of(text, function, target, asked));
             for (const source::Declaration& other : text)
-                found =
-                    found || (other.defines(called) && argument < other.function->parameters.size() &&
-                              takes_apart(text, called, other.function->parameters[argument].name, asked));
+                if (other.defines(called) && argument < other.function->parameters.size())
+                    use =
+                        std::max(use, use_of(text, called, other.function->parameters[argument].name, asked));
         }
     }
-    return found;
+    return use;
 }
 
 // What is said of the parts of a value.
@@ -176,7 +212,7 @@ class Ordinary {
             all.push_back({name, "random images", "type", vector(std::vector<Values>{})});
         } else {
             const auto [meaning, reason] = meaning_of(type, name);
-            const auto [text, values] = described(type, meaning);
+            const auto [text, values] = reason == "property" ? any_whole(type) : described(type, meaning);
             all.push_back({name, text, reason, values});
         }
     }
@@ -204,8 +240,8 @@ class Ordinary {
         const bool is_whole = !is_float && type.scalar != Scalar::bool_;
         const bool is_vector = type.scalar == Scalar::float_ && type.columns == 1 && components > 1;
         const std::string last = name.substr(name.rfind('.') + 1);
-        if (const auto range = ranges_.find(name.substr(0, name.find('.'))); range != ranges_.end())
-            return {Meaning{Kind::range, range->second.low, range->second.high}, "--range"};
+        if (const auto range = range_of(ranges_, name))
+            return {Meaning{Kind::range, range->low, range->high}, "--range"};
         if (is_float || is_whole)
             if (const auto meaning = internal::meaning_of_comment(own_.comment, last, names_, is_vector))
                 return {meaning, "comment"};
@@ -213,8 +249,10 @@ class Ordinary {
             if (const auto length = indexed_length(tokens_, last))
                 return {Meaning{Kind::range, 0.0, static_cast<double>(*length - 1)}, "array"};
         std::set<std::pair<std::string, std::string>> asked;
-        if (type.scalar == Scalar::uint_ && takes_apart(text_, own_.function.name, name, asked))
+        const Use use = is_whole ? use_of(text_, own_.function.name, name, asked) : Use::unknown;
+        if (type.scalar == Scalar::uint_ && use == Use::bits)
             return {Meaning{Kind::range, 0.0, 0x1p32 - 1.0}, "bits"};
+        if (is_whole && use != Use::count && own_.is_property()) return {std::nullopt, "property"};
         if (is_float && type.columns > 1) return {Meaning{Kind::range, -2.0, 2.0}, "type"};
         if (is_float)
             if (const auto meaning = internal::meaning_of_name(last, components);
@@ -260,15 +298,9 @@ std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges
 Domain ordinary_domain(const module::Function& function, const std::vector<OrdinaryValues>& ordinary) {
     std::vector<Values> parameters;
     std::size_t next = 0;
-    const std::function<std::size_t(const Type&)> entries_of = [&](const Type& type) -> std::size_t {
-        if (type.scalar != Scalar::structure || !type.sizes.empty()) return 1;
-        std::size_t count = 0;
-        for (const module::Member& member : type.members) count += entries_of(member.type);
-        return count;
-    };
     for (const module::Parameter& parameter : function.parameters) {
         if (parameter.direction == source::Direction::out) continue;
-        const std::size_t count = entries_of(parameter.type);
+        const std::size_t count = value_names(parameter.type, parameter.name).size();
         parameters.push_back(joined(std::span(ordinary).subspan(next, count)));
         next += count;
     }

@@ -40,9 +40,11 @@ Question question_of(const Lab& lab, const OwnFunction& own, const Ranges& range
     Question question{
         .name = own.name, .file = own.file, .function = own.function.name, .signature = own.signature()};
     question.domain = domain_of(own, ranges);
+    const auto has_range = [&ranges](const std::string& name) { return range_of(ranges, name).has_value(); };
     question.defined = std::ranges::all_of(own.function.parameters, [&](const module::Parameter& parameter) {
         return parameter.direction == source::Direction::out ||
-               parameter.type.scalar == module::Scalar::sampler || ranges.contains(parameter.name);
+               parameter.type.scalar == module::Scalar::sampler ||
+               std::ranges::all_of(value_names(parameter.type, parameter.name), has_range);
     });
     question.must_hold = own.is_property();
     const KernelSource source = lab.source(own.file, own.function.name, question.signature);

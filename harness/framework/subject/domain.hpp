@@ -231,8 +231,10 @@ struct Range {
     double low = 0.0;
     double high = 0.0;
 };
-// Ranges by the parameters' names.
+// Ranges by the names of parameters and of members: "sphere", "sphere.radius".
 using Ranges = std::map<std::string, Range>;
+// That of a member, else of what it is a member of; nullopt: there is none.
+[[nodiscard]] std::optional<Range> range_of(const Ranges& ranges, const std::string& name);
 
 // Parses "x=0:1" as a name and a range. Throws std::invalid_argument for any other text, or low > high.
 [[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);

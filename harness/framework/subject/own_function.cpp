@@ -50,9 +50,18 @@ Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
                       : log_integers(largest_unsigned));
 }
 
-Values values_of(const module::Type& type, const std::optional<Range>& range) {
+void add_values(const module::Type& type, const std::string& name, const Ranges& ranges,
+                std::vector<Values>& all) {
+    if (type.sizes.empty())
+        for (const module::Member& member : type.members)
+            add_values(member.type, name + "." + member.name, ranges, all);
+    if (type.sizes.empty() && type.scalar == Scalar::structure) return;
+    for (const Scalar scalar : scalars_of(type)) all.push_back(scalar_values(scalar, range_of(ranges, name)));
+}
+
+Values values_of(const module::Type& type, const std::string& name, const Ranges& ranges) {
     std::vector<Values> scalars;
-    for (const Scalar scalar : scalars_of(type)) scalars.push_back(scalar_values(scalar, range));
+    add_values(type, name, ranges, scalars);
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
@@ -282,18 +291,23 @@ OwnFunctions own_functions(const LabOptions& options, const std::vector<std::str
     return all;
 }
 
+std::vector<std::string> value_names(const module::Type& type, const std::string& name) {
+    if (!type.sizes.empty() || type.members.empty()) return {name};
+    std::vector<std::string> names;
+    for (const module::Member& member : type.members)
+        std::ranges::move(value_names(member.type, name + "." + member.name), std::back_inserter(names));
+    return names;
+}
+
 Domain domain_of(const OwnFunction& own, const Ranges& ranges) {
     std::vector<Values> parameters;
     for (const module::Parameter& parameter : own.function.parameters) {
         if (parameter.direction == source::Direction::out) continue;
-        const auto found = ranges.find(parameter.name);
-        const std::optional<Range> range =
-            found == ranges.end() ? std::nullopt : std::optional(found->second);
         const bool in_quad = own.team.kind == backend::Team::Kind::quad && is_of_each(parameter);
-        parameters.push_back(in_quad ? neighbours(module::element_of(parameter.type),
-                                                  values_of(module::element_of(parameter.type), range),
-                                                  parameter.name == fragment_coordinate)
-                                     : values_of(parameter.type, range));
+        const module::Type type = in_quad ? module::element_of(parameter.type) : parameter.type;
+        const Values values = values_of(type, parameter.name, ranges);
+        parameters.push_back(in_quad ? neighbours(type, values, parameter.name == fragment_coordinate)
+                                     : values);
     }
     return Domain(std::move(parameters));
 }

@@ -37,6 +37,9 @@ struct OwnFunctions {
 [[nodiscard]] OwnFunctions own_functions(const LabOptions& options,
                                          const std::vector<std::string>& names = {});
 
+// The names of a parameter's values, for ranges: "x", or those of the members, "sphere.radius".
+[[nodiscard]] std::vector<std::string> value_names(const module::Type& type, const std::string& name);
+
 // The inputs of a function that is checked by the rules alone. They follow from its types where no range is
 // given:
 //   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,

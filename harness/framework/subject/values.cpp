@@ -310,6 +310,13 @@ Values image_size() {
     return values;
 }
 
+std::optional<Range> range_of(const Ranges& ranges, const std::string& name) {
+    const auto found = ranges.find(name);
+    if (found != ranges.end()) return found->second;
+    const std::size_t dot = name.rfind('.');
+    return dot == std::string::npos ? std::nullopt : range_of(ranges, name.substr(0, dot));
+}
+
 std::pair<std::string, Range> range_from(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::size_t colon = text.find(':', std::min(equals, text.size()));

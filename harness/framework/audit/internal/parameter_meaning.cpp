@@ -84,63 +84,109 @@ std::vector<std::string> words_of(const std::string& name) {
     return words;
 }
 
-std::optional<double> number_of(std::string text) {
-    if (text == "pi" || text == "π") return pi;
-    if (text == "-pi" || text == "-π") return -pi;
-    if (text == "2pi" || text == "2π") return 2.0 * pi;
-    if (text.starts_with("+")) text.erase(0, 1);
-    const auto number = base::number_from<double>(text);
-    return number && std::isfinite(*number) ? number : std::nullopt;
+// "-1e3", "2pi", "-pi/2": a product of numbers.
+std::optional<double> number_of(const std::string& text) {
+    static const base::Pattern factor(R"([*/]?(?:pi|π|[\d.]+(?:e[-+]?\d+)?))");
+    const std::size_t sign = text.starts_with("-") || text.starts_with("+") ? 1 : 0;
+    double product = text.starts_with("-") ? -1.0 : 1.0;
+    std::size_t read = sign;
+    for (std::string part : factor.all(text)) {
+        read += part.size();
+        const bool divides = part.starts_with("/");
+        if (divides || part.starts_with("*")) part.erase(0, 1);
+        const auto number = part == "pi" || part == "π" ? std::optional(pi) : base::number_from<double>(part);
+        if (!number) return std::nullopt;
+        product = divides ? product / *number : product * *number;
+    }
+    return read > sign && read == text.size() && std::isfinite(product) ? std::optional(product)
+                                                                        : std::nullopt;
 }
 
 double after(double x, double towards) {
     return static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(towards)));
 }
 
-// Bytes. Patterns that begin with a repetition take the square of a text's length.
-constexpr std::size_t longest_clause = 4000;
+std::optional<Meaning> range_between(const std::string& low, const std::string& high, bool above,
+                                     bool below) {
+    const auto first = number_of(low);
+    const auto last = number_of(high);
+    if (!first || !last || *first > *last) return std::nullopt;
+    return Meaning{Kind::range, above ? after(*first, *last) : *first, below ? after(*last, *first) : *last};
+}
 
-// What the rest of a sentence behind a parameter's name says.
-std::optional<Meaning> meaning_of_words(const std::string& words, bool is_vector) {
-    static const base::Pattern interval(R"(([\[(])\s*([-+\w.π]+)\s*,\s*([-+\w.π]+)\s*([\])]))");
-    static const base::Pattern span(  // without brackets
-        R"(()([-+]?[\d.]+(?:e-?\d+)?)\s*(?:to|\.\.+)\s*([-+]?[\d.]*\d(?:e-?\d+)?|pi|2pi)())");
-    static const base::Pattern bound(R"(^\s*(>=|>|≥)\s*([-+]?[\d.]*\d(?:e-?\d+)?))");
-    static const base::Pattern upward(R"(([-+]?[\d.]*\d)\s+and up)");
+// What a sentence says before and behind a list of names.
+std::optional<Meaning> meaning_of_words(const std::string& before, const std::string& words, bool is_vector) {
+    static const std::string number = R"(([-+]?(?:[\d.]|pi|π)(?:[\w.π*/]|e-)*))";
+    static const base::Pattern interval(R"(([\[(])\s*)" + number + R"(\s*,\s*)" + number + R"(\s*([\])]))");
+    static const base::Pattern span("()" + number + R"(\s*(?:to|\.\.+)\s*)" + number + "()");
+    static const base::Pattern between(R"(between()\s+)" + number + R"(\s+and\s+)" + number + "()");
+    static const base::Pattern lower(number + R"(\s*(<=|≤|<)\s*$)");
+    static const base::Pattern upper(R"(^\s*(<=|≤|<)\s*)" + number);
+    static const base::Pattern bound(R"(^\s*(>=|>|≥)\s*)" + number);
+    static const base::Pattern upward(number + R"(\s+and up)");
     static const base::Pattern unit(R"(\b(unit|normali[sz]ed|direction)\b)");
-    if (words.size() > longest_clause) return std::nullopt;
-    for (const base::Pattern* const form : {&interval, &span}) {
+    static const base::Pattern unit_before(
+        R"(\b(unit|normali[sz]ed)([- ]length)?(\s+(vectors?|directions?|normals?))?\s*$)");
+    static const base::Pattern sign(R"(\b(not\s|non[-\s]?)?(positive|negative)\b)");
+    std::vector<std::string> low = lower.first(before);
+    const std::vector<std::string> high = upper.first(words);
+    if (!low.empty() && !high.empty()) return range_between(low[1], high[2], low[2] == "<", high[1] == "<");
+    for (const base::Pattern* const form : {&interval, &span, &between}) {
         const std::vector<std::string> m = form->first(words);
         if (m.empty()) continue;
-        const auto low = number_of(m[2]);
-        const auto high = number_of(m[3]);
-        if (low && high && *low <= *high)
-            return Meaning{Kind::range, m[1] == "(" ? after(*low, *high) : *low,
-                           m[4] == ")" ? after(*high, *low) : *high};
+        if (const auto meaning = range_between(m[2], m[3], m[1] == "(", m[4] == ")")) return meaning;
     }
-    std::vector<std::string> m = bound.first(words);
-    if (m.empty()) m = upward.first(words);
-    if (!m.empty()) {
-        const bool open = m.size() > 2 && m[1] == ">";
-        const double low = number_of(m.back()).value_or(0.0);
-        return Meaning{Kind::range, open ? after(low, usual_high) : low, std::max(low * 2.0, usual_high)};
+    if (low.empty()) low = upward.first(words);
+    if (const std::vector<std::string> m = bound.first(words); low.empty() && !m.empty())
+        low = {"", m[2], m[1]};
+    if (!low.empty()) {
+        const bool open = low.back() == "<" || low.back() == ">";
+        const auto least = number_of(low[1]);
+        if (!least) return std::nullopt;
+        return Meaning{Kind::range, open ? after(*least, usual_high) : *least,
+                       std::max(*least * 2.0, usual_high)};
     }
-    if (is_vector && !unit.first(words).empty()) return Meaning{Kind::unit, 0.0, 0.0};
-    if (words.find("positive") != std::string::npos) return Meaning{Kind::positive, 0.0, 0.0};
-    return std::nullopt;
+    if (is_vector && !(unit.first(words).empty() && unit_before.first(before).empty()))
+        return Meaning{Kind::unit, 0.0, 0.0};
+    const std::vector<std::string> m = sign.first(words);
+    if (m.empty() || m[1].empty() != (m[2] == "positive")) return std::nullopt;
+    return Meaning{m[1].empty() ? Kind::positive : Kind::range, 0.0, usual_high};
 }
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Where a whole word stands, from `from` on.
-std::size_t find_word(std::string_view text, std::string_view word, std::size_t from) {
-    for (std::size_t at = text.find(word, from); at != std::string_view::npos; at = text.find(word, at + 1))
-        if ((at == 0 || !is_word(text[at - 1])) &&
-            (at + word.size() >= text.size() || !is_word(text[at + word.size()])))
-            return at;
-    return std::string_view::npos;
+// The word that begins there; empty: none.
+std::string word_at(std::string_view text, std::size_t at) {
+    std::size_t end = std::min(at, text.size());
+    while (end < text.size() && is_word(text[end])) ++end;
+    return std::string(text.substr(std::min(at, end), end - std::min(at, end)));
+}
+
+// Where the next name of a list can begin behind one: "a, b and c".
+std::size_t next_in_list(std::string_view text, std::size_t end) {
+    std::size_t next = std::min(text.find_first_not_of(" \t,&", end), text.size());
+    const bool joined = text.substr(end, next - end).find_first_of(",&") != std::string_view::npos;
+    const bool has_and = next > end && word_at(text, next) == "and";
+    if (has_and) next = std::min(text.find_first_not_of(" \t", next + 3), text.size());
+    return joined || has_and ? next : text.size();
+}
+
+// Where a sentence leaves a parameter: at another name, or where it speaks of the result, "to [0, 1]".
+std::size_t words_end(std::string_view text, const std::set<std::string>& names) {
+    static const base::Pattern result(
+        R"(\b(returns?|gives?|yields?|results?|becomes?)\b|->|=>|(^|[^\s\d.iπ]|[^p]i)\s*\b(in|on)?to\b)");
+    const std::size_t end = sentence_end(text);
+    const std::string sentence(text.substr(0, end));
+    const std::vector<std::string> found = result.first(sentence);
+    std::size_t first = found.empty() ? end : sentence.find(found.front()) + (found[2].empty() ? 0 : 1);
+    for (std::size_t at = 0; at < first; ++at) {
+        const std::string word = word_at(text, at);
+        if (names.contains(word)) first = at;
+        if (!word.empty()) at += word.size() - 1;
+    }
+    return first;
 }
 
 }  // namespace
@@ -159,14 +205,23 @@ std::optional<Meaning> meaning_of_name(const std::string& name, int components) 
 
 std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::string& name,
                                           const std::set<std::string>& others, bool is_vector) {
-    constexpr std::size_t most = 160;  // characters that belong to a name
-    for (std::size_t at = find_word(comment, name, 0); at != std::string_view::npos;
-         at = find_word(comment, name, at + 1)) {
-        std::string_view rest = comment.substr(at + name.size(), most);
-        std::size_t end = sentence_end(rest);
-        for (const std::string& other : others)
-            if (other != name) end = std::min(end, find_word(rest, other, 0));
-        if (const auto meaning = meaning_of_words(base::lower(std::string(rest.substr(0, end))), is_vector))
+    constexpr std::size_t most = 160;  // characters that belong to a name, which patterns take the square of
+    for (std::size_t at = 0, end = 0; at < comment.size(); at = std::max(at + 1, end)) {
+        bool is_listed = false;
+        end = at;
+        for (std::size_t next = at;; next = next_in_list(comment, end)) {
+            const std::string word = word_at(comment, next);
+            if (word.empty() || (word != name && !others.contains(word))) break;
+            is_listed = is_listed || word == name;
+            end = next + word.size();
+        }
+        if (end == at) end = at + word_at(comment, at).size();
+        if (!is_listed) continue;
+        const std::size_t begin = at - std::min(at, most);
+        const std::string_view rest = comment.substr(end, most);
+        if (const auto meaning = meaning_of_words(
+                base::lower(std::string(comment.substr(begin, at - begin))),
+                base::lower(std::string(rest.substr(0, words_end(rest, others)))), is_vector))
             return meaning;
     }
     return std::nullopt;

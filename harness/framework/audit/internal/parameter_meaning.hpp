@@ -24,8 +24,8 @@ struct Meaning {
 // What most shaders mean by this name for a float parameter with so many components.
 [[nodiscard]] std::optional<Meaning> meaning_of_name(const std::string& name, int components);
 
-// What a comment says behind the name: "x in [0, 1]", "x: 0 to 1", "x >= 0", "n: unit vector". `others`:
-// names of parameters, at which the words about this one end.
+// What a comment says of the name, alone or in a list: docs/verdicts.md has the forms. `others`: names of
+// parameters, at which the words about this one end.
 [[nodiscard]] std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::string& name,
                                                         const std::set<std::string>& others, bool is_vector);
 
