@@ -166,7 +166,9 @@ const std::vector<Column>& error_columns() {
     static const std::vector<Column> columns{
         {.title = "judged", .meaning = "inputs for which some result would have failed", .numeric = true},
         {.title = "worst ulp",
-         .meaning = "largest error in units in the last place of the printed equation in double precision; "
+         .meaning = "largest error in units in the last place of the printed equation, or of a function of "
+                    "your own, in "
+                    "double precision; "
                     "permitted: it is infinite, and the rules permit that",
          .numeric = true},
         {.title = "worst abs", .meaning = "largest absolute error", .numeric = true},

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "audit/audit.hpp"
-#include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/framework/open_device.hpp"
 #include "cli/framework/own_file.hpp"
@@ -24,16 +23,6 @@ struct AuditCommand {
     std::string html;
     audit::AuditOptions options;
 };
-
-// Says what is left out; throws where nothing remains.
-void say_left_out(const std::string& file, const FileFunctions& read) {
-    for (const subject::Skipped& function : read.functions.left_out)
-        fmt::print("{}\n",
-                   base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
-    for (const std::string& made : read.file->excerpts.by_macro)
-        fmt::print("{}: {}: functions that a macro makes are not looked at\n", file, made);
-    if (read.functions.found.empty()) throw nothing_was("audited", file, read.functions.left_out);
-}
 
 // One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
 std::vector<audit::Audit> audits_of(const AuditCommand& command, const std::string& file,
@@ -63,13 +52,14 @@ int run_audit(const AuditCommand& command, EquationsNamed* equations) {
     const record::OutputFile json(command.json);
     const record::OutputFile html(command.html);
     const FileFunctions read = functions_of(file, functions, command.own);
-    say_left_out(file, read);
+    for (const std::string& note : read.notes(file)) fmt::print("{}\n", note);
+    if (read.functions.found.empty()) throw nothing_was("audited", file, read.functions.left_out);
+    int status = read.is_complete(!functions.empty()) ? 0 : 2;
     const record::AuditReport report{
         .file = file, .source = read.file->text, .audits = audits_of(command, file, read)};
-    int status = 0;
     for (const audit::Audit& audit : report.audits) {
-        if (audit.is_broken()) status = 1;
         if (!audit.was_run() && status == 0) status = 2;
+        if (audit.is_broken()) status = 1;
     }
     if (!command.json.empty()) json.write(to_audit_json(report));
     if (!command.html.empty()) html.write(to_audit_page(report));
@@ -83,7 +73,7 @@ Command audit_command(EquationsNamed* equations) {
     return {
         .name = "audit",
         .about = "show where a shader function itself goes wrong: NaN, lost digits, what drivers may do",
-        .options = {{"what", &command.words, required,
+        .options = {{"file", &command.words, required,
                      "a GLSL file, and functions that it defines (all when none is given); or equations"},
                     {"--range", &command.own.ranges, "NAME=LOW:HIGH: what a parameter is drawn from"},
                     include_option(command.own.includes),

@@ -98,9 +98,11 @@ int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
     if (outcome.counts.not_judged > 0 && is_of_file(options) && options.task.own.ranges.empty())
         fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
-    const int status = outcome.counts.exit_status();
-    fmt::print("{}\n", colored(to_text(outcome.counts), status == 0 ? Ink::good : Ink::bad));
-    return status == 0 && !outcome.complete ? 2 : status;
+    int status = outcome.counts.exit_status();
+    if (status == 0 && !outcome.complete) status = 2;
+    fmt::print("{}\n", colored(to_text(outcome.counts) + (outcome.complete ? "" : ", some left out"),
+                               status == 0 ? Ink::good : Ink::bad));
+    return status;
 }
 
 // What is checked, in which variants; how much of it, and how; files, and what is printed.

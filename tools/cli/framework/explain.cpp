@@ -139,7 +139,7 @@ Command explain_command(EquationsNamed* equations) {
     return {
         .name = "explain",
         .about = "run a shader function on one input and show the error of each operation, line by line",
-        .options = {{"what",
+        .options = {{"file",
                      &options.words,
                      {.required = true, .numbers = true},
                      "a GLSL file and a function that it defines, or an equation (gloam list equations); "

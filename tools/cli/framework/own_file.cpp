@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <stdexcept>
 
@@ -29,7 +30,9 @@ bool has_shader_ending(const std::string& word) {
 
 bool is_shader_file(const std::string& word) {
     std::error_code none;
-    return has_shader_ending(word) || std::filesystem::is_regular_file(word, none);
+    const std::string ending = std::filesystem::path(word).extension().string();
+    const bool has_ending = ending.size() > 1 && std::isalpha(static_cast<unsigned char>(ending[1])) != 0;
+    return has_ending || std::filesystem::is_regular_file(word, none);
 }
 
 std::pair<std::string, std::vector<std::string>> file_and_functions(const std::vector<std::string>& words,
@@ -63,18 +66,42 @@ FileFunctions functions_of(const std::filesystem::path& file, const std::vector<
         FileFunctions read{std::make_shared<const subject::OwnFile>(
                                path, text, include_roots_of(path, options.includes), options.defines),
                            {}};
+        for (const std::string& name : names)
+            if (has_shader_ending(name))
+                throw std::invalid_argument(name + ": expected a function, one file at a time");
         read.functions =
             subject::own_functions({.cache_directory = cache_directory(), .file = read.file}, names);
         return read;
     });
     std::set<std::string> parameters;
     for (const subject::OwnFunction& own : all.functions.found)
-        for (const module::Parameter& parameter : own.function.parameters) parameters.insert(parameter.name);
-    for (const auto& range : ranges)
-        if (!parameters.contains(range.first))
-            throw std::invalid_argument(fmt::format("--range {}: no parameter has this name, only: {}",
-                                                    range.first, fmt::join(parameters, ", ")));
+        for (const module::Parameter& parameter : own.function.parameters)
+            if (parameter.direction != source::Direction::out)
+                for (const std::string& name : subject::value_names(parameter.type, parameter.name))
+                    parameters.insert(name);
+    for (const auto& [name, range] : ranges)
+        if (std::ranges::none_of(parameters, [&name](const std::string& one) {
+                return one == name || one.starts_with(name + ".");
+            }))
+            throw std::invalid_argument(fmt::format("--range {}: no input has this name, only: {}", name,
+                                                    fmt::join(parameters, ", ")));
     return all;
+}
+
+std::vector<std::string> FileFunctions::notes(const std::string& name) const {
+    std::vector<std::string> all;
+    for (const std::string& made : file->excerpts.by_macro)
+        all.push_back(fmt::format(
+            "{}: {}: functions that a macro makes are not looked at; write one out to check it", name, made));
+    for (const subject::Skipped& function : functions.left_out)
+        all.push_back(
+            base::one_line(fmt::format("{}: {} was left out: {}", name, function.name, function.why)));
+    return all;
+}
+
+bool FileFunctions::is_complete(bool named) const {
+    return std::ranges::none_of(functions.left_out,
+                                [named](const subject::Skipped& one) { return named || one.is_error; });
 }
 
 std::runtime_error nothing_was(const char* done, const std::string& file,

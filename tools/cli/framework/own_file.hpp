@@ -21,7 +21,7 @@ struct OwnFileOptions {
 
 // Whether a name ends like that of a shader file: .glsl, .frag, .FRAG, .fs ...
 [[nodiscard]] bool has_shader_ending(const std::string& word);
-// Whether a word of the command line is a shader file, not an equation: by its ending, or as a file's name.
+// Whether a word of the command line is a file, not an equation: by any ending, or as a file's name.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
 // A file and functions, of words that name these, or equations of one file instead. Throws
@@ -37,6 +37,11 @@ struct OwnFileOptions {
 struct FileFunctions {
     std::shared_ptr<const subject::OwnFile> file;
     subject::OwnFunctions functions;
+
+    // What is left out of the file of this name, a line each.
+    [[nodiscard]] std::vector<std::string> notes(const std::string& name) const;
+    // Whether no function is left out that does not compile, or that was named.
+    [[nodiscard]] bool is_complete(bool named) const;
 };
 
 // Throws std::runtime_error for a missing file; source::CompileError for what the preprocessor rejects;

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <ranges>
 #include <stdexcept>
 
 #include "backend/gl/device.hpp"
 #include "base/number.hpp"
-#include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/open_device.hpp"
 #include "module/steps.hpp"
@@ -63,19 +63,14 @@ std::vector<module::Variant> variants_of(const CheckOptions& options) {
 std::vector<judge::Question> functions_in_file(const CheckOptions& options, CheckOutcome& outcome) {
     const std::vector<std::string>& words = options.equations;
     const std::string& file = words.front();
-    const auto [own, functions] = functions_of(file, {words.begin() + 1, words.end()}, options.task.own);
-    const std::string& version = own->excerpts.version;
+    const FileFunctions read = functions_of(file, {words.begin() + 1, words.end()}, options.task.own);
+    const subject::OwnFunctions& functions = read.functions;
+    const std::string& version = read.file->excerpts.version;
     if (!version.empty() && version != "450" && version != "450 core")
         outcome.notes.push_back(
             fmt::format("{}: #version {} is compiled as #version 450 for Vulkan", file, version));
-    for (const std::string& made : own->excerpts.by_macro)
-        outcome.notes.push_back(fmt::format(
-            "{}: {}: functions that a macro makes are not looked at; write one out to check it", file, made));
-    for (const subject::Skipped& function : functions.left_out) {
-        outcome.notes.push_back(
-            base::one_line(fmt::format("{}: {} was left out: {}", file, function.name, function.why)));
-        outcome.complete = outcome.complete && !function.is_error && words.size() == 1;
-    }
+    std::ranges::move(read.notes(file), std::back_inserter(outcome.notes));
+    outcome.complete = read.is_complete(words.size() > 1);
     std::vector<judge::Question> questions;
     for (const subject::OwnFunction& one : functions.found)
         questions.push_back({.name = one.name, .file = one.file, .function = one.function.name});
