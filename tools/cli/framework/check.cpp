@@ -16,28 +16,25 @@
 namespace gloam::cli {
 namespace {
 
-// What is said of rows behind the table: of failures, of what was not judged (which a table would say),
-// coverage, and inputs for which a user's function has no defined result.
+// What was not judged, which a table would say.
 void print_not_judged(const judge::Answer& row) {
     if (row.outcome() == judge::Outcome::not_judged && row.reason != judge::Reason::unchanged)
         fmt::print("{} {}: not judged: {}\n", row.equation, row.variant,
                    base::one_line(row.ran() ? row.not_judged_because() : row.error));
 }
 
-void print_coverage(const judge::Answer& row) {
-    if (row.coverage) fmt::print("{} {}: {}\n", row.equation, row.variant, to_text(*row.coverage));
-}
-
-void print_undefined(const judge::Answer& row) {
+// The coverage of a row, the inputs without a result, and the domain of a property.
+void print_remarks(const judge::Answer& row) {
+    const auto print = [&row](const std::string& remark) {
+        fmt::print("{} {}: {}\n", row.equation, row.variant, remark);
+    };
+    if (row.coverage) print(to_text(*row.coverage));
     if (row.undefined > 0)
-        fmt::print("{} {}: {} {} of {} inputs, which were not judged: {}\n", row.equation, row.variant,
-                   row.no_result == judge::NoResult::too_long ? "it takes too long for"
-                                                              : "the result is undefined for",
-                   row.undefined, row.inputs(), row.first_undefined);
-}
-
-void print_domain(const judge::Answer& row) {
-    if (!row.domain.empty()) fmt::print("{} {}: {}\n", row.equation, row.variant, row.domain);
+        print(fmt::format("{} {} of {} inputs, which were not judged: {}",
+                          row.no_result == judge::NoResult::too_long ? "it takes too long for"
+                                                                     : "the result is undefined for",
+                          row.undefined, row.inputs(), row.first_undefined));
+    if (!row.domain.empty()) print(row.domain);
 }
 
 void print_rows(const CheckOutcome& outcome, void (*print)(const judge::Answer& row)) {
@@ -92,9 +89,7 @@ int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
     else
         print_rows(outcome, print_not_judged);
     fmt::print("{}", step_summary(outcome.reports));
-    print_rows(outcome, print_coverage);
-    print_rows(outcome, print_undefined);
-    print_rows(outcome, print_domain);
+    print_rows(outcome, print_remarks);
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
     if (outcome.counts.not_judged > 0 && is_of_file(options) && options.task.own.ranges.empty())
         fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");

@@ -84,22 +84,15 @@ std::vector<std::string> words_of(const std::string& name) {
     return words;
 }
 
-// "-1e3", "2pi", "-pi/2": a product of numbers.
+// "-1e3", "2pi", "-2*pi/3"
 std::optional<double> number_of(const std::string& text) {
-    static const base::Pattern factor(R"([*/]?(?:pi|π|[\d.]+(?:e[-+]?\d+)?))");
-    const std::size_t sign = text.starts_with("-") || text.starts_with("+") ? 1 : 0;
-    double product = text.starts_with("-") ? -1.0 : 1.0;
-    std::size_t read = sign;
-    for (std::string part : factor.all(text)) {
-        read += part.size();
-        const bool divides = part.starts_with("/");
-        if (divides || part.starts_with("*")) part.erase(0, 1);
-        const auto number = part == "pi" || part == "π" ? std::optional(pi) : base::number_from<double>(part);
-        if (!number) return std::nullopt;
-        product = divides ? product / *number : product * *number;
-    }
-    return read > sign && read == text.size() && std::isfinite(product) ? std::optional(product)
-                                                                        : std::nullopt;
+    static const base::Pattern product(R"(^([-+]?)([\d.]+(?:e[-+]?\d+)?)?\*?(pi|π)?(?:/([\d.]+))?$)");
+    const std::vector<std::string> m = product.first(text);
+    if (m.empty() || (m[2].empty() && m[3].empty())) return std::nullopt;
+    const auto times = base::number_from<double>(m[2].empty() ? "1" : m[2]);
+    const auto over = base::number_from<double>(m[4].empty() ? "1" : m[4]);
+    if (!times || !over || *over == 0.0) return std::nullopt;
+    return (m[1] == "-" ? -1.0 : 1.0) * *times * (m[3].empty() ? 1.0 : pi) / *over;
 }
 
 double after(double x, double towards) {
