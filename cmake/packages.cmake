@@ -11,6 +11,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 
 # What Debian wants compressed, and without a time.
 function(gloam_gzip FROM TO)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${FROM})
   execute_process(COMMAND gzip -9n INPUT_FILE ${FROM} OUTPUT_FILE ${TO} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 

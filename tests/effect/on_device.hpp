@@ -113,9 +113,9 @@ class OnDevice : public Base {
                                               const scene::DrawOptions& options = {}) const {
         const auto& [frame, motion, color, layers, guard] = options;
         const Drawing drawing{scene, extent.width, extent.height, frame, motion, color, layers, guard};
-        const auto [known, is_new] = shared_->drawn.try_emplace(drawing);
-        if (is_new) known->second = drawn(scene::make_scene(scene), extent, options);
-        return known->second;
+        const auto known = shared_->drawn.find(drawing);
+        if (known != shared_->drawn.end()) return known->second;
+        return shared_->drawn[drawing] = drawn(scene::make_scene(scene), extent, options);
     }
 
     // So many frames of a scene, from that of the options on.

@@ -47,7 +47,7 @@ TEST_F(Tiles, AreFullSizeOrHalf) {
     }
 }
 
-// More groups, of two tiles each, than a dimension of a dispatch has: 65,535.
+// More groups of refine, of two tiles each, than a dimension of a dispatch has: 65,535.
 TEST_F(Tiles, AreListedInLargeViews) {
     scene::GBuffer view = wall({1, 1}, 1.0F);
     view.extent = {4096, 2176};

@@ -204,7 +204,7 @@ class NpmTest(BrowserCase):
             const [half, ...others] = all.splice(-4).map((one) => one.got);
             return {all, others: others.map((other) => apart(half, other).mean)};""")
         for one in got["all"]:
-            self.assertLess(one["mean"], 1e-6)  # a frame of all the weight is rounded by what was before it
+            self.assertLess(one["mean"], 3e-7)  # one texel by 1/255: what was before rounds a frame of all the weight
             self.assertEqual((False, 0), (one["left"], one["error"]))
         self.assertGreater(min(got["others"][:2]), 1e-3)
         self.assertEqual(0, got["others"][2])

@@ -83,7 +83,7 @@ source::Excerpts excerpts(const source::Source& source, const std::vector<std::f
     std::vector<source::Source> texts = before_all(defines);
     texts.push_back(source);
     return source::excerpts(
-        internal::active_text(std::move(texts), source::Language::vulkan450, source::Stage::compute, roots));
+        internal::active_text(texts, source::Language::vulkan450, source::Stage::compute, roots));
 }
 
 std::vector<source::Mutation> mutations(const source::Source& source,

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""debian_test.py SOURCE BUILD: the Debian packages of Debian 12 and 13, each made in its release and used in a bare chroot.
+"""debian_test.py SOURCE BUILD: the packages of Debian 12 and 13, each made in its release and used in a bare chroot.
 
 GLOAM_DEBIAN=1 runs it, in about 15 minutes. Those of this machine's release are made of BUILD. Those of the other are
 made in the bare machine of tools/test-releases (GLOAM_DEBIAN_MACHINE names another folder). Wants root and debootstrap.
@@ -55,7 +55,7 @@ class Chroot:
                    "DEBIAN_FRONTEND=noninteractive", "sh", "-ec", command, **options)
 
     def install(self, *names, option="--no-install-recommends"):
-        """Packages by name, ours from their files, with what they depend on; with option="" what they recommend, too."""
+        """Packages by name, ours from their files, with what they depend on; option="": and recommend."""
         self.run(f"apt-get -q -y install {option} " + " ".join(self.packages.get(name, name) for name in names))
 
     def remove(self):

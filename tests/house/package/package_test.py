@@ -21,6 +21,7 @@ class InFolder(unittest.TestCase):
         self.work = BUILD / "tests/house/package" / self._testMethodName  # not another each time: ccache knows it
         shutil.rmtree(self.work, ignore_errors=True)
         self.work.mkdir(parents=True)
+        self.addCleanup(shutil.rmtree, self.work)
 
 
 class Installed(InFolder):

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "base/files.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check.hpp"
@@ -74,13 +76,16 @@ void add_guides(record::Page& page, record::OutputFolder& out) {
     }
 }
 
+// The time of a frame, on devices that have timestamps.
+std::string time_of(const Rendered& run) {
+    return std::isfinite(run.ms()) ? fmt::format("{:.3g} ms a frame", run.ms()) : "no timestamps";
+}
+
 record::Page page_of(const RenderOptions& options, const Rendered& run, record::OutputFolder& out) {
     record::Page page("gloam demo");
-    page.paragraph(
-        fmt::format("Ambient occlusion whose error is known. The view {} on {}: preset {}, {:.3g} ms "
-                    "a frame.",
-                    options.shown.source, run.report["device"]["name"].get<std::string>(),
-                    options.presets.front(), run.ms()));
+    page.paragraph(fmt::format("Ambient occlusion whose error is known. The view {} on {}: preset {}, {}.",
+                               options.shown.source, run.report["device"]["name"].get<std::string>(),
+                               options.presets.front(), time_of(run)));
     add_pictures(page, out, run, caption_of(options, run));
     site::add_live_effect(page, out, glsl_directory(), data_directory("site"));
     page.heading("Time and error");
@@ -131,9 +136,8 @@ int run_demo(const DemoOptions& demo) {
     record::Page page = page_of(options, run, out);
     out.write("index.html", page.html());
     out.keep();
-    say(demo, fmt::format("picture   {}, {} pixels, {}: a frame takes {:.4g} ms, its occlusion is {:.4f} "
-                          "off the truth",
-                          options.shown.source, options.shown.size, options.presets.front(), run.ms(),
+    say(demo, fmt::format("picture   {}, {} pixels, {}: {}, its occlusion is {:.4f} off the truth",
+                          options.shown.source, options.shown.size, options.presets.front(), time_of(run),
                           run.error.value()));
     const CheckOutcome outcome = check({.named = equations_named,
                                         .task = {.run = {.inputs = few_inputs}},

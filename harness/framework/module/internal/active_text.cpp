@@ -153,7 +153,7 @@ Client client_of(source::Language language) {
     return language == source::Language::vulkan450 ? Client::vulkan : Client::none;
 }
 
-source::ActiveText active_text(std::vector<source::Source> given, source::Language language,
+source::ActiveText active_text(const std::vector<source::Source>& given, source::Language language,
                                source::Stage stage, const std::vector<std::filesystem::path>& roots) {
     const IncludeFolders folders = include_folders(roots, given);
     source::ActiveText all;

@@ -51,8 +51,8 @@ using Reading = std::function<std::string(const std::filesystem::path&, std::str
 // Reads the texts in order, as the compiler for this language and stage does: its own preprocessor determines
 // the active lines. Throws CompileError, for example for an include that is missing or includes itself, for
 // #error, and for an invalid #version.
-[[nodiscard]] source::ActiveText active_text(std::vector<source::Source> given, source::Language language,
-                                             source::Stage stage,
+[[nodiscard]] source::ActiveText active_text(const std::vector<source::Source>& given,
+                                             source::Language language, source::Stage stage,
                                              const std::vector<std::filesystem::path>& roots);
 
 // What happens to functions that main does not call.
