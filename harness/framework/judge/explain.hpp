@@ -67,6 +67,9 @@ struct Explanation {
 // What Vulkan's precision rules say of its operations, a line for each kind: "OpFDiv: 2.5 ULP where ...".
 [[nodiscard]] std::vector<std::string> rules_of(const Explanation& explanation);
 
+// A line for each clause of these that is younger than a driver's version of Vulkan, "1.3.0".
+[[nodiscard]] std::string younger_rules(const Explanation& explanation, const std::string& api_version);
+
 // A table: titles, then a line for each step, and the result. The line with the largest rise of the error is
 // marked. If there are more than `most` steps, the table has those at which the error rises most; among equal
 // rises the later steps.

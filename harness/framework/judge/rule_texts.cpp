@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <string_view>
 
 #include "base/text.hpp"
@@ -23,6 +25,7 @@ struct Rule {
     std::string_view clause;      // a quotation, its formula in ASCII
     std::string_view text = {};   // what it means; empty: as it stands
     Specials specials = Specials::unbound;
+    std::array<unsigned, 3> since = {1, 0, 0};  // the first text of Vulkan that has the clause
 };
 
 using enum Specials;
@@ -47,8 +50,11 @@ constexpr std::array rules{
     Rule{" OpDot OpMatrixTimesVector OpVectorTimesMatrix OpMatrixTimesMatrix ",
          "Inherited from sum x_i * y_i.", "inherited from the sum of products", newer},
     Rule{" Fma ", "Inherited from OpFMul followed by OpFAdd.", "inherited from a product and a sum"},
-    Rule{" OpQuantizeToF16 PackHalf2x16 ", "Correctly rounded with implementation defined rounding mode.",
-         "correctly rounded to 16 bits"},
+    Rule{" OpQuantizeToF16 PackHalf2x16 ",
+         "Correctly rounded with implementation defined rounding mode.",
+         "correctly rounded to 16 bits",
+         unbound,
+         {1, 3, 290}},
     Rule{" Exp Exp2 ", "3 + 2 * |x| ULP.", "3 + 2 * abs(x) ULP"},
     Rule{" Log Log2 ",
          "3 ULP outside the range [0.5, 2.0]. Absolute error < 2^-21 inside the range [0.5, 2.0].",
@@ -97,18 +103,38 @@ std::string_view specials_text(Specials specials) {
     }
 }
 
+// nullptr: there is none for it.
+const Rule* rule_of(const std::string& operation) {
+    constexpr std::string_view set = "GLSL.std.450 ";
+    const std::string name = operation.starts_with(set) ? operation.substr(set.size()) : operation;
+    const auto rule = std::ranges::find_if(rules, [&name](const Rule& candidate) {
+        return candidate.operations.find(" " + name + " ") != std::string_view::npos;
+    });
+    return rule == rules.end() ? nullptr : &*rule;
+}
+
 }  // namespace
 
+std::string younger_rules(const Explanation& explanation, const std::string& api_version) {
+    std::array<unsigned, 3> version{};
+    if (std::sscanf(api_version.c_str(), "%u.%u.%u", &version[0], &version[1], &version[2]) != 3) return {};
+    std::string text;
+    for (const ExplainedStep& step : explanation.steps) {
+        const Rule* rule = rule_of(step.operation);
+        if (rule == nullptr || rule->since <= version) continue;
+        const std::string line = fmt::format(
+            "  \"{}\" of {} is a clause of Vulkan {}, and this driver is of {}: it does not bind it\n",
+            rule->clause, step.operation, fmt::join(rule->since, "."), api_version);
+        if (text.find(line) == std::string::npos) text += line;
+    }
+    return text;
+}
+
 std::vector<std::string> rules_of(const Explanation& explanation) {
-    constexpr std::string_view set = "GLSL.std.450 ";
     std::vector<std::string> lines;
     for (const ExplainedStep& step : explanation.steps) {
-        const std::string name =
-            step.operation.starts_with(set) ? step.operation.substr(set.size()) : step.operation;
-        const auto rule = std::ranges::find_if(rules, [&name](const Rule& candidate) {
-            return candidate.operations.find(" " + name + " ") != std::string_view::npos;
-        });
-        if (rule == rules.end()) continue;
+        const Rule* rule = rule_of(step.operation);
+        if (rule == nullptr) continue;
         std::string line = fmt::format("{}: {} (\"{}\" {})", step.operation, text_of(*rule), rule->clause,
                                        specials_text(rule->specials));
         if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));

@@ -222,8 +222,12 @@ std::string explanation_of(const Lab& lab, const Question& question, const Kerne
     try {
         const Explanation all = explain(lab.judged_options(), source, sample.inputs,
                                         images_of(question.scenario_of(sample.scenario), seed));
-        return reference_text(question, sample, all) +
-               "  the worst input, operation by operation, rounded correctly:\n" + to_text(all, most_lines);
+        return (sample.forbidden ? younger_rules(all, lab.info().api_version) : "") +
+               reference_text(question, sample, all) +
+               fmt::format("  the worst input{}, operation by operation, rounded correctly:
+",
+                           lab.options().variant.steps.empty() ? "" : " in the module before the steps") +
+               to_text(all, most_lines);
     } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story
         return fmt::format("  the worst input cannot be explained: {}\n", error.what());
     }
