@@ -2,6 +2,7 @@
 #include "judge/answer.hpp"
 
 #include <fmt/format.h>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -48,8 +49,10 @@ std::size_t Answer::judged() const {
 }
 
 std::string error_text(const Sample& sample) {
-    if (sample.fraction > 1.0 && sample.error.ulp == 0.0 && sample.error.absolute == 0.0)
+    if (sample.error.ulp == 0.0 && sample.error.absolute == 0.0)
         return "not measured: no accuracy is documented for this input";
+    if (std::isinf(sample.error.ulp) && std::isinf(sample.error.absolute))
+        return "infinite: an integer, a bool, an infinity or NaN differs, or it is outside the codomain";
     return fmt::format("{:.6g} ulp, {:.6g} absolute", sample.error.ulp, sample.error.absolute);
 }
 

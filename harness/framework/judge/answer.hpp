@@ -111,7 +111,7 @@ struct Sample {
     }
 };
 
-// "3 ulp, 0.1 absolute"; an output that fails without an error was measured against no documented accuracy.
+// Of one that fails, "3 ulp, 0.1 absolute". Without an error, it was measured against no documented accuracy.
 [[nodiscard]] std::string error_text(const Sample& sample);
 
 // The inputs of a class. A recorded or open input was not judged.

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t longest_value = 400;     // bytes of a cell
 constexpr std::size_t longest_story = 12'000;  // bytes of a failure's story
 constexpr std::size_t most_stories = 100;
-constexpr int device_column = 3;  // if there are several devices
+constexpr int device_column = 4;  // if there are several devices
 
 std::vector<Column> columns(bool several_devices) {
     std::vector<Column> all{
@@ -165,8 +165,9 @@ Table accuracy_table(const std::vector<CheckReport>& reports) {
     for (const EquationAccuracy& e : accuracies(reports)) {
         std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{e.equation, e.documented});
         if (const auto& any = e.any_driver) {
-            cells.emplace_back(fmt::format("{:.1e}", any->absolute), any->absolute);
-            cells.emplace_back(fmt::format("{:.3g}", any->ulp), any->ulp);
+            const bool anything = e.open > 0.5 && any->absolute == 0.0;  // of ordinary inputs
+            cells.emplace_back(anything ? "anything" : fmt::format("{:.1e}", any->absolute), any->absolute);
+            cells.emplace_back(anything ? "anything" : fmt::format("{:.3g}", any->ulp), any->ulp);
             cells.emplace_back(fmt::format("{:.3g}", 100.0 * e.open), e.open);
         } else {
             cells.insert(cells.end(), 3, "-");
