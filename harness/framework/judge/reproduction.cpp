@@ -134,12 +134,37 @@ bool after(const Steps& steps, const Lab& lab, bool cannot, const std::function<
     }
 }
 
+// The inputs that ran in one group with a failing one.
+std::vector<Words> group_of(const Lab& lab, const Question& question, const Session& session,
+                            const RunOptions& options, const Sample& failing) {
+    std::vector<Words> group;
+    for (const auto& [scenario, share] : question.shares(options.inputs)) {
+        if (scenario.name != failing.scenario) continue;
+        const Domain::Inputs all =
+            domain_of(lab, question, session.source()).draw(share, session.input_seed(), scenario.size);
+        const std::size_t first = failing.index / kernel_group_size * kernel_group_size;
+        for (std::size_t i = first; i < std::min(first + kernel_group_size, all.count()); ++i)
+            group.emplace_back(all.row(i).begin(), all.row(i).end());
+    }
+    return group;
+}
+
 Reproduction reproduce_with(const Lab& lab, const Question& question, const RunOptions& options,
                             const Sample& failing) {
     const Session session = session_of(lab, question, options, failing.scenario);
-    Sample smallest =
-        shrink(question, failing, [&](const auto& inputs) { return session.first_failing(inputs); });
-    Reproduction all = without_verdict(lab, question, failing.scenario, session.images(), smallest.inputs);
+    const auto first_failing = [&](std::span<const Words> inputs) { return session.first_failing(inputs); };
+    const bool alone = lab.options().variant.constants != Constants::none ||
+                       first_failing(std::span(&failing.inputs, 1)).has_value();
+    std::vector<Words> group;
+    if (!alone) group = group_of(lab, question, session, options, failing);
+    const std::optional<Sample> beside = first_failing(group);
+    Sample smallest = beside ? *beside : shrink(question, failing, first_failing);
+    if (!beside) group = {smallest.inputs};
+    Words inputs;
+    for (const Words& one : group) inputs.insert(inputs.end(), one.begin(), one.end());
+    Reproduction all = without_verdict(lab, question, failing.scenario, session.images(), std::move(inputs));
+    all.count = group.size();
+    all.failing = beside ? beside->index : 0;
     all.outcomes = allowed_outcomes(question, session.images(), smallest);
     if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
     all.failure = smallest;

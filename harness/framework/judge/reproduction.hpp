@@ -43,7 +43,9 @@ struct Reproduction {
         bool bound = false;
     };
     std::vector<ImageBuffer> images;
-    std::vector<Word> inputs;
+    std::vector<Word> inputs;  // of each that runs
+    std::size_t count = 1;     // of these: several, where it fails only beside others
+    std::size_t failing = 0;   // the one that fails
     bool specialized = false;  // the inputs are specialization constants: word i has the constant_id i
     std::vector<module::Scalar> outputs;
     std::vector<Sample::Outcome> outcomes;  // that are allowed; empty if no failing input is known
@@ -56,8 +58,9 @@ struct Reproduction {
                                      const RunOptions& options);
 
 // The same with the simplest failing input that shrink() finds, starting from an input that failed in a run
-// with these options. Throws std::invalid_argument if that input does not fail any more, or if it ran with
-// images that the check does not have.
+// with these options. An input that fails only beside others comes with its group. Throws
+// std::invalid_argument if that does not fail any more either, or if it ran with images that the check does
+// not have.
 [[nodiscard]] Reproduction reproduce(const subject::Lab& lab, const Question& question,
                                      const RunOptions& options, const Sample& failing);
 

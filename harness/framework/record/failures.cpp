@@ -241,8 +241,10 @@ std::string to_c_program(const Reproduction& all, const std::vector<std::string>
         " */\n#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n"
         "#include <string.h>\n#include <vulkan/vulkan.h>\n\n";
     text += fmt::format("#define FOUND_ON {}\n", literal(device));
-    text += fmt::format("#define ROW_LENGTH {}u\n#define SPECIALIZED {}\n#define IMAGES {}\n\n",
-                        one_input.row_length, all.specialized ? 1 : 0, all.images.size());
+    text += fmt::format(
+        "#define RUNS {}u /* inputs */\n#define JUDGED {}u /* the one that fails */\n#define ROW_LENGTH {}u\n"
+        "#define SPECIALIZED {}\n#define IMAGES {}\n\n",
+        all.count, all.failing, one_input.row_length, all.specialized ? 1 : 0, all.images.size());
     text += array("inputs", all.inputs);
     std::vector<std::pair<const char*, const Words*>> modules{
         {all.before.empty() ? "the module" : "after the steps", &all.spirv}};

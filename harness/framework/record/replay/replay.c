@@ -3,7 +3,8 @@
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 #define BINDINGS (3 + IMAGES) /* buffers of inputs, outputs, faults; images */
-#define END_MARK 0x3f800000u /* the kernel writes it behind the outputs */
+#define WIDTH (COUNT(is_float) + 1) /* words in the output buffer for an input */
+#define END_MARK 0x3f800000u /* the kernel writes it, xor the input's number, behind its outputs */
 
 static void require(VkResult result, const char *what) {
     if (result == VK_SUCCESS) return;
@@ -321,7 +322,7 @@ static void dispatch(VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorS
     const VkCommandBuffer commands = begin_commands();
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &set, 0, NULL);
-    const uint32_t run[] = {1, ROW_LENGTH, END_MARK}; /* inputs, invocations in a row, the mark */
+    const uint32_t run[] = {RUNS, ROW_LENGTH, END_MARK}; /* inputs, invocations in a row, the mark */
     vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(run), run);
     vkCmdDispatch(commands, 1, 1, 1);
     const VkMemoryBarrier barrier = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
@@ -357,7 +358,7 @@ static int judge(size_t i, uint32_t word, unsigned char *outcome_holds) {
 
 static int run_module(const struct module *module) {
     struct resource resources[BINDINGS] = {make_resource(inputs, COUNT(inputs)),
-                                           make_resource(NULL, COUNT(is_float) + 1 + 64),
+                                           make_resource(NULL, RUNS * WIDTH + 64),
                                            make_resource(NULL, 5)};
     for (size_t i = 0; i + 3 < BINDINGS; ++i)
         if (images[i].sampled)
@@ -375,15 +376,16 @@ static int run_module(const struct module *module) {
     require(vkCreatePipelineLayout(device, &info, NULL, &layout), "vkCreatePipelineLayout");
     dispatch(make_pipeline(module, layout), layout, make_set(set_layout, resources));
     printf("%s:\n", module->name);
+    const uint32_t *const outputs = resources[1].mapped + JUDGED * WIDTH;
     int outside = 0;
     unsigned char outcome_holds[COUNT(outcomes)];
     memset(outcome_holds, 1, sizeof(outcome_holds));
-    for (size_t i = 0; i < COUNT(is_float); ++i) outside += judge(i, resources[1].mapped[i], outcome_holds);
+    for (size_t i = 0; i < COUNT(is_float); ++i) outside += judge(i, outputs[i], outcome_holds);
     if (outside == 0 && memchr(outcome_holds, 1, sizeof(outcome_holds)) == NULL) {
         printf("  no outcome has all outputs together: OUTSIDE\n");
         ++outside;
     }
-    if (resources[1].mapped[COUNT(is_float)] != END_MARK) {
+    if (outputs[COUNT(is_float)] != (END_MARK ^ JUDGED)) {
         printf("  the kernel did not run to its end\n");
         ++outside;
     }
