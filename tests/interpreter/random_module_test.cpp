@@ -41,11 +41,7 @@ struct Subject {
 class RandomModule : public testing::TestWithParam<int> {
   protected:
     // The process knows a browser's SwiftShader by its name then.
-    static void SetUpTestSuite() {
-        const auto manifest = backend::vulkan::find_swiftshader();
-        if (manifest && !backend::vulkan::drivers_are_chosen())
-            backend::vulkan::add_drivers(std::array{*manifest});
-    }
+    static void SetUpTestSuite() { backend::vulkan::add_swiftshader(); }
     [[nodiscard]] static std::vector<std::uint64_t> seeds() {
         std::vector<std::uint64_t> all(6);
         for (std::size_t i = 0; i < all.size(); ++i)

@@ -122,6 +122,19 @@ TEST(Merge, ShardsBecomeTheWholeAndDriversAreToldApartByAllTheySay) {
         << "the same row twice is one, whatever its time";
 }
 
+TEST(Merge, AShardThatIsMissingIsSaidAndADriverIsOneManifest) {
+    std::vector<ReportFile> files;
+    for (const char* shard : {"0/3", "2/3", "1/3"}) files.push_back({shard, report_of("A", {})});
+    for (ReportFile& file : files) file.report.shards = {file.file};
+    EXPECT_THAT(merge(files).missing, IsEmpty());
+    files.back().report.device.manifest = "other.json";
+    EXPECT_THAT(merge(files).missing, ElementsAre("A (driver 1.2): no file has the shard 1/3",
+                                                  "A (driver 1.2), other.json: no file has the shard 0/3"));
+    files.pop_back();
+    files.push_back({"whole", report_of("A", {})});
+    EXPECT_THAT(merge(files).missing, IsEmpty());
+}
+
 TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
     judge::Answer little = passing_row("EQ-1");
     ordinary(little).outside = 1;
@@ -173,6 +186,10 @@ TEST(Changes, TwoBuildsAreCompared) {
     now.seed = 2;
     EXPECT_THAT(changes_since({before}, {now}),
                 ElementsAre("A (driver 1.3): no earlier run has its 0 inputs with seed 2"));
+    now.seed = before.seed;
+    now.device.name = "A, 128 bits";
+    EXPECT_EQ(changes_since({before}, {now}).size(), 6U) << "the only device of each";
+    EXPECT_THAT(changes_since({before, before}, {now}), ElementsAre(HasSubstr("no earlier run")));
 }
 
 std::vector<CheckReport> two_drivers() {

@@ -5,7 +5,8 @@
 namespace gloam::record::failure_text_test {
 
 std::string text_of(const judge::Answer& row, const FailureBundle& bundle = {}) {
-    return failure_text(report_of("GPU", {}).device, row, bundle, "gloam check EQ-1", "gloam 1.2");
+    return failure_text(report_of("GPU", {}).device, row, bundle, "gloam check EQ-1", "gloam 1.2",
+                        "cc repro.c && ./repro");
 }
 
 TEST(FailureText, TellsAllThatAReportNeeds) {
@@ -50,7 +51,19 @@ TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
     const std::string text = text_of(row, {.error = "it hangs."});
     EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
     EXPECT_THAT(text, HasSubstr("could not be made: it hangs."));
-    EXPECT_THAT(text, Not(HasSubstr("input  ")));
+    EXPECT_THAT(text, Not(AnyOf(HasSubstr("input  "), HasSubstr("Judged by"))));
+}
+
+TEST(FailureText, SaysNoNumberWhereThereIsNone) {
+    judge::Answer row = failing_row();
+    EXPECT_THAT(text_of(row), HasSubstr("documented accuracy: 4 ulp"));
+    row.budget = {};
+    row.worst->error = {.ulp = numeric::infinity, .absolute = numeric::infinity};
+    EXPECT_THAT(text_of(row, {.reproduction = {.count = 64}, .c_program = "int main;"}),
+                AllOf(HasSubstr("error   infinite: an integer"), HasSubstr("its group of 64"),
+                      HasSubstr(" alone: cc repro.c && ./repro\n"), Not(HasSubstr("documented accuracy"))));
+    row.worst->error = {};
+    EXPECT_THAT(text_of(row), HasSubstr("error   not measured"));
 }
 
 TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {

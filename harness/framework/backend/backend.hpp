@@ -76,6 +76,7 @@ struct SamplerPrecision {
 struct DeviceInfo {
     std::size_t index = 0;
     std::string name;         // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string manifest;     // of its driver, where it was asked for or tells devices of one name apart
     std::string type;         // "cpu", "integrated", "discrete", "virtual", "other"; "opengl", "opengl es";
                               // "interpreter"
     std::string driver;       // driver name and its own version text, or its version if it has no text

@@ -224,8 +224,7 @@ std::string explanation_of(const Lab& lab, const Question& question, const Kerne
                                         images_of(question.scenario_of(sample.scenario), seed));
         return (sample.forbidden ? younger_rules(all, lab.info().api_version) : "") +
                reference_text(question, sample, all) +
-               fmt::format("  the worst input{}, operation by operation, rounded correctly:
-",
+               fmt::format("  the worst input{}, operation by operation, rounded correctly:\n",
                            lab.options().variant.steps.empty() ? "" : " in the module before the steps") +
                to_text(all, most_lines);
     } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story

@@ -122,8 +122,9 @@ void members(Io& io, FloatControls& controls) {
 
 template <class Io>
 void members(Io& io, DeviceSummary& device) {
-    each<Present::name>(io, "name", device.name, "driver", device.driver, "type", device.type, "api_version",
-                        device.api_version);
+    io.member("name", device.name, Present::name);
+    io.member("manifest", device.manifest, Present::if_any);
+    each<Present::name>(io, "driver", device.driver, "type", device.type, "api_version", device.api_version);
     FloatControls controls{device.float32};
     io.member("float_controls", controls);
 }

@@ -44,6 +44,10 @@ CheckReport read_report(const JsonReader& json) {
     if (json.has("versions")) report.versions = json.member("versions").name();
     if (json.has("inputs")) report.inputs = json.member("inputs").count();
     if (json.has("seed")) report.seed = json.member("seed").count();
+    if (json.has("shards"))
+        for (const JsonReader& shard : json.member("shards").elements())
+            if (report.shards.insert(shard.name()).first->find('/') == std::string::npos)
+                shard.expected("INDEX/COUNT");
     report.rows = from_json<std::vector<judge::Answer>>(json.member("results"));
     return report;
 }
@@ -51,7 +55,8 @@ CheckReport read_report(const JsonReader& json) {
 }  // namespace
 
 std::string name_of(const DeviceSummary& device) {
-    return device.driver.empty() ? device.name : device.name + " (" + device.driver + ")";
+    const std::string name = device.driver.empty() ? device.name : device.name + " (" + device.driver + ")";
+    return device.manifest.empty() ? name : name + ", " + device.manifest;
 }
 
 std::string api_of(const DeviceSummary& device) {
@@ -69,6 +74,7 @@ std::string to_json(const std::vector<CheckReport>& reports) {
             object["inputs"] = report.inputs;
             object["seed"] = report.seed;
         }
+        if (!report.shards.empty()) object["shards"] = report.shards;
         object["results"] = json_of(report.rows);
     }
     return to_text(all.size() == 1 ? all.front() : all);
@@ -167,8 +173,7 @@ const std::vector<Column>& error_columns() {
         {.title = "judged", .meaning = "inputs for which some result would have failed", .numeric = true},
         {.title = "worst ulp",
          .meaning = "largest error in units in the last place of the printed equation, or of a function of "
-                    "your own, in "
-                    "double precision; "
+                    "your own, in double precision, without errors within a documented absolute one; "
                     "permitted: it is infinite, and the rules permit that",
          .numeric = true},
         {.title = "worst abs", .meaning = "largest absolute error", .numeric = true},
@@ -216,8 +221,10 @@ std::string remark_on(const judge::Answer& row) {
     if (!why.empty() || !row.ran()) return why;
     std::string remark;
     if (row.open() > 0)
-        remark = fmt::format("any result would pass for {} of {}", row.open(),
-                             row.rules_alone() ? row.bounded : row.inputs());
+        remark = fmt::format(
+            "any result would pass for {} of {}{}", row.open(),
+            row.rules_alone() ? row.bounded : row.inputs(),
+            row.rules_alone() && row.bounded < row.inputs() ? " whose bounds were calculated" : "");
     std::string separator = remark.empty() ? "not promised: " : "; not promised: ";
     for (const judge::InputClass input_class : row.not_promised()) {
         remark += separator + std::string(name_of(input_class));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string_view>
 
 #include "judge/answer.hpp"
@@ -12,13 +13,14 @@ namespace gloam::record {
 // The device of a check, for reports.
 struct DeviceSummary {
     std::string name;
+    std::string manifest = {};  // backend::DeviceInfo::manifest
     std::string driver;
     std::string type;
     std::string api_version;
     backend::FloatControls float32 = {};
 };
 
-// "NAME (DRIVER)", which identifies a driver in a report.
+// "NAME (DRIVER)", and the manifest where there is one, which identifies a driver in a report.
 [[nodiscard]] std::string name_of(const DeviceSummary& device);
 
 // "Vulkan 1.3.230", "OpenGL ES 3.1", "WebGL 2.0 (OpenGL ES 3.0 Chromium)".
@@ -28,9 +30,10 @@ struct DeviceSummary {
 struct CheckReport {
     DeviceSummary device;
     std::vector<judge::Answer> rows;
-    std::string versions{};  // of gloam and of the compilers; empty: unknown
-    std::size_t inputs = 0;  // that were asked for; 0: unknown
-    std::uint64_t seed = 0;  // of these; 0: unknown
+    std::string versions{};          // of gloam and of the compilers; empty: unknown
+    std::size_t inputs = 0;          // that were asked for; 0: unknown
+    std::uint64_t seed = 0;          // of these; 0: unknown
+    std::set<std::string> shards{};  // that it is made of, "0/3"; empty: it is whole
 
     [[nodiscard]] std::size_t count(judge::Outcome outcome) const;
 };
@@ -103,6 +106,7 @@ struct ReportFile {
 struct MergedReports {
     std::vector<CheckReport> reports;    // drivers in the order of their files; rows sorted by equation
     std::vector<std::string> conflicts;  // a line for each row that differs between two files
+    std::vector<std::string> missing;    // a line for each driver of which there are not all shards
 };
 
 // Merges files. Two drivers are the same if all their reported properties are; their rows for the same inputs
@@ -112,7 +116,8 @@ struct MergedReports {
 
 // A line for each check that newly failed or was mended since an earlier run, and whose error grew or shrank
 // by more than a tenth and by more than a hundredth of what is allowed. A run is compared with one of the
-// same device, inputs and seed: of the same driver if there is one, otherwise of another build.
+// same device, inputs and seed: of the same driver if there is one, otherwise of another build. Where each
+// side has one device, that may have another name.
 [[nodiscard]] std::vector<std::string> changes_since(const std::vector<CheckReport>& before,
                                                      const std::vector<CheckReport>& now);
 

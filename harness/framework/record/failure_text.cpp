@@ -78,23 +78,33 @@ std::string yes_no(bool flag) {
 }  // namespace
 
 std::string failure_text(const DeviceSummary& device, const judge::Answer& row, const FailureBundle& bundle,
-                         const std::string& command, const std::string& versions) {
+                         const std::string& command, const std::string& versions,
+                         const std::string& program_command) {
     const auto& [steps, rules, smallest] =
         std::tie(bundle.reproduction.steps, bundle.reproduction.rules, bundle.reproduction.failure);
     std::string text =
         fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);
     text += row.ran() ? row.story + "\n" : fmt::format("{}: {}\n\n", name_of(row.reason), row.error);
     if (smallest) text += input_text("The simplest input found that fails:", *smallest);
-    if (row.worst) text += input_text("The input with the largest error:", *row.worst);
+    if (bundle.reproduction.count > 1)
+        text += fmt::format("It fails only beside other inputs: the program runs its group of {}.\n\n",
+                            bundle.reproduction.count);
+    if (row.worst) text += input_text("The input farthest outside of what is allowed:", *row.worst);
+    // A function that documents no accuracy has none to be exact by.
+    const bool documents = !row.rules_alone() || to_text(row.budget) != to_text(judge::Budget{});
+    if (row.ran())
+        text += fmt::format(
+            "Judged by: {}{}\n\n",
+            row.rules_alone() ? "what Vulkan's precision rules permit" : "the documented accuracy",
+            documents ? "; documented accuracy: " + to_text(row.budget) : "");
     text += fmt::format(
-        "Judged by: {}; documented accuracy: {}\n\n"
         "Device: {}\n  driver {}, {}, type {}\n"
         "  float32: keeps signed zero, infinity and NaN: {}; keeps subnormals: {}; flushes them: {}; "
         "rounds to even: {}\n\n",
-        row.rules_alone() ? "what Vulkan's precision rules permit" : "the documented accuracy",
-        to_text(row.budget), device.name, device.driver, api_of(device), device.type,
-        yes_no(device.float32.preserves_signed_zero_inf_nan), yes_no(device.float32.preserves_denormals),
-        yes_no(device.float32.flushes_denormals), yes_no(device.float32.rounds_to_even));
+        device.manifest.empty() ? device.name : device.name + ", " + device.manifest, device.driver,
+        api_of(device), device.type, yes_no(device.float32.preserves_signed_zero_inf_nan),
+        yes_no(device.float32.preserves_denormals), yes_no(device.float32.flushes_denormals),
+        yes_no(device.float32.rounds_to_even));
     text += "Versions: " + versions + "\n\n";
     if (!bundle.error.empty())
         text += "The shader and a reproduction could not be made: " + bundle.error + "\n\n";
@@ -108,7 +118,7 @@ std::string failure_text(const DeviceSummary& device, const judge::Answer& row, 
             fmt::join(rules, "\n  "));
     if (!steps.empty()) text += fmt::format("The fewest steps that fail: {}\n", fmt::join(steps, " | "));
     if (!bundle.c_program.empty())
-        text += "Run it on the Vulkan loader alone: cc repro.c -o repro -lvulkan -lm && ./repro\n";
+        text += fmt::format("Run it on the Vulkan loader alone: {}\n", program_command);
     return text;
 }
 

@@ -31,9 +31,10 @@ struct FailureBundle {
 // The description of a failing row, complete in itself: what failed where, the smallest input found in
 // decimal and hexadecimal, the result, the expected and the allowed values, the device and its driver, and
 // how to run it again. command: that repeats the check. versions: of gloam and of the compilers.
+// program_command: that builds and runs the program in C.
 [[nodiscard]] std::string failure_text(const DeviceSummary& device, const judge::Answer& row,
                                        const FailureBundle& bundle, const std::string& command,
-                                       const std::string& versions);
+                                       const std::string& versions, const std::string& program_command);
 
 // The word in a shell's syntax, quoted if necessary.
 [[nodiscard]] std::string shell_word(const std::string& text);

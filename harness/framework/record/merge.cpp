@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/number.hpp"
 #include "numeric/numbers.hpp"
 #include "record/answer_json.hpp"
 #include "record/check_report.hpp"
@@ -55,6 +56,19 @@ void unite(Rows& rows, const judge::Answer& row, const ReportFile& from,
     if (severity(row) > severity(known.row)) known = {row, from.file};
 }
 
+// Of a driver, the shards that no file has; empty: none.
+std::string missing_shards(const CheckReport& report) {
+    std::string missing;
+    for (const std::string& shard : report.shards) {
+        const std::string of = shard.substr(shard.find('/'));
+        const auto count = base::number_from<std::size_t>(std::string_view(of).substr(1)).value_or(0);
+        for (std::size_t i = 0; i < count && missing.empty(); ++i)
+            if (!report.shards.contains(std::to_string(i) + of)) missing = std::to_string(i) + of;
+    }
+    return missing.empty() ? missing
+                           : fmt::format("{}: no file has the shard {}", name_of(report.device), missing);
+}
+
 }  // namespace
 
 MergedReports merge(const std::vector<ReportFile>& files) {
@@ -66,13 +80,22 @@ MergedReports merge(const std::vector<ReportFile>& files) {
         const auto [place, is_new] = places.try_emplace(
             fmt::format("{} {} {}", line_of(report.device), report.inputs, report.seed), rows.size());
         if (is_new) {
-            merged.reports.push_back({report.device, {}, report.versions, report.inputs, report.seed});
+            merged.reports.push_back(
+                {report.device, {}, report.versions, report.inputs, report.seed, report.shards});
             rows.emplace_back();
         }
+        std::set<std::string>& shards = merged.reports[place->second].shards;
+        if (shards.empty() || report.shards.empty())
+            shards.clear();
+        else
+            shards.insert(report.shards.begin(), report.shards.end());
         for (const judge::Answer& row : report.rows) unite(rows[place->second], row, file, merged.conflicts);
     }
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (auto& [key, origin] : rows[i]) merged.reports[i].rows.push_back(std::move(origin.row));
+    for (const CheckReport& report : merged.reports)
+        if (std::string line = missing_shards(report); !line.empty())
+            merged.missing.push_back(std::move(line));
     return merged;
 }
 
@@ -85,7 +108,9 @@ const CheckReport* earlier_run(const std::vector<CheckReport>& before, const Che
         if (report.device.name != now.device.name || report.device.type != now.device.type ||
             report.inputs != now.inputs || report.seed != now.seed)
             continue;
-        if (report.device.driver == now.device.driver && report.device.api_version == now.device.api_version)
+        if (report.device.driver == now.device.driver &&
+            report.device.api_version == now.device.api_version &&
+            report.device.manifest == now.device.manifest)
             return &report;
         found = &report;
     }
@@ -130,7 +155,12 @@ std::vector<std::string> changes_since(const std::vector<CheckReport>& before,
                                        const std::vector<CheckReport>& now) {
     std::vector<std::string> changes;
     for (const CheckReport& report : now) {
-        if (const CheckReport* earlier = earlier_run(before, report))
+        const CheckReport* earlier = earlier_run(before, report);
+        const bool one_each = before.size() == 1 && now.size() == 1;
+        if (earlier == nullptr && one_each && before[0].inputs == report.inputs &&
+            before[0].seed == report.seed)
+            earlier = before.data();  // another build may name its device otherwise
+        if (earlier != nullptr)
             compare(*earlier, report, changes);
         else
             changes.push_back(fmt::format("{}: no earlier run has its {} inputs with seed {}",

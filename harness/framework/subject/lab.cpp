@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <array>
 #include <utility>
 
 #include "backend/gl/device.hpp"
@@ -73,9 +72,7 @@ constexpr const char* quad_vertices =
 
 std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
     // A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
-    if (base::lower(options.device).starts_with("swiftshader") && !backend::vulkan::drivers_are_chosen())
-        if (const auto manifest = backend::vulkan::find_swiftshader())
-            backend::vulkan::add_drivers(std::array{*manifest});
+    if (base::lower(options.device).starts_with("swiftshader")) backend::vulkan::add_swiftshader();
     if (options.device == interpreter_name) return interpreter_backend();
     if (backend::gl::is_device_name(options.device))
         return std::make_shared<backend::gl::Device>(options.device);

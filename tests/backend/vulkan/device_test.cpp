@@ -74,8 +74,8 @@ constexpr const char* good_manifest =
 class DriversTest : public testing::Test {
   protected:
     void expect_refused(const fs::path& manifest, std::initializer_list<std::string> parts) const {
-        expect_error<std::runtime_error>([&] { add_drivers(std::array{manifest}); }, parts);
-        EXPECT_FALSE(drivers_are_chosen()) << "changed all the same";
+        expect_error<std::runtime_error>([&] { choose_drivers(std::array{manifest}); }, parts);
+        EXPECT_THAT(chosen_drivers(), IsEmpty()) << "changed all the same";
     }
 
     const TemporaryDirectory folder;
@@ -97,45 +97,27 @@ TEST_F(DriversTest, SwiftShaderIsFoundInTheFirstFolderThatHasAllOfIt) {
     EXPECT_EQ(find_swiftshader(std::vector<fs::path>()), std::nullopt);
 }
 
-TEST_F(DriversTest, DriversComeBesidesThoseOfTheSystem) {
+// A relative path is made absolute, and what was chosen before is replaced.
+TEST_F(DriversTest, DriversComeInsteadOfAllOthers) {
     const fs::path first = folder.write("first.json", good_manifest);
     const fs::path second =
         folder.write("second.json", R"({"ICD": {"library_path": "libsystem_finds_it.so"}})");
     folder.write("driver.so", "");
-    EXPECT_FALSE(drivers_are_chosen());
-    add_drivers(std::array{first, second});
-    EXPECT_TRUE(drivers_are_chosen());
-    EXPECT_EQ(std::getenv("VK_DRIVER_FILES"), nullptr);
-    add_drivers(std::array{first});
-    EXPECT_EQ(std::string(std::getenv("VK_ADD_DRIVER_FILES")),
-              first.string() + ":" + second.string() + ":" + first.string());
-}
-
-TEST_F(DriversTest, DriversComeBesidesThoseThatTheEnvironmentNames) {
-    const fs::path manifest = folder.write("manifest.json", good_manifest);
-    folder.write("driver.so", "");
-    for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) {
-        const ScopedVariable chosen(variable, "/the/only.json");
-        EXPECT_TRUE(drivers_are_chosen());
-        add_drivers(std::array{manifest});
-        EXPECT_EQ(std::string(std::getenv(variable)), "/the/only.json:" + manifest.string());
+    EXPECT_THAT(chosen_drivers(), IsEmpty());
+    for (const char* before : {"", "/the/only.json"}) {
+        const ScopedVariable chosen("VK_DRIVER_FILES", before);
+        add_swiftshader();
         EXPECT_EQ(std::getenv("VK_ADD_DRIVER_FILES"), nullptr);
+        choose_drivers(std::array{first, fs::relative(second)});
+        const std::string both = first.string() + ":" + fs::absolute(fs::relative(second)).string();
+        EXPECT_THAT(chosen_drivers(),
+                    ElementsAre(std::pair<std::string, std::string>("VK_DRIVER_FILES", both)));
     }
-}
-
-// A relative path is made absolute.
-TEST_F(DriversTest, AVariableThatIsSetToNothingIsAChoiceToo) {
-    const ScopedVariable chosen("VK_DRIVER_FILES", "");
-    EXPECT_TRUE(drivers_are_chosen());
-    const fs::path manifest = folder.write("manifest.json", R"({"ICD": {"library_path": "libfound.so"}})");
-    add_drivers(std::array{fs::relative(manifest)});
-    EXPECT_TRUE(fs::path(std::getenv("VK_DRIVER_FILES")).is_absolute());
-    EXPECT_TRUE(fs::equivalent(std::getenv("VK_DRIVER_FILES"), manifest));
 }
 
 TEST_F(DriversTest, WhatIsNoDriverIsNamed) {
     expect_refused(folder.path() / "nowhere.json", {"nowhere.json", "no such file"});
-    expect_refused(folder.path(), {folder.path().c_str(), "no such file"});
+    expect_refused(folder.path(), {folder.path().c_str(), "a folder"});
     for (const char* text : {"", "no JSON", "[]", "{}", R"({"ICD": 3})", R"({"ICD": {"library_path": 7}})"})
         expect_refused(folder.write("bad.json", text), {"bad.json", "not a driver manifest", "library_path"});
     expect_refused(folder.write("lonely.json", good_manifest), {"lonely.json", "driver.so", "missing"});

@@ -48,18 +48,20 @@ std::string step_summary(const std::vector<record::CheckReport>& reports) {
         for (const judge::Answer& row : report.rows) {
             if (row.steps().empty()) continue;
             auto& [modules, changed, failed, not_judged] = counts[row.variant];
-            const bool is_changed = row.reason != judge::Reason::unchanged;
             ++modules;
-            if (is_changed) ++changed;
+            if (row.reason != judge::Reason::unchanged) ++changed;
             if (row.failed()) ++failed;
-            if (is_changed && !row.failed() && !row.passed()) ++not_judged;
+            if (!row.failed() && !row.passed()) ++not_judged;
         }
     }
     std::string text;
     for (const auto& [variant, count] : counts)
         text +=
             fmt::format("{:>7} {:>8} {:>7} {:>11}  {}\n", count[0], count[1], count[2], count[3], variant);
-    return text.empty() ? text : "modules  changed  failed  not judged  variant\n" + text;
+    if (text.empty()) return text;
+    const bool none = std::ranges::none_of(counts, [](const auto& count) { return count.second[1] > 0; });
+    return "modules  changed  failed  not judged  variant\n" + text +
+           (none ? "nothing is judged: the steps left each module as it was\n" : "");
 }
 
 // Throws std::invalid_argument for options that a user's file has, or only equations.
@@ -68,6 +70,10 @@ void require_fitting(const CheckOptions& options) {
         if (options.resume) throw std::invalid_argument("--resume is for equations, not for a shader file");
         return;
     }
+    for (const std::string& word : options.equations)
+        if (std::filesystem::is_regular_file(word))
+            throw std::invalid_argument(word +
+                                        ": a shader file is checked alone, without equations before it");
     const OwnFileOptions& own = options.task.own;
     if (!own.ranges.empty()) throw std::invalid_argument("--range is for the functions of a shader file");
     if (!own.includes.empty()) throw std::invalid_argument("--include is for a shader file");
@@ -80,9 +86,10 @@ int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
     for (const record::CheckReport& report : outcome.reports)
         for (const judge::Answer& row : report.rows) {
             if (!row.failed()) continue;
-            fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
-            if (!row.variant.empty())  // it is not the device itself
-                fmt::print("run it again: {}\n", command_for(options, report.device, row));
+            const bool is_device = row.variant.empty();
+            fmt::print("\n{} {}: {}\n", row.equation, is_device ? name_of(report.device) : row.variant,
+                       row.ran() ? row.story : row.error);
+            if (!is_device) fmt::print("run it again: {}\n", command_for(options, report.device, row));
         }
     if (options.rows)
         fmt::print("\n{}", record::table_legend());
@@ -161,6 +168,7 @@ CheckOutcome check(const CheckOptions& options) {
         report.versions = versions();
         report.inputs = options.task.run.inputs;
         report.seed = options.task.run.seed;
+        if (!outcome.shard.empty()) report.shards = {outcome.shard};
     }
     outcome.counts = counts_of(outcome.reports);
     json.write(record::to_json(outcome.reports));

@@ -33,6 +33,7 @@ struct CheckOptions {
         equations;                    // IDs, functions or globs; empty: all. Or a shader file and functions
     CheckTask task;                   // what all checks have
     std::string device;               // name, index or "all"; empty: the default
+    std::string manifest;             // of the only driver, on which the device is; empty: of any
     std::string variant = "shipped";  // see variants(), or "all"
     std::vector<std::string> compilers;  // steps after it (module/steps.hpp), joined by " | "; each a variant
     std::string shard;                   // "INDEX/COUNT"; empty: of GoogleTest's variables
@@ -64,7 +65,9 @@ struct CheckOutcome {
     std::vector<record::CheckReport> reports;
     record::OutcomeCounts counts;
     std::vector<std::string> notes;  // on a user's file, a line each: what was left out, and why
-    bool complete = true;            // no function was left out that was named or that does not compile
+    bool complete =
+        true;           // no function was left out that was named or that does not compile; there are checks
+    std::string shard;  // "0/3"; empty: all checks
 };
 
 // Runs the checks and writes the requested files.

@@ -27,7 +27,8 @@ void print_float_controls(const backend::FloatControls& float32) {
 
 void print_device(const backend::DeviceInfo& device) {
     fmt::print("{}: {}\n", device.index, device.name);
-    fmt::print("   type {}, driver {}, Vulkan {}\n", device.type, device.driver, device.api_version);
+    fmt::print("   type {}, driver {}, Vulkan {}{}\n", device.type, device.driver, device.api_version,
+               device.manifest.empty() ? "" : ", " + device.manifest);
     fmt::print("   largest image {}, largest buffer {} MiB, subgroup {}, timestamps {}\n",
                device.max_image_size, device.max_buffer_bytes >> 20, device.subgroup_size,
                yes(device.timestamp_period_ns > 0.0));

@@ -17,6 +17,8 @@
 #include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/framework/check/worker.hpp"
+#include "record/failures.hpp"
+#include "subject/lab.hpp"
 
 namespace gloam::cli {
 
@@ -84,22 +86,37 @@ std::string cause_of(const BrokenDriver& driver) {
 std::vector<fs::path> asked_for;  // manifests of --driver
 
 void tell_the_loader() {
-    std::vector<fs::path> all = asked_for;
-    const auto swiftshader = backend::vulkan::find_swiftshader();
-    const auto is_swiftshader = [&](const fs::path& manifest) {
-        std::error_code none;
-        return fs::equivalent(manifest, *swiftshader, none);
+    for (fs::path& manifest : asked_for) manifest = fs::absolute(manifest);
+    if (asked_for.empty())
+        backend::vulkan::add_swiftshader();
+    else
+        backend::vulkan::choose_drivers(asked_for);
+}
+
+// Names the manifests of devices: of all with --driver, else of those that share a name.
+void name_manifests(std::vector<backend::DeviceInfo>& devices) {
+    const auto shares_name = [&](const backend::DeviceInfo& device) {
+        return std::ranges::count(devices, device.name, &backend::DeviceInfo::name) > 1;
     };
-    if (swiftshader && !backend::vulkan::drivers_are_chosen() && std::ranges::none_of(all, is_swiftshader))
-        all.push_back(*swiftshader);
-    backend::vulkan::add_drivers(all);
-    for (fs::path& manifest : asked_for) {
-        manifest = fs::absolute(manifest);
-        const Listing alone = listed("vulkan", only(manifest));
-        if (!alone.devices.empty() || alone.reason != judge::Reason::none) continue;  // the command says it
-        throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
-                                             manifest.string(),
-                                             alone.error.empty() ? "it gives none" : alone.error));
+    if (asked_for.empty() && std::ranges::none_of(devices, shares_name)) return;
+    std::vector<backend::DeviceInfo> named;
+    for (const fs::path& manifest : asked_for.empty() ? driver_manifests() : asked_for) {
+        const Listing alone = asked_for.size() == 1 ? Listing{devices} : listed("vulkan", only(manifest));
+        if (alone.devices.empty() && !asked_for.empty())
+            throw std::runtime_error(fmt::format(
+                "Vulkan driver {}: the Vulkan loader gets no device from it (VK_LOADER_DEBUG=all says more)",
+                manifest.string()));
+        for (const backend::DeviceInfo& device : alone.devices)
+            named.emplace_back(device).manifest = manifest.string();
+    }
+    for (backend::DeviceInfo& device : devices) {
+        const auto is_it = [&](const backend::DeviceInfo& one) {
+            return one.name == device.name && one.driver == device.driver;
+        };
+        const auto found = std::ranges::find_if(named, is_it);
+        if (found == named.end() || (asked_for.empty() && !shares_name(device))) continue;
+        device.manifest = found->manifest;
+        named.erase(found);
     }
 }
 
@@ -142,10 +159,14 @@ std::vector<std::string> gl_device_names() {
 
 Drivers load_drivers() {
     Drivers found{listed("vulkan"), {}};
-    if (found.reason == judge::Reason::none) return found;
+    if (found.reason == judge::Reason::none) {
+        name_manifests(found.devices);
+        return found;
+    }
     std::string others;
-    for (const fs::path& manifest : driver_manifests()) {
-        const Listing alone = listed("vulkan", only(manifest));
+    const std::vector<fs::path> manifests = driver_manifests();
+    for (const fs::path& manifest : manifests) {
+        const Listing alone = manifests.size() == 1 ? Listing(found) : listed("vulkan", only(manifest));
         if (alone.reason == judge::Reason::none)
             others += (others.empty() ? "" : ":") + manifest.string();
         else
@@ -153,8 +174,8 @@ Drivers load_drivers() {
     }
     found.error =
         found.broken.empty() ? "the Vulkan drivers: " + found.error : cause_of(found.broken.front());
+    if (others.empty()) return found;
     found.devices = listed("vulkan", only(others)).devices;
-    if (found.devices.empty()) return found;
     for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
         ::setenv(variable, others.c_str(), 1);
     return found;
@@ -166,13 +187,20 @@ void require_good_drivers() {
     for (const BrokenDriver& driver : found.broken) say_skipped(driver);
 }
 
-const std::vector<fs::path>& drivers_asked_for() {
-    return asked_for;
+std::string loader_words(const std::string& device, const std::string& manifest) {
+    if (!manifest.empty()) return "VK_DRIVER_FILES=" + record::shell_word(manifest) + " ";
+    std::string words;
+    if (device == subject::interpreter_name || backend::gl::is_device_name(device)) return words;
+    for (const auto& [variable, value] : backend::vulkan::chosen_drivers())
+        if (value != backend::vulkan::find_swiftshader() || device.starts_with("SwiftShader"))
+            words += variable + "=" + record::shell_word(value) + " ";
+    return words;
 }
 
 Option driver_option() {
     return {"--driver", &asked_for, repeated,
-            "manifest (ICD JSON file) of one more Vulkan driver; may be given again", tell_the_loader};
+            "manifest (ICD JSON file) of a Vulkan driver, instead of the installed ones; may be given again",
+            tell_the_loader};
 }
 
 }  // namespace gloam::cli

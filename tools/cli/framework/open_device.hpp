@@ -17,8 +17,8 @@ namespace gloam::cli {
 [[nodiscard]] int validation_status(backend::vulkan::Device& device);
 
 // --driver of a command that opens devices. Before the command runs, the Vulkan loader gets the manifests of
-// these drivers, and of a browser's SwiftShader, unless the environment chooses the drivers itself. A driver
-// without a device is an error.
+// these drivers alone; without any, a browser's SwiftShader besides its own, unless the environment chooses
+// the drivers itself. A driver without a device is an error.
 [[nodiscard]] Option driver_option();
 
 // What another process said that listed devices.
@@ -46,7 +46,7 @@ struct Drivers : Listing {
 
 // Lists the Vulkan devices. Where that ends the process that does it, each driver is tried alone, and broken
 // ones are left out in this process and in those that it starts, if another has a device. Call it while there
-// is only one thread.
+// is only one thread. Throws std::runtime_error that names a driver of --driver without a device.
 [[nodiscard]] Drivers load_drivers();
 
 // The same for commands that need one device: names the broken drivers on standard error. Throws
@@ -56,8 +56,9 @@ void require_good_drivers();
 // "gloam: Vulkan driver FILE: its process ended ...; it is skipped", on standard error.
 void say_skipped(const BrokenDriver& driver);
 
-// Manifests of --driver.
-[[nodiscard]] const std::vector<std::filesystem::path>& drivers_asked_for();
+// What stands before a program's name, so that the Vulkan loader finds this device as it does here:
+// "VK_DRIVER_FILES=FILE ", or nothing.
+[[nodiscard]] std::string loader_words(const std::string& device, const std::string& manifest);
 
 // Its one line of JSON, without the reason; a device as `gloam devices --json` shows it.
 GLOAM_MEMBERS(Listing, devices, error)
@@ -73,7 +74,13 @@ void members(Io& io, FloatControls& float32) {
                  "rounding_mode_rte", float32.rounds_to_even, "rounding_mode_rtz", float32.rounds_to_zero);
 }
 
-GLOAM_MEMBERS(DeviceInfo, index, name, type, driver, api_version, max_image_size, max_buffer_bytes,
-              subgroup_size, timestamp_period_ns, float32)
+template <class Io>
+void members(Io& io, DeviceInfo& d) {
+    record::each(io, "index", d.index, "name", d.name);
+    io.member("manifest", d.manifest, record::Present::if_any);
+    record::each(io, "type", d.type, "driver", d.driver, "api_version", d.api_version, "max_image_size",
+                 d.max_image_size, "max_buffer_bytes", d.max_buffer_bytes, "subgroup_size", d.subgroup_size,
+                 "timestamp_period_ns", d.timestamp_period_ns, "float32", d.float32);
+}
 
 }  // namespace gloam::backend

@@ -23,6 +23,10 @@ std::vector<record::ReportFile> read_reports(const std::vector<std::string>& fil
     std::vector<record::ReportFile> all;
     for (const std::string& file : files) {
         const std::string text = base::read_file(file);
+        if (text.starts_with(R"({"check_journal")"))
+            throw std::runtime_error(fmt::format(
+                "{} is the journal of a run that did not end: finish it with --resume, or its last words",
+                file));
         try {
             for (record::CheckReport& report : record::reports_from_json(text))
                 all.push_back({.file = file, .report = std::move(report)});
@@ -39,6 +43,7 @@ int run_report(const ReportOptions& options) {
     const record::OutputFile html(options.html);
     const record::MergedReports merged = record::merge(read_reports(options.files));
     std::vector<std::string> notes = merged.conflicts;
+    notes.insert(notes.end(), merged.missing.begin(), merged.missing.end());
     if (!options.since.empty()) {
         const record::MergedReports before = record::merge(read_reports({options.since}));
         const std::vector<std::string> changes = record::changes_since(before.reports, merged.reports);
@@ -49,7 +54,8 @@ int run_report(const ReportOptions& options) {
     for (const std::string& note : notes) fmt::print("\n{}{}\n", options.markdown ? "- " : "", note);
     json.write(record::to_json(merged.reports));
     html.write(record::to_check_page(merged.reports, notes));
-    return counts_of(merged.reports).exit_status();
+    const int status = counts_of(merged.reports).exit_status();
+    return status == 0 && !merged.missing.empty() ? 2 : status;
 }
 
 }  // namespace

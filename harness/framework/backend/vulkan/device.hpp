@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "backend/backend.hpp"
@@ -21,6 +23,10 @@ using backend::FloatControls;
 // software, SwiftShader last. Empty when there is none.
 // Throws std::runtime_error when there is no Vulkan loader or driver at all.
 [[nodiscard]] std::vector<DeviceInfo> list_devices();
+
+// The index in `devices` of the device that DeviceOptions::device selects. Throws std::runtime_error if there
+// is no device, or if none matches (the message lists the existing ones).
+[[nodiscard]] std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view selector);
 
 enum class Validation { off, on };
 
@@ -77,14 +83,17 @@ class Device : public backend::Backend {
 [[nodiscard]] std::optional<std::filesystem::path> find_swiftshader(
     const std::vector<std::filesystem::path>& folders = swiftshader_folders());
 
-// Whether the environment selects the drivers: VK_DRIVER_FILES, VK_ICD_FILENAMES or VK_ADD_DRIVER_FILES is
-// set, even if empty.
-[[nodiscard]] bool drivers_are_chosen();
+// What the environment selects: VK_DRIVER_FILES or else VK_ICD_FILENAMES, and VK_ADD_DRIVER_FILES, where they
+// are set, even if empty.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> chosen_drivers();
 
-// Adds drivers for list_devices() and Device, in this process and those that it starts. It extends the
+// Makes these the only drivers of list_devices() and Device, in this process and those that it starts, by
 // environment variables of the Vulkan loader. Call it before anything else of this room, while there is only
 // one thread. Throws std::runtime_error with the file's name if it is missing, is not a driver manifest, or
 // its library is missing; then nothing has changed.
-void add_drivers(std::span<const std::filesystem::path> manifests);
+void choose_drivers(std::span<const std::filesystem::path> manifests);
+
+// Adds find_swiftshader() to those that the Vulkan loader finds, unless there are chosen_drivers().
+void add_swiftshader();
 
 }  // namespace gloam::backend::vulkan

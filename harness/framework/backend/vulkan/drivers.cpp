@@ -23,11 +23,6 @@ constexpr const char* swiftshader_library = "libvk_swiftshader.so";
 constexpr std::array instead{"VK_DRIVER_FILES", "VK_ICD_FILENAMES"};
 constexpr const char* besides = "VK_ADD_DRIVER_FILES";
 
-// Whether a variable is set. If it is empty, the loader searches nowhere.
-bool is_set(const char* variable) {
-    return std::getenv(variable) != nullptr;
-}
-
 bool is_file(const fs::path& path) {
     std::error_code none;
     return fs::is_regular_file(path, none);
@@ -49,6 +44,8 @@ std::string library_of(const fs::path& manifest) {
 }
 
 void require_driver(const fs::path& manifest) {
+    std::error_code none;
+    if (fs::is_directory(manifest, none)) refuse(manifest, "a folder, expected a driver's manifest");
     if (!is_file(manifest)) refuse(manifest, "no such file");
     if (manifest.string().find(':') != std::string::npos)
         refuse(manifest, "the Vulkan loader takes no path with a colon");
@@ -56,12 +53,6 @@ void require_driver(const fs::path& manifest) {
     if (!library.has_parent_path()) return;
     const fs::path file = manifest.parent_path() / library;
     if (!is_file(file)) refuse(manifest, fmt::format("its library {} is missing", file.string()));
-}
-
-void append(const char* variable, const std::string& files) {
-    const char* old = std::getenv(variable);
-    const std::string value = old == nullptr || *old == '\0' ? files : old + (":" + files);
-    ::setenv(variable, value.c_str(), 1);
 }
 
 }  // namespace
@@ -85,25 +76,29 @@ std::optional<fs::path> find_swiftshader(const std::vector<fs::path>& folders) {
     return std::nullopt;
 }
 
-bool drivers_are_chosen() {
-    return is_set(instead[0]) || is_set(instead[1]) || is_set(besides);
-}
-
-void add_drivers(std::span<const fs::path> manifests) {
+void choose_drivers(std::span<const fs::path> manifests) {
     std::string files;
     for (const fs::path& manifest : manifests) {
-        const fs::path file = fs::absolute(manifest);
-        require_driver(file);
-        files += (files.empty() ? "" : ":") + file.string();
+        require_driver(manifest);
+        files += (files.empty() ? "" : ":") + fs::absolute(manifest).string();
     }
-    if (files.empty()) return;
-    bool told = false;
-    for (const char* variable : instead) {
-        if (!is_set(variable)) continue;
-        append(variable, files);
-        told = true;
-    }
-    if (!told) append(besides, files);
+    for (const char* variable : instead) ::setenv(variable, files.c_str(), 1);
+}
+
+void add_swiftshader() {
+    const auto manifest = find_swiftshader();
+    if (manifest && chosen_drivers().empty()) ::setenv(besides, manifest->c_str(), 1);
+}
+
+std::vector<std::pair<std::string, std::string>> chosen_drivers() {
+    std::vector<std::pair<std::string, std::string>> all;
+    const auto add = [&](const char* variable) {
+        if (const char* value = std::getenv(variable)) all.emplace_back(variable, value);
+    };
+    add(instead[0]);
+    if (all.empty()) add(instead[1]);
+    add(besides);
+    return all;
 }
 
 }  // namespace gloam::backend::vulkan

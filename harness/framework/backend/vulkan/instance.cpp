@@ -57,11 +57,21 @@ vk::DebugUtilsMessengerCreateInfoEXT messenger_info(MessageLog& log) {
     return info;
 }
 
+std::string no_device() {
+    std::string text(no_device_message);
+    for (const auto& [variable, value] : chosen_drivers())
+        text += fmt::format("; {} names the drivers \"{}\"", variable, value);
+    return text;
+}
+
 vk::raii::Instance create(const vk::raii::Context& loader, const vk::InstanceCreateInfo& info) {
     try {
         return {loader, info};
     } catch (const vk::IncompatibleDriverError&) {
-        throw std::runtime_error(no_device_message);
+        throw std::runtime_error(no_device());
+    } catch (const vk::OutOfHostMemoryError&) {  // older loaders, of a manifest that is no JSON
+        if (chosen_drivers().empty()) throw;
+        throw std::runtime_error(no_device());
     }
 }
 
@@ -115,10 +125,12 @@ std::optional<std::size_t> by_index(std::span<const DeviceInfo> devices, std::st
 }
 
 std::optional<std::size_t> by_name(std::span<const DeviceInfo> devices, std::string_view part) {
-    const auto found =
-        std::ranges::find_if(devices, [wanted = base::lower(std::string(part))](const DeviceInfo& device) {
-            return base::lower(device.name).find(wanted) != std::string::npos;
-        });
+    auto found = std::ranges::find(devices, part, &DeviceInfo::name);
+    if (found == devices.end())
+        found = std::ranges::find_if(devices,
+                                     [wanted = base::lower(std::string(part))](const DeviceInfo& device) {
+                                         return base::lower(device.name).find(wanted) != std::string::npos;
+                                     });
     if (found == devices.end()) return std::nullopt;
     return static_cast<std::size_t>(found - devices.begin());
 }
@@ -232,7 +244,7 @@ std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance&
 }
 
 std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view selector) {
-    if (devices.empty()) throw std::runtime_error(no_device_message);
+    if (devices.empty()) throw std::runtime_error(no_device());
     if (selector.empty()) return default_device(devices);
     const bool is_index = selector.find_first_not_of("0123456789") == std::string_view::npos;
     const auto found = is_index ? by_index(devices, selector) : by_name(devices, selector);

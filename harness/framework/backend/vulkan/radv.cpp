@@ -32,8 +32,8 @@ vk::raii::Instance instance_of(const vk::raii::Context& loader, MessageLog* log)
     try {
         return create_instance(loader, log);
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(std::string_view(error.what()) == no_device_message ? no_radv_message
-                                                                                     : error.what());
+        throw std::runtime_error(
+            std::string_view(error.what()).starts_with(no_device_message) ? no_radv_message : error.what());
     }
 }
 

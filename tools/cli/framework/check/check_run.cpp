@@ -57,6 +57,22 @@ Answer device_row(judge::Reason reason, const std::string& error, std::size_t ch
     return row;
 }
 
+// The one that --device selects. Throws std::runtime_error where that is a name of devices of several
+// drivers.
+const backend::DeviceInfo& device_named(const std::vector<backend::DeviceInfo>& all,
+                                        const std::string& selector) {
+    const backend::DeviceInfo& found = all[backend::vulkan::select_device(all, selector)];
+    if (selector.empty() || selector == std::to_string(found.index)) return found;
+    std::string others;
+    for (const backend::DeviceInfo& device : all)
+        if (device.name == found.name && device.manifest != found.manifest)
+            others += fmt::format(", {} of {}", device.index, device.manifest);
+    if (others.empty()) return found;
+    throw std::runtime_error(
+        fmt::format("--device {}: there are {} of {}{}: expected an index, or --driver FILE", selector,
+                    found.index, found.manifest, others));
+}
+
 // The workers and rows of one device, which its threads share.
 struct Shared {
     CheckOptions options;
@@ -90,15 +106,19 @@ class CheckRun {
     CheckRun(const CheckRun&) = delete;
     CheckRun& operator=(const CheckRun&) = delete;
 
-    // What --device stands for. Adds a report for each broken driver.
-    [[nodiscard]] std::vector<std::string> devices() {
-        if (options_.device == every_opengl) return gl_device_names();
+    // What --device stands for, each with its driver's manifest if that is named. Adds a report for each
+    // broken driver.
+    [[nodiscard]] std::vector<backend::DeviceInfo> devices() {
+        std::vector<backend::DeviceInfo> all;
+        if (options_.device == every_opengl) {
+            for (const std::string& name : gl_device_names()) all.push_back({.name = name});
+            return all;
+        }
         if (options_.device == subject::interpreter_name || is_opengl(options_.device))
-            return {options_.device};
+            return {{.name = options_.device}};
         const Drivers drivers = load_drivers();
         for (const BrokenDriver& driver : drivers.broken) {
-            if (drivers.devices.empty()) break;  // opening the default device reports why there is none
-            if (options_.device != "all" && std::ranges::count(drivers_asked_for(), driver.manifest) == 0) {
+            if (options_.device != "all" && !drivers.devices.empty()) {
                 say_skipped(driver);
                 continue;
             }
@@ -106,25 +126,32 @@ class CheckRun {
             begin();
             add(device_row(driver.reason, driver.error, tasks_.size()));
         }
-        if (options_.device != "all") return {options_.device};
-        if (drivers.devices.empty() && !drivers.error.empty()) throw std::runtime_error(drivers.error);
-        std::vector<std::string> all;
-        for (const backend::DeviceInfo& device : drivers.devices) all.push_back(std::to_string(device.index));
-        if (all.empty()) all.emplace_back();
-        return all;
+        if (options_.device == "all")
+            all = drivers.devices;
+        else if (!drivers.devices.empty())
+            all = {device_named(drivers.devices, options_.device)};
+        if (!all.empty() || !drivers.broken.empty()) return all;
+        if (options_.device == "all" && !drivers.error.empty()) throw std::runtime_error(drivers.error);
+        return {{}};  // opening it reports why there is none
     }
 
     // Adds the report of a device. Throws NoWorker if that is the only one and refuses to open.
-    void run_on(const std::string& device) {
+    void run_on(const backend::DeviceInfo& device) {
         Shared shared{.options = options_};
-        shared.options.device = device;
+        const bool is_listed = !device.type.empty() && device.manifest.empty();
+        shared.options.device = is_listed ? std::to_string(device.index) : device.name;
+        shared.options.manifest = device.manifest;
         record::CheckReport& report = reports.emplace_back();
         try {
             report.device = shared.worker().device();
         } catch (const NoWorker& none) {
             const bool refuses = none.reason == judge::Reason::error;
             if (refuses && options_.device != "all" && options_.device != every_opengl) throw;
-            report.device.name = refuses ? "device " + device : device.empty() ? "default" : device;
+            report.device = {.name = device.name.empty() ? "default" : device.name,
+                             .manifest = device.manifest,
+                             .driver = device.driver,
+                             .type = device.type,
+                             .api_version = device.api_version};
             return add(device_row(none.reason, none.what(), tasks_.size()));
         }
         begin();
@@ -234,9 +261,9 @@ class CheckRun {
 
 std::vector<record::CheckReport> run_tasks(const CheckOptions& options, const std::vector<CheckTask>& tasks) {
     CheckRun run(options, tasks);
-    const std::vector<std::string> devices = run.devices();
+    const std::vector<backend::DeviceInfo> devices = run.devices();
     run.left = tasks.size() * devices.size();
-    for (const std::string& device : devices) run.run_on(device);
+    for (const backend::DeviceInfo& device : devices) run.run_on(device);
     return std::move(run.reports);
 }
 

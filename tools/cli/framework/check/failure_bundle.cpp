@@ -7,6 +7,7 @@
 
 #include "backend/sampled.hpp"
 #include "cli/framework/check/worker.hpp"
+#include "cli/framework/open_device.hpp"
 #include "judge/answer.hpp"
 #include "judge/reproduction.hpp"
 #include "module/spirv.hpp"
@@ -26,7 +27,9 @@ std::vector<std::string> comments_of(const judge::Reproduction& all, const judge
         fmt::format("{}: {} of {}, variant {}", task.identity.equation, question.function, question.file,
                     task.identity.variant),
         fmt::format("Found on: {} ({})", device.name, device.driver),
-        fmt::format("Input: {}", judge::describe_inputs(question.signature, all.inputs)),
+        all.count > 1
+            ? fmt::format("Inputs: {}, of which number {} fails beside the others", all.count, all.failing)
+            : fmt::format("Input: {}", judge::describe_inputs(question.signature, all.inputs)),
         "Run it with: " + how};
     if (!all.scenario.empty()) comments.push_back("Images: " + all.scenario);
     return comments;
@@ -48,6 +51,11 @@ std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+// What builds and runs the program on its device.
+std::string program_command(const std::string& device, const std::string& manifest) {
+    return fmt::format("cc repro.c -o repro -lvulkan -lm && {}./repro", loader_words(device, manifest));
+}
+
 }  // namespace
 
 FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question, const CheckTask& task,
@@ -61,17 +69,16 @@ FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question
     // The script and the program run compute shaders on Vulkan, and ask for no features.
     if (!all.opengl.empty() || all.team.kind == backend::Team::Kind::quad || module::has_float16(all.spirv))
         return bundle;
-    // The script has no images; the program has those of single samplers, not of layers.
+    // The script has one input and no images; the program has those of single samplers, not of layers.
     const bool has_images = std::ranges::any_of(all.images, &judge::Reproduction::ImageBuffer::bound);
     const bool has_layers =
         std::ranges::any_of(all.images, [](const auto& image) { return image.bound && image.words.empty(); });
-    if (!has_images)
+    if (!has_images && all.count == 1)
         bundle.amber = record::to_amber(
             all, comments_of(all, question, task, device, "amber -v 1.2 -t spv1.5 repro.amber"));
     if (!has_layers)
         bundle.c_program = record::to_c_program(
-            encoded(all),
-            comments_of(all, question, task, device, "cc repro.c -o repro -lvulkan -lm && ./repro"),
+            encoded(all), comments_of(all, question, task, device, program_command(device.name, {})),
             device.name == subject::interpreter_name ? "" : device.name);
     return bundle;
 }
@@ -80,7 +87,8 @@ void write_failure(record::OutputFolder& folder, const record::DeviceSummary& de
                    const judge::Answer& row, const FailureBundle& bundle, const std::string& command) {
     record::OutputFolder out(folder.path() / record::slug(record::name_of(device)) /
                              (record::slug(row.equation) + "-" + record::slug(row.variant)));
-    out.write("report.txt", record::failure_text(device, row, bundle, command, versions()));
+    out.write("report.txt", record::failure_text(device, row, bundle, command, versions(),
+                                                 program_command(device.name, device.manifest)));
     const judge::Reproduction& all = bundle.reproduction;
     const auto write = [&](const char* name, std::string_view bytes) {
         if (!bytes.empty()) out.write(name, bytes);

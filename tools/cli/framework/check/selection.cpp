@@ -135,6 +135,11 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
             tasks.push_back(task);
         }
     }
+    if (count > 1) outcome.shard = fmt::format("{}/{}", index, count);
+    if (tasks.empty() && position > 0) {
+        outcome.notes.push_back(fmt::format("shard {} has no check: there are {}", outcome.shard, position));
+        outcome.complete = false;
+    }
     if (position == 0) throw std::invalid_argument("passes: expected the variant shipped, without steps");
     return tasks;
 }
@@ -152,8 +157,10 @@ std::string command_for(const CheckOptions& options, const record::DeviceSummary
     std::string command =
         fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what, variant,
                     record::shell_word(device.name), options.task.run.inputs, options.task.run.seed);
-    for (const auto& driver : drivers_asked_for())
-        command += " --driver " + record::shell_word(driver.string());
+    if (device.manifest.empty())
+        command = loader_words(device.name, {}) + command;
+    else
+        command += " --driver " + record::shell_word(device.manifest);
     return options.validation ? command + " --validation" : command;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <iostream>
@@ -24,7 +25,8 @@
 namespace gloam::judge {
 GLOAM_MEMBERS(AnswerIdentity, equation, function, file, variant)
 GLOAM_MEMBERS(RunOptions, inputs, seed)
-GLOAM_MEMBERS(Reproduction, glsl, spirv, steps, before, opengl, assembly, failure, rules)  // what is written
+GLOAM_MEMBERS(Reproduction, glsl, spirv, steps, before, opengl, assembly, count, failure,
+              rules)  // what is written
 }  // namespace gloam::judge
 
 namespace gloam::record {
@@ -80,7 +82,11 @@ Listing listing_of(const List& list) {
 
 // Opens the device in this process. A worker's greeting says so.
 Listing greeting_of(std::optional<Checker>& checker, const CheckOptions& options) {
-    return listing_of([&] { return std::vector{checker.emplace(options).device()}; });
+    return listing_of([&] {
+        if (!options.manifest.empty())
+            backend::vulkan::choose_drivers(std::array{std::filesystem::path(options.manifest)});
+        return std::vector{checker.emplace(options).device()};
+    });
 }
 
 // The way to the parent. Standard output itself becomes standard error, because a driver may print.
@@ -106,6 +112,7 @@ std::vector<backend::DeviceInfo> devices_of(const std::string& what) {
 std::vector<std::string> worker_command(const CheckOptions& options) {
     std::vector<std::string> command{this_program, subcommand, "--timeout", fmt::to_string(options.timeout)};
     if (!options.device.empty()) command.push_back("--device=" + options.device);
+    if (!options.manifest.empty()) command.push_back("--driver=" + options.manifest);
     if (options.validation) command.emplace_back("--validation");
     return command;
 }
@@ -232,6 +239,7 @@ const record::DeviceSummary& Worker::device() {
     }
     const backend::DeviceInfo& info = greeting.devices.at(0);
     return device_ = {.name = base::one_line(info.name),
+                      .manifest = options_.manifest,
                       .driver = base::one_line(info.driver),
                       .type = info.type,
                       .api_version = info.api_version,
@@ -271,6 +279,7 @@ Command check_worker_command(EquationsNamed* equations) {
     static std::string list;
     return {.name = subcommand,
             .options = {{"--device", &options.device},
+                        {"--driver", &options.manifest},
                         {"--timeout", &options.timeout, positive, "seconds"},
                         {"--validation", &options.validation},
                         {"--list", &list, "only list the devices: vulkan, manifests, or an OpenGL executor"}},

@@ -50,17 +50,13 @@ class MessageLog {
 // The first queue family for both graphics and compute.
 [[nodiscard]] std::optional<std::uint32_t> find_queue_family(const vk::raii::PhysicalDevice& device);
 
-// The properties of a device. `index`: copied to the result.
-[[nodiscard]] DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index);
-
-// The message if there is no usable driver, in one line.
-inline constexpr const char* no_device_message =
+// How the message begins if there is no usable driver; it is one line.
+inline constexpr std::string_view no_device_message =
     "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers; checks run without "
     "one "
     "with --device interpreter";
 
-// The index in `devices` of the device that DeviceOptions::device selects. Throws std::runtime_error if there
-// is no device, or if none matches (the message lists the existing ones).
-[[nodiscard]] std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view selector);
+// The properties of a device. `index`: copied to the result.
+[[nodiscard]] DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index);
 
 }  // namespace gloam::backend::vulkan
