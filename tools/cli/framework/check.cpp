@@ -49,7 +49,7 @@ std::string step_summary(const std::vector<record::CheckReport>& reports) {
             if (row.steps().empty()) continue;
             auto& [modules, changed, failed, not_judged] = counts[row.variant];
             ++modules;
-            if (row.reason != judge::Reason::unchanged) ++changed;
+            if (!base::is_no_verdict(row.reason)) ++changed;
             if (row.failed()) ++failed;
             if (!row.failed() && !row.passed()) ++not_judged;
         }
@@ -61,7 +61,7 @@ std::string step_summary(const std::vector<record::CheckReport>& reports) {
     if (text.empty()) return text;
     const bool none = std::ranges::none_of(counts, [](const auto& count) { return count.second[1] > 0; });
     return "modules  changed  failed  not judged  variant\n" + text +
-           (none ? "nothing is judged: the steps left each module as it was\n" : "");
+           (none ? "nothing is judged: no step changed a module\n" : "");
 }
 
 // Throws std::invalid_argument for options that a user's file has, or only equations.

@@ -199,7 +199,9 @@ DeviceName required_name(const std::string& text) {
     const auto name = device_name_from(text);
     if (name) return *name;
     throw std::invalid_argument(fmt::format(
-        "no OpenGL device \"{}\": expected a name such as gl:llvmpipe-4.5 or es:softpipe-3.1", text));
+        "no OpenGL device \"{}\": expected gl: or es:, then system, llvmpipe or softpipe, then a version: "
+        "gl:llvmpipe-4.5, es:system-3.1",
+        text));
 }
 
 std::uint32_t limit(const internal::Context& context, GLenum what) {

@@ -49,10 +49,12 @@ unsigned jobs_of(const CheckOptions& options, std::size_t checks) {
     return static_cast<unsigned>(std::max<std::size_t>(options.jobs == 0 ? jobs : options.jobs, 1));
 }
 
-// The row of a device that cannot be opened.
+constexpr std::size_t most_hangs = 5;  // in a row, before a device is given up
+
+// The row of a device that cannot be opened, or is given up.
 Answer device_row(judge::Reason reason, const std::string& error, std::size_t checks_left) {
     Answer row{{.equation = "device"}};
-    row.error = fmt::format("the device cannot be opened, {} checks were not run: {}", checks_left, error);
+    row.error = fmt::format("the device does not answer, {} checks were not run: {}", checks_left, error);
     row.reason = reason;
     return row;
 }
@@ -80,6 +82,7 @@ struct Shared {
     std::vector<std::optional<Answer>> rows = {};    // of the tasks
     std::size_t reported = 0;                        // of these
     std::optional<NoWorker> given_up = {};           // why no more tasks are begun
+    std::size_t hangs = 0;                           // of the last tasks, in a row
     std::mutex mutex = {};
 
     // The worker of this thread.
@@ -168,7 +171,7 @@ class CheckRun {
             if (i >= shared.reported) take(*shared.rows[i]);
             report.rows.push_back(std::move(*shared.rows[i]));
         }
-        if (const auto& none = shared.given_up)
+        if (const auto& none = shared.given_up; none && report.rows.size() < tasks_.size())
             add(device_row(none->reason, none->what(), tasks_.size() - report.rows.size()));
     }
 
@@ -204,6 +207,9 @@ class CheckRun {
             const Answer row = worker.run(task);
             lock.lock();
             shared.rows[number] = row;
+            shared.hangs = row.reason == judge::Reason::hang ? shared.hangs + 1 : 0;
+            if (shared.hangs == most_hangs)
+                shared.given_up = NoWorker(fmt::format("{} checks in a row hung", most_hangs), row.reason);
             take_next(shared);
             if (!row.failed() || !failures_) return;
             lock.unlock();
