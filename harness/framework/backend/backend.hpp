@@ -75,8 +75,9 @@ struct SamplerPrecision {
 // backend::vulkan::list_devices().
 struct DeviceInfo {
     std::size_t index = 0;
-    std::string name;         // "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string manifest;     // of its driver, where it was asked for or tells devices of one name apart
+    std::string name;             // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string manifest;         // of its driver, where it was asked for or tells devices of one name apart
+    std::size_t of_manifest = 0;  // then, its position among the devices of that driver
     std::string type;         // "cpu", "integrated", "discrete", "virtual", "other"; "opengl", "opengl es";
                               // "interpreter"
     std::string driver;       // driver name and its own version text, or its version if it has no text

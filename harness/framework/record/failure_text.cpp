@@ -117,8 +117,7 @@ std::string failure_text(const DeviceSummary& device, const judge::Answer& row, 
             "Vulkan specification, \"Precision and Operation of SPIR-V Instructions\", float32:\n  {}\n\n",
             fmt::join(rules, "\n  "));
     if (!steps.empty()) text += fmt::format("The fewest steps that fail: {}\n", fmt::join(steps, " | "));
-    if (!bundle.c_program.empty())
-        text += fmt::format("Run it on the Vulkan loader alone: {}\n", program_command);
+    if (!bundle.c_program.empty()) text += "Run it on the Vulkan loader alone: " + program_command + "\n";
     return text;
 }
 

@@ -65,8 +65,8 @@ struct CheckOutcome {
     std::vector<record::CheckReport> reports;
     record::OutcomeCounts counts;
     std::vector<std::string> notes;  // on a user's file, a line each: what was left out, and why
-    bool complete =
-        true;           // no function was left out that was named or that does not compile; there are checks
+    // There are checks, and no function was left out that was named or that does not compile.
+    bool complete = true;
     std::string shard;  // "0/3"; empty: all checks
 };
 

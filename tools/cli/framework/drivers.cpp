@@ -93,7 +93,8 @@ void tell_the_loader() {
         backend::vulkan::choose_drivers(asked_for);
 }
 
-// Names the manifests of devices: of all with --driver, else of those that share a name.
+// Names the manifests of devices: of all with --driver, else of those that share a name with another
+// driver's.
 void name_manifests(std::vector<backend::DeviceInfo>& devices) {
     const auto shares_name = [&](const backend::DeviceInfo& device) {
         return std::ranges::count(devices, device.name, &backend::DeviceInfo::name) > 1;
@@ -109,13 +110,17 @@ void name_manifests(std::vector<backend::DeviceInfo>& devices) {
         for (const backend::DeviceInfo& device : alone.devices)
             named.emplace_back(device).manifest = manifest.string();
     }
+    const std::vector<backend::DeviceInfo> all = named;
     for (backend::DeviceInfo& device : devices) {
-        const auto is_it = [&](const backend::DeviceInfo& one) {
+        const auto found = std::ranges::find_if(named, [&](const backend::DeviceInfo& one) {
             return one.name == device.name && one.driver == device.driver;
-        };
-        const auto found = std::ranges::find_if(named, is_it);
-        if (found == named.end() || (asked_for.empty() && !shares_name(device))) continue;
-        device.manifest = found->manifest;
+        });
+        if (found == named.end()) continue;
+        const bool shares = std::ranges::any_of(all, [&](const backend::DeviceInfo& other) {
+            return other.name == found->name && other.manifest != found->manifest;
+        });
+        if (shares || !asked_for.empty())
+            device.manifest = found->manifest, device.of_manifest = found->index;
         named.erase(found);
     }
 }

@@ -25,8 +25,7 @@ std::vector<record::ReportFile> read_reports(const std::vector<std::string>& fil
         const std::string text = base::read_file(file);
         if (text.starts_with(R"({"check_journal")"))
             throw std::runtime_error(fmt::format(
-                "{} is the journal of a run that did not end: finish it with --resume, or its last words",
-                file));
+                "{} is the journal of a run that did not end: run its command again, with --resume", file));
         try {
             for (record::CheckReport& report : record::reports_from_json(text))
                 all.push_back({.file = file, .report = std::move(report)});

@@ -141,8 +141,8 @@ class CheckRun {
     // Adds the report of a device. Throws NoWorker if that is the only one and refuses to open.
     void run_on(const backend::DeviceInfo& device) {
         Shared shared{.options = options_};
-        const bool is_listed = !device.type.empty() && device.manifest.empty();
-        shared.options.device = is_listed ? std::to_string(device.index) : device.name;
+        const std::size_t at = device.manifest.empty() ? device.index : device.of_manifest;
+        shared.options.device = device.type.empty() ? device.name : std::to_string(at);
         shared.options.manifest = device.manifest;
         record::CheckReport& report = reports.emplace_back();
         try {
