@@ -58,11 +58,12 @@ endif()
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${data} COMPONENT common)
 
 list(JOIN spirv_cross_packages " " spirv_cross_packages)
-configure_package_config_file(cmake/gloam-config.cmake.in ${PROJECT_BINARY_DIR}/gloam-config.cmake
+# Not where find_package() would take the build tree for an installation.
+configure_package_config_file(cmake/gloam-config.cmake.in ${PROJECT_BINARY_DIR}/package/gloam-config.cmake
   INSTALL_DESTINATION ${package_cmake_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/gloam-config-version.cmake COMPATIBILITY SameMinorVersion
-  ARCH_INDEPENDENT)
-install(FILES ${PROJECT_BINARY_DIR}/gloam-config.cmake ${PROJECT_BINARY_DIR}/gloam-config-version.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/gloam-config-version.cmake
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${PROJECT_BINARY_DIR}/package/gloam-config.cmake ${PROJECT_BINARY_DIR}/package/gloam-config-version.cmake
   DESTINATION ${package_cmake_dir} COMPONENT common)
 if(PROJECT_IS_TOP_LEVEL)
   include(cmake/packages.cmake)

@@ -34,8 +34,8 @@ class Installed(InFolder):
         for component in ("common", "shader_test"):
             run("cmake", "--install", BUILD, "--component", component, "--prefix", prefix)
         self.assertEqual([], [*prefix.rglob("*.glsl"), *prefix.rglob("*.comp"), *prefix.rglob("bin/*")])
-        self.assert_fails("without its component glsl", "cmake", "-S", CONSUMER, "-B", self.work / "build", COMPILER,
-                          f"-DCMAKE_PREFIX_PATH={prefix}")
+        self.assert_fails(r"without its component glsl;\s+it\s+has:\s+shader_test", "cmake", "-S", CONSUMER, "-B",
+                          self.work / "build", COMPILER, f"-DCMAKE_PREFIX_PATH={prefix}")
 
     def test_each_minor_version_is_another(self):
         run("cmake", "--install", BUILD, "--component", "common", "--prefix", self.work)
@@ -55,6 +55,9 @@ class Installed(InFolder):
         options = (f"-DCMAKE_PREFIX_PATH={prefix}", *OPTIONS)
         self.assert_fails("expected GoogleTest with", "cmake", "-S", consumer, "-B", self.work / "alone", *options,
                           "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON")
+        misspelt = Path(shutil.copytree(CONSUMER, self.work / "misspelt")) / "CMakeLists.txt"
+        misspelt.write_text(misspelt.read_text(encoding="utf-8").replace(" SOURCES ", " SOURCE "), encoding="utf-8")
+        self.assert_fails(r'not\s+"SOURCE,', "cmake", "-S", misspelt.parent, "-B", self.work / "b", *options)
         users = [(consumer, consumer / "build" / "own_function_test",
                   "tone_reinhard.*outside.*FAILED  . Tone.MatchesReinhard.*1 FAILED TEST")]
         if Path("/usr/include/doctest/doctest.h").exists():

@@ -60,7 +60,7 @@ class Recipe(unittest.TestCase):
             targets = configured(SOURCE, build, *options, "-DCMAKE_DISABLE_FIND_PACKAGE_spirv_cross_c_shared=ON")
             self.assertIn("libgloam_judge.a", targets)
             self.assertNotIn("bin/gloam", targets)
-            config = (Path(build) / "gloam-config.cmake").read_text(encoding="utf-8")
+            config = (Path(build) / "package" / "gloam-config.cmake").read_text(encoding="utf-8")
             self.assertIn("spirv_cross_reflect spirv_cross_c ", config)
 
 
