@@ -183,13 +183,13 @@ class Function {
 class File {
   public:
     File(const std::filesystem::path& path, const std::vector<std::filesystem::path>& roots,
-         const std::string& device, const std::string& variant)
+         const std::string& device, const std::string& variant, const std::vector<std::string>& defines)
         : name_(path.filename().string()) {
         std::vector<std::filesystem::path> all_roots{path.parent_path()};
         all_roots.insert(all_roots.end(), roots.begin(), roots.end());
         subject::LabOptions options{.device = device,
                                     .file = std::make_shared<const subject::OwnFile>(
-                                        path, module::read_text(path), std::move(all_roots))};
+                                        path, module::read_text(path), std::move(all_roots), defines)};
         if (!variant.empty()) options.variant = module::variant(variant);
         functions_ = subject::own_functions(options);
         lab_ = std::make_shared<const subject::Lab>(std::move(options));
@@ -269,8 +269,9 @@ PYBIND11_MODULE(_gloam, module) {
         .def("domain", &Function::domain);
     py::class_<File>(module, "File")
         .def(py::init([](const std::string& path, const std::vector<std::string>& roots,
-                         const std::string& device, const std::string& variant) {
-            return File(path, {roots.begin(), roots.end()}, device, variant);
+                         const std::string& device, const std::string& variant,
+                         const std::vector<std::string>& defines) {
+            return File(path, {roots.begin(), roots.end()}, device, variant, defines);
         }))
         .def_property_readonly("device", &File::device)
         .def_property_readonly("names", &File::names)

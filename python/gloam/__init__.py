@@ -26,12 +26,13 @@ Answer = _gloam.Answer  # true if it passed; str() tells the rest; passed, input
 class File:
     """The functions of a GLSL file on a device. include_roots: folders of what it includes, beside its own. device: as
     in `gloam check --device`, by default the first Vulkan device; "interpreter" needs no driver. variant: how it is
-    compiled, as in `gloam check --variant`. Raises OSError or RuntimeError for a file that cannot be read or compiled,
-    and where there is no such device."""
+    compiled, as in `gloam check --variant`. defines: macros, "NAME" or "NAME=VALUE". Raises OSError or RuntimeError for
+    a file that cannot be read or compiled, and where there is no such device."""
 
-    def __init__(self, path, include_roots=(), device="", variant=""):
+    def __init__(self, path, include_roots=(), device="", variant="", defines=()):
         open(path, "rb").close()  # raises what Python raises for a file that cannot be read
-        self._file = _gloam.File(str(path), [str(root) for root in include_roots], device, variant)
+        self._file = _gloam.File(str(path), [str(root) for root in include_roots], device, variant,
+                                 list(defines))
         self.device = self._file.device
         self.left_out = self._file.left_out  # functions that cannot be called, each with the reason
 

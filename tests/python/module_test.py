@@ -57,6 +57,12 @@ class Module(unittest.TestCase):
         self.assertEqual(color.tolist(), [[4, 8, 16], [8, 16, 32]])
         self.assertEqual(falloff.tolist(), [0.5, 1.0])
 
+    def test_macros_are_set(self):
+        with tempfile.TemporaryDirectory() as folder:
+            fog = Path(folder, "fog.glsl")
+            fog.write_text("float fog(float x) { return x * FOG; }\n", encoding="utf-8")
+            self.assertEqual(gloam.File(fog, device="interpreter", defines=["FOG=3.0"])["fog"](2.0), 6.0)
+
     def test_quads_and_discard(self):
         file = gloam.File(FIXTURES / "quads.frag")
         self.assertEqual(file["edge_width"]([0, 1, 2, 3]).tolist(), [3, 3, 3, 3])
