@@ -6,9 +6,14 @@
 
 using namespace gloam::shader_test;
 
+// Tests share a Lab, so that the device is opened once.
+const Lab& shared_lab() {
+    static const Lab lab({.validation = true, .include_roots = {SHADER_DIR}});
+    return lab;
+}
+
 TEST(Tone, MatchesReinhard) {
-    const Lab lab({.validation = true, .include_roots = {SHADER_DIR}});
-    const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
+    const Function<float(float)> tone(shared_lab(), "tone.glsl", "tone_reinhard");
     const auto reinhard = [](double x) { return x / (1.0 + x); };
     const Answer answer = tone.compare(reinhard, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
     EXPECT_TRUE(answer.passed()) << answer;

@@ -36,7 +36,7 @@ Rows rows_of(std::size_t outputs) {
     numeric::Random random(5);
     Rows rows{.inputs = {}, .input_words = input_words, .output_words = outputs};
     for (std::size_t word = 0; word < 500 * input_words; ++word)
-        rows.inputs.push_back(static_cast<Word>(random.bits()));
+        rows.inputs.push_back(static_cast<Word>(random()));
     return rows;
 }
 

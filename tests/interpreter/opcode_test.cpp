@@ -238,7 +238,7 @@ Rows rows_of(std::size_t outputs) {
             rows.inputs.push_back(std::bit_cast<Word>(value));
         }
         for (std::size_t n = 0; n < 4; ++n) {
-            const auto bits = static_cast<Word>(random.bits());
+            const auto bits = static_cast<Word>(random());
             rows.inputs.push_back(r % 3 == 0 ? bits % 64U - 32U : bits);
         }
     }

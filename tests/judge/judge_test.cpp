@@ -175,12 +175,17 @@ TEST_F(JudgeTest, AnExplanationIsBounded) {
 
 TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {
     const Function<float(float, float)> weight(lab, "wrong.glsl", "weight");
-    EXPECT_THAT([&] { (void)weight.compare(exact_weight, {uniform(0, 1)}); },
-                testing::ThrowsMessage<std::invalid_argument>(
-                    "the domain has parameters of 1 words, the function takes 1, 1"));
-    EXPECT_THAT([&] { (void)weight.compare(exact_weight, {uniform(0, 1), unit_vector(3)}); },
-                testing::ThrowsMessage<std::invalid_argument>(
-                    "the domain has parameters of 1, 3 words, the function takes 1, 1"));
+    const auto whole = [](numeric::Random&) { return 1; };
+    const std::pair<Domain, std::string> rows[] = {
+        {{}, "the domain has 0 entries, weight takes 2 inputs"},
+        {{uniform(0, 1), unit_vector(3)}, "weight: entry 2 of the domain draws 3 numbers"},
+        {{integers(0, 1), uniform(0, 1)}, "weight: entry 1 of the domain draws integers"},
+        {{uniform(0, 1), made_by<int>(whole)}, "draws integers, the parameter is float radius"}};
+    for (const auto& [domain, message] : rows)
+        expect_error<std::invalid_argument>([&] { (void)weight.compare(exact_weight, domain); }, {message});
+    const Function<int(int)> negated(lab, "types.glsl", "negate_int");
+    expect_error<std::invalid_argument>([&] { (void)negated.check_rules({uniform(0, 1)}); },
+                                        {"draws floats, the parameter is int i"});
 }
 
 // A check says "ok" only if enough inputs were judged: the counts of answers, and what the judge counts.

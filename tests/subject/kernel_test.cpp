@@ -106,7 +106,8 @@ TEST_F(KernelTest, MessagesSayWhatIsWrong) {
     EXPECT_THAT(failure<Other(Other, unsigned)>("advance"), HasSubstr("vec3"));
     EXPECT_THAT(failure<float(float)>("no_such"),
                 AllOf(HasSubstr("no function no_such"), HasSubstr("negate_int")));
-    EXPECT_THAT(failure<float(float)>("f", "nowhere.glsl"), HasSubstr("nowhere.glsl"));
+    EXPECT_THAT(failure<float(float)>("f", "nowhere.glsl"),
+                AllOf(testing::StartsWith("cannot find include"), HasSubstr(FIXTURES "/nowhere.glsl")));
     EXPECT_THAT(failure<float(float)>("uses_broken", "includes_broken.glsl"),
                 AllOf(HasSubstr("broken.glsl:5"), HasSubstr("undeclared")));
 }
@@ -160,7 +161,7 @@ TEST_F(KernelImageTest, MissingOrWrongImageIsNamed) {
     ImageSet set = images({3, 3}, Border::clamp);
     set.erase("fetch_normal");
     expect_error<std::invalid_argument>([&] { (void)plus.with_images(set, {glm::ivec2(1, 1)}); },
-                                        {"fetch_normal"});
+                                        {"fetch_normal; given: fetch_depth"});
     set["fetch_normal"] = make_image<float>({3, 3}, [](glm::ivec2) { return 1.0F; });
     expect_error<std::invalid_argument>([&] { (void)plus.with_images(set, {glm::ivec2(1, 1)}); }, {"vec3"});
     EXPECT_THROW((void)make_image<float>({0, 3}, [](glm::ivec2) { return 1.0F; }), std::invalid_argument);
@@ -181,6 +182,17 @@ TEST_F(KernelTest, APropertyThatFailsShrinksInsideItsDomain) {
     std::ostringstream text;
     text << large;
     EXPECT_THAT(text.str(), AllOf(HasSubstr("the property does not hold for float 16"), HasSubstr("0.0625")));
+}
+
+TEST_F(KernelTest, APropertyTakesOutputsApartOrTogether) {
+    const auto split = kernel<bool(float, Out<float>, float&)>("split");
+    const Domain domain{uniform(0, 100), constant(0.0F)};
+    const auto apart = [](float x, float, bool, float whole, float) { return whole == std::floor(x); };
+    const auto together = [](float x, float, const std::tuple<bool, float, float>& outputs) {
+        return std::get<1>(outputs) == std::floor(x);
+    };
+    EXPECT_TRUE(split.property(domain, apart).passed());
+    EXPECT_TRUE(split.property(domain, together).passed());
 }
 
 }  // namespace gloam::subject::kernel_test

@@ -61,6 +61,9 @@ TEST(OwnTypes, Float16GoesInAndOutOfAKernel) {
     const Lab lab = test::make_lab(FIXTURES);
     const Function<Float16(Float16, Float16)> halves(lab, "numbers.glsl", "half_sum");
     EXPECT_EQ(halves(2048.0F, 1.0F), 2048.0F) << "rounded to float16";
+    const auto sum = [](double a, double b) { return a + b; };
+    const Answer doubled = halves.compare(sum, {uniform(0, 1000), constant(0.0F)}, {}, {.inputs = 512});
+    EXPECT_TRUE(doubled.passed()) << "the reference has the halves that the shader has" << doubled;
     const Function<Halves(Halves, std::array<Float16, 2>)> all(lab, "numbers.glsl", "halves_changed");
     const Halves result = all(Halves{{0.5F, 3.0F}, 0.25F}, std::array<Float16, 2>{7.0F, 1.5F});
     EXPECT_EQ(result.h.x, 0.75F);

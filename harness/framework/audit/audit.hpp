@@ -153,5 +153,6 @@ void add_witness(Audit& audit, const subject::Lab& lab, const judge::Question& q
 
 // The audit in a few lines, for people.
 [[nodiscard]] std::string to_text(const Audit& audit);
+std::ostream& operator<<(std::ostream& stream, const Audit& audit);
 
 }  // namespace gloam::audit

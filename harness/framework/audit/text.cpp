@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <ostream>
 #include <string_view>
 
 #include "audit/audit.hpp"
@@ -165,6 +166,10 @@ std::string to_text(const Audit& audit) {
     for (const std::string& way : missed(audit.coverage)) line("not reached", way);
     for (const AuditRewrite& rewrite : audit.rewrites) text += rewrite_text(rewrite);
     return text;
+}
+
+std::ostream& operator<<(std::ostream& stream, const Audit& audit) {
+    return stream << to_text(audit);
 }
 
 }  // namespace gloam::audit

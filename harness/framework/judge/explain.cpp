@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <ostream>
 #include <stdexcept>
 
 #include "base/text.hpp"
@@ -303,6 +304,10 @@ std::string to_text(const Explanation& explanation, std::size_t most) {
     if (shown.size() < steps.size())
         text += fmt::format("({} of {} operations)\n", shown.size(), steps.size());
     return text + result_line(explanation) + last_lines(explanation);
+}
+
+std::ostream& operator<<(std::ostream& stream, const Explanation& explanation) {
+    return stream << to_text(explanation);
 }
 
 }  // namespace gloam::judge

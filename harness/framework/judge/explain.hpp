@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,6 +74,8 @@ struct Explanation {
 // A table: titles, then a line for each step, and the result. The line with the largest rise of the error is
 // marked. If there are more than `most` steps, the table has those at which the error rises most; among equal
 // rises the later steps.
-[[nodiscard]] std::string to_text(const Explanation& explanation, std::size_t most);
+inline constexpr std::size_t most_lines = 16;
+[[nodiscard]] std::string to_text(const Explanation& explanation, std::size_t most = most_lines);
+std::ostream& operator<<(std::ostream& stream, const Explanation& explanation);
 
 }  // namespace gloam::judge

@@ -23,7 +23,8 @@ struct PropertyResult {
         words;          // the simplest input found for which the property does not hold; empty: it holds
     std::string story;  // that input and the outputs, for people
 
-    [[nodiscard]] explicit operator bool() const { return story.empty(); }
+    [[nodiscard]] bool passed() const { return story.empty(); }
+    [[nodiscard]] explicit operator bool() const { return passed(); }
 };
 std::ostream& operator<<(std::ostream& stream, const PropertyResult& result);
 
@@ -75,17 +76,28 @@ class Function {
         return judge::run(*lab_, question(domain), options);
     }
 
-    // Checks that `holds(inputs..., output)` is true for the inputs of a domain; the simplest input that was
-    // found to fail is reported. Not for functions that read images. Throws like operator().
+    // Checks that `holds(inputs..., outputs...)` is true for the inputs of a domain; several outputs can also
+    // be one std::tuple. The simplest input that was found to fail is reported. Not for functions that read
+    // images. Throws like operator().
     template <class Holds>
     [[nodiscard]] PropertyResult property(const subject::Domain& domain, const Holds& holds,
                                           const RunOptions& options = {}) const {
         const auto holds_for = [&holds](std::span<const Word> input, std::span<const Word> outputs) {
-            return std::apply(
-                [&](const auto&... value) {
-                    return static_cast<bool>(holds(value..., subject::take_words<Output>(outputs)));
-                },
-                subject::take_words<Inputs>(input));
+            const Inputs in = subject::take_words<Inputs>(input);
+            const Outputs out = subject::take_words<Outputs>(outputs);
+            const auto apart = [&](const auto&... value) {
+                if constexpr (std::is_invocable_v<const Holds&, decltype(value)...>) {
+                    return static_cast<bool>(holds(value...));
+                } else {
+                    const auto together = [&](const auto&... one) {
+                        static_assert(std::is_invocable_v<const Holds&, decltype(one)..., const Outputs&>,
+                                      "holds takes the inputs, then the outputs, or a std::tuple of these");
+                        return static_cast<bool>(holds(one..., out));
+                    };
+                    return std::apply(together, in);
+                }
+            };
+            return std::apply(apart, std::tuple_cat(in, out));
         };
         return check_property(core_, question(domain), holds_for, options);
     }
@@ -134,12 +146,15 @@ class Function {
     [[nodiscard]] const subject::KernelCore& core() const { return core_; }
     [[nodiscard]] const subject::Lab& lab() const { return *lab_; }
 
+    // With the names of the shader.
+    [[nodiscard]] subject::Signature signature() const { return core_.module().source->signature(); }
+
     // What compare() and check_rules() ask on a domain, without a reference.
     [[nodiscard]] Question question(const subject::Domain& domain) const {
         return {.file = file_,
                 .function = function_,
-                .signature = subject::SignatureOf<Type>::describe(),
-                .domain = domain};
+                .signature = signature(),
+                .domain = domain.fitted(signature(), function_)};
     }
 
   private:

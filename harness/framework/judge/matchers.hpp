@@ -14,7 +14,6 @@ namespace gloam::judge {
 // EXPECT_THAT(answer, Passes()): of an Answer, a PropertyResult or an ImageComparison, whose text a failure
 // shows.
 MATCHER(Passes, negation ? "fails" : "passes") {
-    *result_listener << arg;
     if constexpr (requires { arg.passed(); }) {
         return arg.passed();
     } else {

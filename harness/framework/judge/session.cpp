@@ -200,8 +200,6 @@ Domain domain_of(const Lab& lab, const Question& question, const KernelSource& s
 
 namespace {
 
-constexpr std::size_t most_lines = 16;
-
 // Where the module in double is as far from the reference as the result.
 std::string reference_text(const Question& question, const Sample& sample, const Explanation& all) {
     const std::vector<module::Scalar> scalars = question.signature.output_scalars();
@@ -226,7 +224,7 @@ std::string explanation_of(const Lab& lab, const Question& question, const Kerne
                reference_text(question, sample, all) +
                fmt::format("  the worst input{}, operation by operation, rounded correctly:\n",
                            lab.options().variant.steps.empty() ? "" : " in the module before the steps") +
-               to_text(all, most_lines);
+               to_text(all);
     } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story
         return fmt::format("  the worst input cannot be explained: {}\n", error.what());
     }

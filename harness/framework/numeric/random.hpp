@@ -7,9 +7,15 @@
 
 namespace gloam::numeric {
 
-// Seeded random numbers, the same on every machine (the standard's distributions are not).
+// Seeded random numbers, the same on every machine (the standard's distributions, which take this generator,
+// are not).
 class Random {
   public:
+    using result_type = std::uint64_t;
+    static constexpr result_type min() { return 0; }
+    static constexpr result_type max() { return ~result_type{0}; }
+    result_type operator()() { return engine_(); }
+
     explicit Random(std::uint64_t seed) : engine_(seed) {}
 
     // Uniform in [0, 1) with 53 random bits.
@@ -17,7 +23,6 @@ class Random {
     double uniform(double low, double high) { return low + (high - low) * unit(); }
     // Uniform in 0 ... count - 1; count > 0 and far below 2^64.
     std::uint64_t below(std::uint64_t count) { return engine_() % count; }
-    std::uint64_t bits() { return engine_(); }
 
   private:
     std::mt19937_64 engine_;

@@ -88,15 +88,36 @@ Domain Domain::and_words(const std::vector<Word>& words) const {
     return more;
 }
 
-void Domain::require_fits(const Signature& signature) const {
-    std::vector<std::size_t> has;
-    std::ranges::transform(parameters_, std::back_inserter(has), &Values::words);
-    std::vector<std::size_t> wants;
-    std::ranges::transform(signature.inputs(), std::back_inserter(wants), &InputSlot::count);
-    if (has != wants)
-        throw std::invalid_argument(
-            fmt::format("the domain has parameters of {} words, the function takes {}", fmt::join(has, ", "),
-                        fmt::join(wants, ", ")));
+void Domain::require_fits(const Signature& signature, const std::string& function) const {
+    const std::vector<InputSlot> slots = signature.inputs();
+    if (slots.size() != parameters_.size())
+        throw std::invalid_argument(fmt::format("the domain has {} entries, {} takes {} inputs",
+                                                parameters_.size(), function, slots.size()));
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const module::Parameter& parameter = *slots[i].parameter;
+        const std::vector<Scalar> scalars = scalars_of(parameter.type);
+        const auto refused = [&](const std::string& draws) {
+            return std::invalid_argument(fmt::format(
+                "{}: entry {} of the domain draws {}, the parameter is {}{}{}", function, i + 1, draws,
+                module::name_of(parameter.type), parameter.name.empty() ? "" : " ", parameter.name));
+        };
+        if (const std::size_t words = parameters_[i].words(); words != scalars.size())
+            throw refused(fmt::format("{} numbers", words));
+        const std::vector<bool>& floats = parameters_[i].floats;
+        for (std::size_t k = 0; k < floats.size(); ++k)
+            if (floats[k] != module::is_float(scalars[k])) throw refused(floats[k] ? "floats" : "integers");
+    }
+}
+
+Domain Domain::fitted(const Signature& signature, const std::string& function) const {
+    require_fits(signature, function);
+    const std::vector<Scalar> scalars = signature.input_scalars();
+    if (std::ranges::find(scalars, Scalar::float16_) == scalars.end()) return *this;
+    return adjusted([scalars](std::span<Word> words) {
+        for (std::size_t k = 0; k < words.size(); ++k)
+            if (scalars[k] == Scalar::float16_)
+                words[k] = float_word(scalars[k], from_word<double>(words[k]));
+    });
 }
 
 Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) const {

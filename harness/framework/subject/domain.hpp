@@ -35,7 +35,8 @@ struct Values {
     std::function<bool(std::span<const Word>)> contains;
     // Positions of the words that hold sizes of the run's images, two words each.
     std::vector<std::size_t> image_sizes;
-    bool only_drawn = false;  // see only_as_drawn
+    bool only_drawn = false;   // see only_as_drawn
+    std::vector<bool> floats;  // whether each word is that of a float; empty: unknown
 
     // Of one value.
     [[nodiscard]] std::size_t words() const;
@@ -105,13 +106,15 @@ struct Values {
 [[nodiscard]] Values neighbours(const module::Type& type, const Values& one, bool pixels = false);
 // The variable for gl_FragCoord in a function of a file (source::Excerpt).
 inline constexpr const char* fragment_coordinate = "gloam_FragCoord";
-// Values of T made by any function.
+// Values of T made by any function of a numeric::Random&.
 template <class T, class Make>
 [[nodiscard]] Values made_by(Make make) {
     Values values;
     values.draw = [make](DrawContext& context, std::vector<Word>& words) {
         append_words(static_cast<T>(make(context.random)), words);
     };
+    for (const module::Scalar scalar : scalars_of(type_of<T>()))
+        values.floats.push_back(module::is_float(scalar));
     return values;
 }
 // Always the same value.
@@ -138,6 +141,10 @@ class Domain {
     // Adds a function that may change the words of every input after it was drawn, for example to keep min <=
     // max.
     [[nodiscard]] Domain adjusted(std::function<void(std::span<Word>)> adjust) const;
+
+    // The domain of this function: numbers that are drawn for a float16_t are rounded to one. Throws
+    // std::invalid_argument for entries that are not of its parameters.
+    [[nodiscard]] Domain fitted(const Signature& signature, const std::string& function) const;
 
     // Adds an input that every run includes, for example the worst one that a search found. It is passed to
     // the function without adjustment, with the size of the run's images.
@@ -217,7 +224,7 @@ class Domain {
         std::vector<Vector> vectors;
     };
     class Drawing;
-    void require_fits(const Signature& signature) const;
+    void require_fits(const Signature& signature, const std::string& function = "the function") const;
 
     std::vector<Values> parameters_;
     std::vector<Tie> ties_;

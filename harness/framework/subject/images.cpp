@@ -2,8 +2,10 @@
 #include "subject/images.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "subject/kernel_code.hpp"
 
@@ -153,8 +155,9 @@ namespace {
 const Image& find_image(const ImageSet& images, const ImagePrototype& prototype, const std::string& kernel) {
     const auto found = images.find(prototype.name);
     if (found == images.end()) {
-        throw std::invalid_argument(
-            fmt::format("{}: no image serves the prototype {}", kernel, prototype.name));
+        throw std::invalid_argument(fmt::format(
+            "{}: no image serves the prototype {}; given: {}", kernel, prototype.name,
+            images.empty() ? "none" : fmt::format("{}", fmt::join(std::views::keys(images), ", "))));
     }
     const Image& image = found->second;
     if (!(image.element == prototype.element)) {

@@ -28,20 +28,14 @@ void require_opengl_options(const LabOptions& options, source::Language language
 }
 
 // A whole shader, with a #version line, cannot be included: its functions are excerpts of it. Others are
-// included as they are, like a file that is missing, of which the compiler says so.
+// included as they are.
 std::shared_ptr<const OwnFile> whole_shader(const LabOptions& options, const std::string& file) {
     if (options.file) return options.file;
-    try {
-        const std::filesystem::path path = module::resolve_include(file, {}, options.include_roots);
-        std::string text = module::read_text(path);
-        if (text.find("#version") == std::string::npos) return nullptr;
-        auto own = std::make_shared<const OwnFile>(path, std::move(text), options.include_roots);
-        return own->excerpts.version.empty() ? nullptr : own;
-    } catch (const source::CompileError&) {
-        throw;
-    } catch (const std::runtime_error&) {
-        return nullptr;
-    }
+    const std::filesystem::path path = module::resolve_include(file, {}, options.include_roots);
+    std::string text = module::read_text(path);
+    if (text.find("#version") == std::string::npos) return nullptr;
+    auto own = std::make_shared<const OwnFile>(path, std::move(text), options.include_roots);
+    return own->excerpts.version.empty() ? nullptr : own;
 }
 
 // The functions that a text defines and declares, as a kernel of the signature has them.

@@ -134,8 +134,8 @@ class Lab {
 
     // The function with this name and signature in `file`, ready to run. Each run supplies images for the
     // prototypes that the file declares. Throws std::invalid_argument if the file has no such function (with
-    // a list of its functions) or its signature differs (with both signatures); source::CompileError;
-    // backend::Error.
+    // a list of its functions) or its signature differs (with both signatures); std::runtime_error if there
+    // is no such file; source::CompileError; backend::Error.
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/number.hpp"
@@ -22,6 +23,7 @@ using module::Scalar;
 Values float_values(Scalar scalar, double low, double high,
                     const std::function<double(numeric::Random&)>& make) {
     Values values = made_by<Word>([=](numeric::Random& random) { return float_word(scalar, make(random)); });
+    values.floats = {true};
     values.contains = [=](std::span<const Word> words) {
         const auto value = from_word<double>(words.front());
         return value >= low && value <= high &&
@@ -41,7 +43,8 @@ void add_numbers(Values& values, Scalar scalar, std::initializer_list<double> nu
 }
 
 void require_order(double low, double high) {
-    if (!(low <= high)) throw std::invalid_argument("a range needs low <= high");
+    if (!(low <= high))
+        throw std::invalid_argument(fmt::format("a range needs low <= high, these are {} and {}", low, high));
 }
 
 }  // namespace
@@ -126,7 +129,7 @@ Values log_uniform(double low, double high, Scalar scalar) {
 
 Values signed_log_uniform(double low, double high, Scalar scalar) {
     const Values magnitude = log_uniform(low, high, scalar);
-    Values values;
+    Values values{.floats = magnitude.floats};
     values.draw = [magnitude](DrawContext& context, Words& words) {
         magnitude.draw(context, words);
         words.back() ^= context.random.below(2) == 0 ? 0U : 0x80000000U;
@@ -140,7 +143,8 @@ Values signed_log_uniform(double low, double high, Scalar scalar) {
 }
 
 Values any_float() {
-    Values values = made_by<Word>([](numeric::Random& random) { return random.bits(); });
+    Values values = made_by<Word>([](numeric::Random& random) { return random(); });
+    values.floats = {true};
     values.contains = [](std::span<const Word>) { return true; };
     return values;
 }
@@ -203,7 +207,12 @@ Values vector(const std::vector<Values>& components) {
         for (const Values& component : *shared) component.draw(context, words);
     };
     std::vector<std::size_t> sizes;
-    for (const Values& component : components) sizes.push_back(component.words());
+    for (const Values& component : components) {
+        sizes.push_back(component.words());
+        values.floats.insert(values.floats.end(), component.floats.begin(), component.floats.end());
+    }
+    if (values.floats.size() != std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}))
+        values.floats.clear();  // one is unknown
     values.contains = [shared, sizes](std::span<const Word> words) {
         for (std::size_t i = 0; i < shared->size(); words = words.subspan(sizes[i++]))
             if (!shared->at(i).admits(words.first(sizes[i]))) return false;
@@ -240,7 +249,7 @@ void append_point(double radius, double angle, Words& words) {
 Values unit_vector(int components) {
     if (components < 2 || components > 4) throw std::invalid_argument("unit_vector has 2, 3 or 4 components");
     constexpr double turn = 2.0 * std::numbers::pi;
-    Values values;
+    Values values{.floats = std::vector(static_cast<std::size_t>(components), true)};
     values.draw = [components](DrawContext& context, Words& words) {
         numeric::Random& random = context.random;
         if (components == 4) {  // two points on circles, whose squared radii add up to 1
@@ -268,7 +277,7 @@ Values unit_vector(int components) {
 }
 
 Values vector_of_length(int components, const Values& length) {
-    Values values;
+    Values values{.floats = std::vector(static_cast<std::size_t>(components), true)};
     values.draw = [direction = unit_vector(components), length](DrawContext& context, Words& words) {
         Words scale;
         length.draw(context, scale);
@@ -285,7 +294,7 @@ Values vector_of_length(int components, const Values& length) {
 }
 
 Values either(const Values& a, const Values& b) {
-    Values values{.fixed = a.fixed};
+    Values values{.fixed = a.fixed, .floats = a.floats == b.floats ? a.floats : std::vector<bool>{}};
     values.fixed.insert(values.fixed.end(), b.fixed.begin(), b.fixed.end());
     values.draw = [a, b](DrawContext& context, Words& words) {
         (context.random.below(2) == 0 ? a : b).draw(context, words);

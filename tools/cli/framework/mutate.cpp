@@ -199,7 +199,7 @@ class Trials {
         numeric::Random random(command_.seed);
         std::vector<std::pair<std::uint64_t, MutantRow>> drawn;
         for (const auto& [place, faults] : places) {
-            const std::uint64_t rank = random.bits();
+            const std::uint64_t rank = random();
             const std::size_t chosen = random.below(faults.size());
             for (std::size_t i = 0; i < faults.size(); ++i)
                 if (!command_.count || i == chosen)
