@@ -42,6 +42,24 @@ TEST(DriversCache, IsLeftOutWhereTheDiskIsFull) {
     EXPECT_FALSE(is_left_out(fs::temp_directory_path()));
 }
 
+// A device that is destroyed writes its pipelines. The child of the test has its parent's environment.
+TEST(StaticDevice, IsNotDestroyedAtTheEndOfTheProcess) {
+    const char* const variable = "GLOAM_STATIC_DEVICE_CACHE";
+    const fs::path folder = fs::temp_directory_path() / ("gloam-static-" + std::to_string(::getpid()));
+    ::setenv(variable, folder.c_str(), 0);
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto use = [&](Validation validation) {
+        static const Device device({.validation = validation, .cache_directory = std::getenv(variable)});
+        std::exit(0);
+    };
+    EXPECT_EXIT(use(Validation::on), testing::ExitedWithCode(0), "");
+    EXPECT_FALSE(fs::exists(folder));
+    EXPECT_EXIT(use(Validation::off), testing::ExitedWithCode(0), "");
+    EXPECT_TRUE(fs::exists(folder)) << "without the layers it can be";
+    fs::remove_all(folder);
+    ::unsetenv(variable);
+}
+
 using CacheFile = InFolder;
 
 // With the same key.

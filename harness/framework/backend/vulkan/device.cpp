@@ -53,7 +53,20 @@ vk::raii::Device open_device(const Physical& physical, const vk::PhysicalDeviceF
              .pEnabledFeatures = &features}};
 }
 
+// Whether the process ends: C++ destroys what is thread_local in the main thread, then all that is static.
+// What a layer keeps in statics of its own may be gone before a static device.
+bool ends = false;
+
+void watch_for_the_end() {
+    struct OfThread {
+        const bool is_main = gettid() == getpid();
+        ~OfThread() { ends = ends || is_main; }
+    };
+    static thread_local const OfThread watched;
+}
+
 const DeviceOptions& checked(const DeviceOptions& options) {
+    watch_for_the_end();
     if (options.timeout <= std::chrono::milliseconds::zero()) {
         throw std::invalid_argument(
             fmt::format("device timeout of {} ms: must be positive", options.timeout.count()));
@@ -208,6 +221,7 @@ vk::Result Device::Impl::wait() const {
 }
 
 bool Device::Impl::idle() noexcept {
+    if (messenger && ends) return false;
     if (!busy_) return true;
     try {
         busy_ = fence.getStatus() == vk::Result::eNotReady;
@@ -222,8 +236,8 @@ Device::Device(const DeviceOptions& options)
     : impl_(with_typed_errors([&] { return std::make_unique<Impl>(options); })) {}
 
 Device::~Device() {
-    if (!impl_->idle())
-        static_cast<void>(impl_.release());  // leaked: it may not be destroyed, nor what it keeps
+    static auto& left = *new std::vector<std::unique_ptr<Impl>>;  // itself never destroyed
+    if (!impl_->idle()) left.push_back(std::move(impl_));
 }
 
 const DeviceInfo& Device::info() const {

@@ -55,7 +55,8 @@ struct DeviceOptions {
 // While a submission that timed out still runs, further submissions throw. Vulkan forbids destroying objects
 // in use, so destroyed objects are kept until the work has finished; then the device works as before. If the
 // device is destroyed before that, it does not wait, because the work may never end: it leaks itself and the
-// kept objects on purpose. Otherwise its destructor writes the compiled pipelines to the cache directory.
+// kept objects on purpose, as it does at the end of a process where it is static and validated. Otherwise its
+// destructor writes the compiled pipelines to the cache directory.
 class Device : public backend::Backend {
   public:
     explicit Device(const DeviceOptions& options = {});

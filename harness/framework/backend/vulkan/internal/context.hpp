@@ -46,7 +46,8 @@ struct Device::Impl {
     // submission that timed out still runs.
     void run(const vk::raii::CommandBuffer& commands);
 
-    // False while a submission that timed out still runs; nothing may be destroyed then.
+    // False while a submission that timed out still runs, and at the end of a process that has validation
+    // layers; nothing may be destroyed then.
     [[nodiscard]] bool idle() noexcept;
     // Throws backend::Hang while a submission that timed out still runs.
     void require_idle();
