@@ -67,7 +67,8 @@ glm::dvec3 slope_at(const GBuffer& view, const PixelPositions& positions, std::s
 glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, std::size_t pixel) {
     const glm::dvec3 area =
         glm::cross(slope_at(view, positions, pixel, 1), slope_at(view, positions, pixel, 0));
-    if (glm::length(area) > 0.0) return {glm::normalize(area)};
+    const glm::dvec3 from_eye = positions.ray(pixel).direction;  // rows may go up or down
+    if (glm::length(area) > 0.0) return {glm::normalize(glm::faceforward(area, from_eye, area))};
     return {0, 0, 1};  // a surface of a single pixel: facing the viewer
 }
 
@@ -131,7 +132,7 @@ TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const Trut
 namespace fs = std::filesystem;
 
 // Increase it whenever the tracer's results change for the same input.
-constexpr std::uint64_t version = 2;
+constexpr std::uint64_t version = 3;
 
 base::Fingerprint hash_of(char kind, const GBuffer& view, const TruthSettings& settings) {
     base::Fingerprint hash;
