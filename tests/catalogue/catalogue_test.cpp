@@ -8,6 +8,8 @@
 #include "support/lab.hpp"
 #include "support/library_files.hpp"
 
+#include <regex>
+
 namespace gloam::catalogue::catalogue_test {
 
 // Functions that a file of the library defines itself, not through its includes: their names stand in its own
@@ -44,6 +46,26 @@ TEST(Catalogue, EveryDescriptionHasAnEntryThatNamesItsFunction) {
     }
     for (const auto& [id, description] : described)
         ADD_FAILURE() << description.file << ": " << id << " has no entry in the catalogue";
+}
+
+// But for errors of something (1e-6 of the distances), which the check's inputs make numbers.
+TEST(Catalogue, AnErrorInACommentIsTheOneThatIsChecked) {
+    const std::regex error(
+        R"(Error: (?:at most )?(\d[\d.]*(?:e-\d+)?)( ulp| ULP)?(?: in each component)?[.,;](?: |$))");
+    int compared = 0;
+    for (const Entry& entry : all_entries(GLOAM_GLSL_DIR)) {
+        const Description& d = entry.description;
+        const std::string text = std::regex_replace(
+            module::read_text(std::filesystem::path(GLOAM_GLSL_DIR) / d.file), std::regex("\n// "), " ");
+        const std::size_t begin = text.find("(" + d.id + "): ");
+        const std::string comment = text.substr(begin, text.find('\n', begin) - begin);
+        std::smatch found;
+        if (!std::regex_search(comment, found, error)) continue;
+        const judge::Budget& budget = entry.question.budget;
+        EXPECT_EQ(std::stod(found[1]), found[2].matched ? budget.ulp : budget.absolute) << d.id;
+        ++compared;
+    }
+    EXPECT_GT(compared, 100);
 }
 
 // Whether an entry returns a float: what holds for every input is then a statement of its own.

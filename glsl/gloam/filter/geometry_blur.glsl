@@ -14,7 +14,7 @@
 // half_width: pixels on each side, at most 64; negative counts as 0. powers: (p_n, p_z) of gloam_geometry_weight,
 // (10, 0.5).
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; the pixel itself has weight
-// 1. Its own value (taken into [0, 1], 0 for NaN) where it is background. Error: 2e-6.
+// 1. Its own value (taken into [0, 1], 0 for NaN) where it is background. Error: 1e-6.
 float gloam_geometry_blur(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, vec2 powers) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);

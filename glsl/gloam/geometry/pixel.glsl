@@ -87,8 +87,8 @@ ivec2 gloam_guard_band_border(ivec2 size, float guard) {
 // guard actually rendered (TSSAO-BORDER-guard): `border / size` [TSSAO, frame borders].
 // size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0
 // to 1.
-// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 2.5 ulp,
-// 5 ulp for sides beyond 2^21 pixels.
+// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 5 ulp,
+// 2.5 ulp for sides up to 2^21 pixels.
 // No method or pass here calls it: it is TSSAO, the frame borders, for the engine that renders the band.
 vec2 gloam_guard_band_guard(ivec2 size, float guard) {
     return min(vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1))), 1.0);

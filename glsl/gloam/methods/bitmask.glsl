@@ -26,7 +26,7 @@ uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
 
 // covered sectors of slices (METHOD-bitmask): `weighted mean of sectors / 32 between fronts and backs` [Therrien et al.
 // 2023].
-// Error: 3e-6, but for samples within rounding of a sector's border or a pixel's.
+// Error: 2.5e-6, but for samples within rounding of a sector's border or a pixel's.
 GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamBitmask settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

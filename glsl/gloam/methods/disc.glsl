@@ -16,7 +16,7 @@ struct GloamDisc {
 
 // crease shading by surface points under a disc (METHOD-disc): `mean of epsilon C(p, s_i), s_i under points of
 // TSSAO-13` [TSSAO, eqs 2 and 12; Fox and Compton 2008].
-// Error: 2e-6, but for taps within rounding of a pixel's border.
+// Error: 1.8e-6, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDisc settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -14,7 +14,7 @@ struct GloamGtao {
 };
 
 // occlusion by horizon slices (METHOD-gtao): `weighted mean over slices` [Jimenez et al. 2016].
-// Error: 3e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
+// Error: 6e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamGtao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -74,7 +74,7 @@ struct GloamHbaoStudy {
 
 // hbao as the comparative study has it (METHOD-hbao_study): `mean of the sum of W(v_k) (sin h_k - sin h_(k-1))` [Aalund
 // and Baerentzen 2013, CS-3.2 to 3.4].
-// Error: 4e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
+// Error: 2.8e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                GloamHbaoStudy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

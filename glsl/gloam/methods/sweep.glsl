@@ -17,7 +17,7 @@ struct GloamSweep {
 // occlusion by slices, each direction with the falloff at its distance (METHOD-sweep): `sum of w D(rho) (I(H) - I(h))
 // over the sum of w (cos n + n sin n)` [gloam, after Jimenez et al. 2016].
 // A tap that sees background, the pixel itself, or a rejected surface is skipped. A tap that is not above the tangent
-// plane by the bias adds nothing. Error: 6e-6, 3e-4 where a surface is seen nearly edge-on, but for taps within
+// plane by the bias adds nothing. Error: 2.5e-6, 3e-4 where a surface is seen nearly edge-on, but for taps within
 // rounding of a pixel's border, of another's horizon or of a falloff's end.
 GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSweep settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

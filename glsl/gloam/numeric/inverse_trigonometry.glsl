@@ -57,7 +57,7 @@ float gloam_unit_magnitude(float x) {
 // arc sine, or half the arc cosine, of m (SMALL-ARC): `asin m for m <= 1/2, else acos(m) / 2` [minimax polynomial].
 // Half the arc cosine is asin(sqrt((1 - m) / 2)): both angles are small.
 // m: in [0, 1].
-// Returns radians in [0, pi / 6]. Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest.
+// Returns radians in [0, pi / 6]. Error: 4e-7 whatever the rounding, 1.5e-7 where it is to nearest.
 float gloam_small_arc(float m) {
     GLOAM_PRECISE float half_rest = 0.5 * (1.0 - m);
     return gloam_asin_half(m > 0.5 ? gloam_sqrt(half_rest) : m);

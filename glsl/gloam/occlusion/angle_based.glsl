@@ -75,7 +75,7 @@ float gloam_unreal_side(float occlusion) {
 // visibility in the engine's later shader (CS-P-unreal-visibility): `1 - (1 - AO^power) intensity` [Unreal Engine 4, as
 // ported].
 // ao: mean of gloam_unreal_side, [0, 1]. power: > 0. intensity: [0, 1].
-// Returns visibility in [0, 1]; 1 for NaN. Error: 2e-6, and that of gloam_remap.
+// Returns visibility in [0, 1]; 1 for NaN. Error: 1e-6, and that of gloam_remap.
 float gloam_unreal_visibility(float ao, float power, float intensity) {
     float visibility = 1.0 - (1.0 - gloam_remap(ao, 0.0, 1.0, power)) * intensity;
     return visibility < 1.0 ? (visibility > 0.0 ? visibility : 0.0) : 1.0;

@@ -50,8 +50,8 @@ vec3 gloam_crytek_sample(vec2 uv, float buffer_value, vec3 s, float radius, floa
 // down to R in front, opening again as R / D beyond. The simple variant that is open beyond R is gloam_sample_blocked.
 // sample_depth, buffer_depth: eye-linear, world units. radius: R, world units, > 0.
 // Returns occlusion in [0, 1]: 0 for D <= 0 (where the printed quotient divides by 0), 1 for 0 < D <= R, R / D
-// beyond. 0 for background in the buffer, as gloam_tap_sees reads it, and for NaN. Error: 2.5 ULP, and what the
-// difference of two depths loses.
+// beyond. 0 for background in the buffer, as gloam_tap_sees reads it, and for NaN. Error: 2e-7, and what an
+// ULP of each depth changes.
 float gloam_contribution_filion(float sample_depth, float buffer_depth, float radius) {
     float in_front = sample_depth - buffer_depth;
     float opened = in_front > radius ? radius / in_front : 1.0;

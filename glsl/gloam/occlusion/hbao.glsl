@@ -16,7 +16,7 @@
 // Sainz 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
 // (Printed from the derivatives of the position: gloam_tangent_slope_of_derivatives.)
 // normal: n, unit, view space. direction: unit, in the image plane, y as in view space.
-// Returns a tangent in [-1e6, 1e6]; where n.z is below 1e-6, it is read as 1e-6. Error: 3 ULP, and 1e-7 / n.z.
+// Returns a tangent in [-1e6, 1e6]; where n.z is below 1e-6, it is read as 1e-6. Error: 1e-7 over n.z, and 3 ULP.
 float gloam_tangent_slope(vec3 normal, vec2 direction) {
     return clamp(-dot(normal.xy, direction) / max(normal.z, 1e-6), -1e6, 1e6);
 }

