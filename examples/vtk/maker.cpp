@@ -9,7 +9,7 @@ extern "C" const char* gloam_pass(const char* version, const char* preset) {
     static std::string text;
     text = std::string("gloam was built for VTK " VTK_VERSION ", not ") + version;
     if (version != std::string(VTK_VERSION)) return text.c_str();
-    text = std::string("gloam has no preset ") + preset;
+    text = std::string("expected fast, balanced, quality or reference, found ") + preset;
     if (gloam_presets.count(preset) == 0) return text.c_str();
     vtkGloamPass* pass = vtkGloamPass::New();
     pass->SetPreset(preset);

@@ -30,8 +30,12 @@ class vtkGloamPass : public vtkSSAOPass {
     static vtkGloamPass* New() { VTK_STANDARD_NEW_BODY(vtkGloamPass); }
     vtkTypeMacro(vtkGloamPass, vtkSSAOPass);
 
-    // fast, balanced, quality or reference; std::out_of_range for another name.
+    // fast, balanced, quality or reference.
     void SetPreset(const std::string& name) {
+        if (gloam_presets.count(name) == 0) {
+            vtkErrorMacro("no preset " << name << ": expected fast, balanced, quality or reference");
+            return;
+        }
         Preset = {name, gloam_presets.at(name)};
         Drawn = {};
     }
@@ -56,6 +60,16 @@ class vtkGloamPass : public vtkSSAOPass {
         if (NextFrame(renderer, w, h)) RenderGloam();
         SetArea(x, y, w, h);
         RenderCombine(Window);
+    }
+
+    // Images are blended by their alpha: the normal of glass does not count, and one that is 0 does: it tells
+    // of a surface without light, which nothing darkens.
+    bool PreReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+                                vtkAbstractMapper* mapper, vtkProp* prop) override {
+        const bool done = Superclass::PreReplaceShaderValues(vertex, geometry, fragment, mapper, prop);
+        vtkShaderProgram::Substitute(fragment, "//VTK::SSAO::Impl",
+                                     "//VTK::SSAO::Impl\n  gl_FragData[2].a = step(1.0, gl_FragData[0].a);");
+        return done;
     }
 
     void ReleaseGraphicsResources(vtkWindow* window) override {
