@@ -63,11 +63,6 @@ const Known known[] = {
     {"red", aside, {sunlight.x, 0, 0}, {ambient_light.x, 0, 0}, red},
     {"normals from depth", aside, sunlight, ambient_light,
      [](Scene&, GBuffer& view) { view.normal.clear(); }},
-    {"normals from depth, rows from the bottom", aside, sunlight, ambient_light,
-     [](Scene&, GBuffer& view) {
-         view.normal.clear();
-         view.camera.proj_vk[1][1] *= -1.0F;
-     }},
     {"under a lamp", aside, lamplight, ambient_light, [](Scene& scene, GBuffer&) { scene.lamp = {0, 6, 0}; }},
     {"below the ball", middle, none, ambient_light, [](Scene& scene, GBuffer&) { scene.lamp = {0, 6, 0}; }},
     {"over a lamp", aside, none, ambient_light, [](Scene& scene, GBuffer&) { scene.lamp = {0, -6, 0}; }}};

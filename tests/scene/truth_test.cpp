@@ -92,8 +92,7 @@ double largest(const std::vector<float>& values) {
     return double{*std::ranges::max_element(values)};
 }
 
-// However the plane is tilted, and whether its normals are given (rows 0) or found, with rows down or up:
-// these face the eye.
+// However the plane is tilted, and whether its normals are given (rows 0) or found, with rows down or up.
 TEST(DepthField, OfAPlaneIsOpen) {
     for (const Projection projection : projections) {
         for (const double tilt : {0.0, 0.5, 1.2, 1.45}) {
@@ -102,10 +101,8 @@ TEST(DepthField, OfAPlaneIsOpen) {
                 GBuffer view = effect::plane({48, 32}, projection == Projection::orthographic, normal);
                 if (rows != 0.0F) view.normal.clear();
                 if (rows < 0.0F) view.camera.proj_vk[1][1] *= rows;
-                const PixelPositions positions(view);
-                const std::vector<glm::vec3> found = depth_field(view).normals;
-                for (std::size_t i = 0; i < found.size(); ++i)
-                    ASSERT_LE(glm::dot(glm::dvec3(found[i]), positions.ray(i).direction), 0.0) << rows;
+                for (std::size_t i = 0; const glm::dvec3 found : depth_field(view).normals)
+                    ASSERT_LE(glm::dot(found, PixelPositions(view).ray(i++).direction), 0.0) << rows;
                 const TracedTruth truth = trace_depth(view, few_rays);
                 // Depths are floats: a bump of one in 10^7 may meet a ray that grazes it.
                 EXPECT_LT(largest(truth.occlusion), 0.02) << tilt << " " << rows;

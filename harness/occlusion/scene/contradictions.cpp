@@ -127,8 +127,7 @@ glm::dvec3 along(const Surface& surface, std::size_t i, std::size_t step, bool r
 glm::dvec3 normal_by_depth(const Surface& surface, std::size_t i, bool radial = false) {
     const glm::dvec3 across =
         glm::cross(along(surface, i, surface.view.extent.width, radial), along(surface, i, 1, radial));
-    const bool away = glm::dot(across, surface.positions.ray(i).direction) > 0.0;  // rows may go up or down
-    return (away ? -1.0 : 1.0) / glm::length(across) * across;
+    return glm::normalize(glm::faceforward(across, surface.positions.ray(i).direction, across));
 }
 
 // Depth that is the distance to the eye bends every surface, at the sides of an image by degrees. Pixels
