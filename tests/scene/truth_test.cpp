@@ -106,8 +106,7 @@ TEST(DepthField, OfAPlaneIsOpen) {
                 const TracedTruth truth = trace_depth(view, few_rays);
                 // Depths are floats: a bump of one in 10^7 may meet a ray that grazes it.
                 EXPECT_LT(largest(truth.occlusion), 0.02) << tilt << " " << rows;
-                const double sum = std::accumulate(truth.occlusion.begin(), truth.occlusion.end(), 0.0);
-                EXPECT_LT(sum / (48 * 32), 1e-4) << tilt << " " << rows;
+                EXPECT_LT(std::accumulate(truth.occlusion.begin(), truth.occlusion.end(), 0.0), 0.15) << tilt;
             }
         }
     }

@@ -4,7 +4,7 @@
  * image        format          size                   written by       read by
  * depth        the engine's    view                   the engine       prepare; in place of normal (nearest)
  * normal       the engine's    view                   the engine       sweep, refine (nearest)
- * levels[2]    R16F            view, 5 levels         prepare          sweep, refine, join; prepare, filter and join of
+ * levels[2]    R16F            view, 5 mipmaps        prepare          sweep, refine, join; prepare, filter and join of
  *                                                                      the next frame (nearest texel, nearest level)
  * texels       R32UI           view; half of it, up,  sweep; refine    filter (full), join, mark (nearest)
  *                              for half and tiles
