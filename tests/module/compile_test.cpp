@@ -6,25 +6,6 @@
 
 namespace gloam::module::compile_test {
 
-TEST(Compile, ServesEveryStage) {
-    const source::Source vertex{"v", "#version 450\nvoid main() { gl_Position = vec4(0.0); }\n"};
-    const source::Source fragment{
-        "f", "#version 450\nlayout(location = 0) out vec4 c;\nvoid main() { c = gl_FragCoord; }\n"};
-    EXPECT_THAT(disassemble(compile(vertex, {.stage = source::Stage::vertex})),
-                HasSubstr("OpEntryPoint Vertex"));
-    EXPECT_THAT(disassemble(compile(fragment, {.stage = source::Stage::fragment})),
-                HasSubstr("OpEntryPoint Fragment"));
-    EXPECT_THROW(static_cast<void>(compile(vertex, {.stage = source::Stage::fragment})),
-                 source::CompileError);
-}
-
-TEST(Compile, IncludesLookInTheFolderOfTheSource) {
-    source::Source source = kernel("#include \"neighbour.glsl\"", "fx_cube(2.0)");
-    EXPECT_THROW(static_cast<void>(compile(source, with_fixtures())), source::CompileError);
-    source.name = fixture("math/kernel.comp").string();
-    EXPECT_NO_THROW(static_cast<void>(compile(source, {})));
-}
-
 TEST(Compile, UnreachedFunctionsMayCallPrototypes) {
     EXPECT_NO_THROW(static_cast<void>(compile(kernel("#include \"fetch.glsl\"", "1.0"), with_fixtures())));
 }
@@ -126,18 +107,6 @@ TEST(CompileErrorMessage, VersionLineMustComeFirstAndSuitVulkan) {
     for (const char* version : {"310 es", "320  es // c"})  // ES wants it before comments, too
         EXPECT_EQ(error_of({"a.comp", "#version " + std::string(version) + "\nvoid main() {}\n"}), "")
             << version;
-}
-
-// The compiler never prints; glslang would, for a version that its tables do not know.
-TEST(CompileErrorMessage, NothingIsPrinted) {
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    for (const source::Source& source :
-         {source::Source{"a.comp", "#version 110\nvoid main() {}\n"},
-          source::Source{"a.comp", "void main() {}\n"}, kernel("#include \"broken/outer.glsl\"", "1.0")})
-        EXPECT_THROW((void)compile(source, with_fixtures()), source::CompileError);
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 using Include = InFolder;

@@ -24,11 +24,6 @@ TEST(Steps, PassesAreThoseOfTheOptimizer) {
     EXPECT_NE(after("spirv-opt --ssa-rewrite"), module());
 }
 
-TEST(Steps, AProgramReadsTheModuleAndWritesAnother) {
-    EXPECT_EQ(after("spirv-opt --ssa-rewrite {in} -o {out}"), after("spirv-opt --ssa-rewrite"));
-    EXPECT_NO_THROW(validate(after("glslangValidator --quiet -V --target-env vulkan1.2 {glsl} -o {out}")));
-}
-
 // docs/drivers.md has both: passes that crash, or give an invalid module, in some versions of SPIRV-Tools.
 TEST(Steps, OfALibraryThatCrashesOrErrsCostThemselvesAlone) {
     constexpr const char* loop_peeling = R"(#version 450

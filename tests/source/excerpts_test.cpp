@@ -167,27 +167,6 @@ TEST(Mutations, LeaveCommentsDirectivesInterfaceAndIncludesAlone) {
                                    "12 + -"));
 }
 
-// Nearly all of them.
-TEST(Mutations, OfTheLibraryCompile) {
-    const std::filesystem::path root = GLOAM_GLSL_DIR;
-    std::size_t tried = 0;
-    std::size_t refused = 0;
-    for (const char* name : {"gloam/occlusion/blocked.glsl", "gloam/sampling/halton.glsl"}) {
-        const Source source{(root / name).string(), read_text(root / name)};
-        for (const Mutation& one : module::mutations(source, {root})) {
-            ++tried;
-            try {
-                (void)functions({source.name, "#version 450\n" + mutated(source.text, one)},
-                                {.include_roots = {root}, .variant = {}});
-            } catch (const CompileError&) {
-                ++refused;
-            }
-        }
-    }
-    EXPECT_GE(tried, 30U);
-    EXPECT_LT(refused, tried / 10);
-}
-
 TEST(Mutations, ATextIsValidInSomeStage) {
     const auto message = [](const std::string& text) {
         return message_of<CompileError>([&] { require_valid({"own.glsl", text}, {}); });

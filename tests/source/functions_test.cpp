@@ -84,14 +84,9 @@ const std::vector<Case> cases{
      {"float f(float x)"}},
     {"ATextWithoutFunctionsHasNone", "const float x = 1.0;\n", {}}};
 
-class FunctionsOf : public testing::TestWithParam<Case> {};
-
-TEST_P(FunctionsOf, AText) {
-    EXPECT_EQ(prototypes(functions_of(GetParam().text)), GetParam().prototypes);
+TEST(Functions, AreThoseOfTheText) {
+    for (const auto& [name, text, wanted] : cases) EXPECT_EQ(prototypes(functions_of(text)), wanted) << name;
 }
-
-INSTANTIATE_TEST_SUITE_P(Texts, FunctionsOf, testing::ValuesIn(cases),
-                         [](const auto& info) { return info.param.name; });
 
 // 4^7 scalars.
 TEST(Functions, DeeplyNestedStructuresAreOversized) {

@@ -26,23 +26,6 @@ TEST(Lines, FindsIncludes) {
     for (const auto& [text, names] : rows) EXPECT_EQ(includes(text), names) << text;
 }
 
-TEST(Lines, CountsPhysicalLines) {
-    std::vector<std::pair<int, bool>> found;
-    for (const Line& line : split_lines("a \\\n b\n/* c\n d */\ne"))
-        found.emplace_back(line.number, line.crosses);
-    EXPECT_THAT(found, ElementsAre(Pair(1, false), Pair(3, true), Pair(4, true), Pair(5, false)));
-}
-
-TEST(Lines, SeparatesCodeFromComments) {
-    const auto lines = split_lines("int x; /* why */ int y; // z\n");
-    ASSERT_EQ(lines.size(), 1u);
-    EXPECT_EQ(lines[0].code, "int x;           int y;     \n");
-    EXPECT_EQ(comments_of(lines[0]), "       /* why */        // z\n");
-    EXPECT_FALSE(is_blank(lines[0]));
-    EXPECT_TRUE(is_blank(split_lines(" /* only */ // comments\n")[0]));
-    EXPECT_TRUE(split_lines("").empty());
-}
-
 TEST(Tokens, HaveTheirPlaceInTheText) {
     const std::string text = "a.b += .5e-3f; // no\n#define c 1\n/* d */ x <<= 0x1Fu \\\n>= y2[i]";
     const std::vector<Token> tokens = tokens_of(text);

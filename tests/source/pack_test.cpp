@@ -41,12 +41,9 @@ TEST(Pack, PutsDependenciesFirstAndDropsTheScaffolding) {
 }
 
 TEST(Pack, HoldsEachFileOnceInAnyOrder) {
-    for (const std::vector<std::string>& names :
-         {std::vector<std::string>{"math/hypot.glsl", "math/square.glsl", "math/hypot.glsl",
-                                   "math/neighbour.glsl"},
-          std::vector<std::string>{"math/neighbour.glsl", "math/../math/square.glsl", "math/hypot.glsl"}}) {
-        Files files;
-        for (const std::string& name : names) files.push_back(fixture(name));
+    const auto [hypot, neighbour] = std::pair(fixture("math/hypot.glsl"), fixture("math/neighbour.glsl"));
+    for (const Files& files : {Files{hypot, fixture("math/square.glsl"), hypot, neighbour},
+                               Files{neighbour, fixture("math/../math/square.glsl"), hypot}}) {
         const std::string text = pack(files, {}, {fixtures()});
         EXPECT_EQ(count_of(text, "float fx_square("), 1U);
         EXPECT_EQ(count_of(text, "SPDX"), 1U);
