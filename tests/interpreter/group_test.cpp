@@ -2,6 +2,7 @@
 // Invocations that run together: shared memory, barriers, subgroups and quads; races and barriers that not
 // all reach.
 #include "interpreter/shader_run.hpp"
+#include "support/shared_device.hpp"
 
 namespace gloam::group_test {
 
@@ -42,7 +43,8 @@ std::vector<Word> group_inputs() {
 }
 
 template <class N>
-std::vector<Word> in_group(const module::Spirv& module, Word subgroup_size, Order order = Order::forward) {
+std::vector<interpreter::Value<N>> values_in_group(const module::Spirv& module, Word subgroup_size,
+                                                   Order order = Order::forward) {
     const Program program(module);
     Machine<N> machine(program);
     const std::vector<Word> in = group_inputs();
@@ -51,23 +53,25 @@ std::vector<Word> in_group(const module::Spirv& module, Word subgroup_size, Orde
     machine.bind(0, 1, none);
     machine.set_group({.group_size = {8, 2, 1}, .subgroup_size = subgroup_size}, order);
     machine.run();
+    std::vector<interpreter::Value<N>> out;
+    for (Word lane = 0; lane < lanes; ++lane) out.push_back(machine.read(0, 1, lane));
+    return out;
+}
+
+template <class N>
+std::vector<Word> in_group(const module::Spirv& module, Word subgroup_size, Order order = Order::forward) {
     std::vector<Word> out;
-    for (Word lane = 0; lane < lanes; ++lane) out.push_back(machine.read(0, 1, lane).bits());
+    for (const auto& value : values_in_group<N>(module, subgroup_size, order)) out.push_back(value.bits());
     return out;
 }
 
 std::vector<Word> group_on_device(const module::Spirv& module) {
-    static const backend::vulkan::Device device({.validation = backend::vulkan::Validation::on});
-    return test::on_device(device, module,
+    return test::on_device(*test::SharedDevice::get(), module,
                            {.inputs = group_inputs(), .input_words = lanes, .output_words = lanes});
 }
 
-Word device_subgroup_size() {
-    return backend::vulkan::Device(backend::vulkan::DeviceOptions{}).info().subgroup_size;
-}
-
 void expect_as_on_device(const std::string& shared, const std::string& body) {
-    const Word size = device_subgroup_size();
+    const Word size = test::SharedDevice::get()->info().subgroup_size;
     for (const char* variant : {"shipped", "optimized"}) {
         const module::Spirv module = group_module(shared, body, variant);
         const std::vector<Word> expected = group_on_device(module);
@@ -132,19 +136,9 @@ TEST(Group, SubgroupOperationsAreThoseOfTheDriver) {
         expect_as_on_device("", std::string("put(uint(") + expression + "));\n");
 }
 
-TEST(Group, InvocationsOfOneBranchAreThoseThatTakePart) {
-    expect_as_on_device(
-        "", "uint r = 1u; if (at < 3u) r = subgroupAdd(x()); else r = subgroupMax(x()); put(r);\n");
-}
-
 Error group_error(const std::string& shared, const std::string& body, Order order = Order::forward) {
-    try {
-        (void)in_group<float>(group_module(shared, body), 4, order);
-    } catch (const Error& error) {
-        return error;
-    }
-    ADD_FAILURE() << "no error: " << body;
-    return {Error::Kind::missing, ""};
+    SCOPED_TRACE(body);
+    return test::error_of([&] { (void)in_group<float>(group_module(shared, body), 4, order); });
 }
 
 TEST(Group, RacesAreFoundInEveryOrder) {
@@ -199,10 +193,11 @@ TEST(Group, BarriersThatNotAllReachAreFound) {
     (void)divergent("for (uint k = 0u; k < at; ++k) barrier(); put(1u);\n");
 }
 
-// Where they come together again.
+// Nor those of another branch; and where they come together again.
 TEST(Group, InvocationsOfOtherIterationsAreNotHere) {
     for (const char* body :
-         {// Each takes part in the iterations that it does not skip.
+         {"uint r = 1u; if (at < 3u) r = subgroupAdd(x()); else r = subgroupMax(x()); put(r);\n",
+          // Each takes part in the iterations that it does not skip.
           "uint r = 0u; for (uint k = 0u; k < 4u; ++k) { if ((at & 3u) == k) continue; r = r * 7u + "
           "subgroupAdd(x()); } put(r);\n",
           // Behind a loop that they leave one after the other, and a function from which they return early.
@@ -224,17 +219,10 @@ TEST(Group, WhatDependsOnTheOrderIsUnspecified) {
 TEST(Group, SumsOfASubgroupHoldInEveryOrder) {
     const module::Spirv module = group_module("", "put(floatBitsToUint(subgroupAdd(1.0 / float(x()))));\n");
     const float got = std::bit_cast<float>(group_on_device(module).front());
+    const Word size = test::SharedDevice::get()->info().subgroup_size;
     numeric::Bounds bounds{};
     numeric::Paths::explore(numeric::float32, 4, [&] {
-        const Program program(module);
-        Machine<numeric::Interval> machine(program);
-        const std::vector<Word> in = group_inputs();
-        const std::vector<Word> none(lanes, 0U);
-        machine.bind(0, 0, in);
-        machine.bind(0, 1, none);
-        machine.set_group({.group_size = {8, 2, 1}, .subgroup_size = device_subgroup_size()});
-        machine.run();
-        bounds = machine.read(0, 1, 0).number().bounds();
+        bounds = values_in_group<numeric::Interval>(module, size)[0].number().bounds();
     });
     EXPECT_TRUE(bounds.contains(static_cast<double>(got)));
     EXPECT_LT(bounds.high - bounds.low, 1e-5);
@@ -248,12 +236,7 @@ TEST(Group, AnInvocationAloneHasNoNeighbours) {
     machine.bind(0, 0, words);
     machine.bind(0, 1, words);
     machine.set_invocation({});
-    try {
-        machine.run();
-        ADD_FAILURE() << "no error";
-    } catch (const Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("several invocations"));
-    }
+    expect_error<Error>([&] { machine.run(); }, {"several invocations"});
     EXPECT_THROW(machine.set_group({.group_size = {64, 64, 1}}), Error);
 }
 

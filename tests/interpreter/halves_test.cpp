@@ -32,14 +32,6 @@ struct Case {
     bool one_value = true;  // the rules leave no choice but rounding, flushing and NaN
 };
 
-Rows rows_of(std::size_t outputs) {
-    numeric::Random random(5);
-    Rows rows{.inputs = {}, .input_words = input_words, .output_words = outputs};
-    for (std::size_t word = 0; word < 500 * input_words; ++word)
-        rows.inputs.push_back(static_cast<Word>(random()));
-    return rows;
-}
-
 // Every result is put as the float of its value.
 TEST(Halves, AreRoundedToTheirFormat) {
     const auto half = [](double x) {
@@ -68,7 +60,10 @@ TEST(Halves, AreRoundedToTheirFormat) {
         body += fmt::format("put({}, float(float16_t({})));\n", c, cases[c].glsl);
     const module::Spirv module = test::strictly_compiled(shader_of(body, cases.size()));
     const Program program(module);
-    const Rows rows = rows_of(cases.size());
+    numeric::Random random(5);
+    Rows rows{.inputs = {}, .input_words = input_words, .output_words = cases.size()};
+    for (std::size_t word = 0; word < 500 * input_words; ++word)
+        rows.inputs.push_back(static_cast<Word>(random.bits()));
     const std::vector<Word> ours_of = test::rounded_correctly(program, rows);
     const std::vector<Word> device_of = test::on_device(*test::SharedDevice::get(), module, rows);
     Machine<numeric::Interval> intervals(program);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every operation alone: compared with wider arithmetic, and with the device if the result has a single
 // value.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "interpreter/shader_run.hpp"
@@ -249,59 +248,56 @@ bool is_usual(float x) {
     return x == 0.0F || (std::isfinite(x) && std::abs(x) >= 0x1p-126F);
 }
 
-class OpcodeTest : public testing::Test {
-  protected:
-    void compare(const std::vector<Operation>& operations) {
-        const module::Spirv module = test::strictly_compiled(text_of(operations));
-        const Rows rows = rows_of(operations.size());
-        const std::vector<Word> device = test::on_device(*test::SharedDevice::get(), module, rows);
-        const std::vector<Word> ours = test::rounded_correctly(Program(module), rows);
-        for (std::size_t n = 0; n < operations.size(); ++n) compare_one(operations, n, rows, ours, device);
-    }
-
-    static void compare_one(const std::vector<Operation>& operations, std::size_t n, const Rows& rows,
-                            const std::vector<Word>& ours, const std::vector<Word>& device) {
-        const Operation& operation = operations[n];
-        std::size_t wrong = 0;
-        std::size_t differ = 0;
-        std::string first;
-        for (std::size_t r = 0; r < rows.count(); ++r) {
-            const Row row{std::span(rows.inputs).subspan(r * input_words, input_words)};
-            const Word got = ours[r * operations.size() + n];
-            const Word there = device[r * operations.size() + n];
-            const bool special = !std::ranges::all_of(
-                row.words.first(4), [](Word word) { return is_usual(std::bit_cast<float>(word)); });
-            bool right = true;
-            if (operation.word) {
-                right = got == operation.word(row) || special;
-            } else {
-                const double want = operation.wide(row);
-                right = numeric::ulp_error(std::bit_cast<float>(got), want) <= operation.ulps || special;
-            }
-            const bool value_is_usual = !operation.wide || is_usual(std::bit_cast<float>(got));
-            const bool both_zero = operation.wide && (got | there | 0x80000000U) == 0x80000000U;
-            const bool same = got == there || both_zero || special || !value_is_usual;
-            if (!right) ++wrong;
-            if (!same && operation.one_value) ++differ;
-            if ((!right || (!same && operation.one_value)) && first.empty())
-                first = fmt::format("row {}: {:08x}, on the device {:08x}, from {:08x}", r, got, there,
-                                    fmt::join(row.words, " "));
+void compare_one(const std::vector<Operation>& operations, std::size_t n, const Rows& rows,
+                 const std::vector<Word>& ours, const std::vector<Word>& device) {
+    const Operation& operation = operations[n];
+    std::size_t wrong = 0;
+    std::size_t differ = 0;
+    std::string first;
+    for (std::size_t r = 0; r < rows.count(); ++r) {
+        const Row row{std::span(rows.inputs).subspan(r * input_words, input_words)};
+        const Word got = ours[r * operations.size() + n];
+        const Word there = device[r * operations.size() + n];
+        const bool special = !std::ranges::all_of(
+            row.words.first(4), [](Word word) { return is_usual(std::bit_cast<float>(word)); });
+        bool right = true;
+        if (operation.word) {
+            right = got == operation.word(row) || special;
+        } else {
+            const double want = operation.wide(row);
+            right = numeric::ulp_error(std::bit_cast<float>(got), want) <= operation.ulps || special;
         }
-        EXPECT_EQ(wrong, 0U) << operation.expression << ": " << first;
-        EXPECT_EQ(differ, 0U) << operation.expression << ": " << first;
+        const bool value_is_usual = !operation.wide || is_usual(std::bit_cast<float>(got));
+        const bool both_zero = operation.wide && (got | there | 0x80000000U) == 0x80000000U;
+        const bool same = got == there || both_zero || special || !value_is_usual;
+        if (!right) ++wrong;
+        if (!same && operation.one_value) ++differ;
+        if ((!right || (!same && operation.one_value)) && first.empty())
+            first = fmt::format("row {}: {:08x}, on the device {:08x}, from {:08x}", r, got, there,
+                                fmt::join(row.words, " "));
     }
-};
+    EXPECT_EQ(wrong, 0U) << operation.expression << ": " << first;
+    EXPECT_EQ(differ, 0U) << operation.expression << ": " << first;
+}
 
-TEST_F(OpcodeTest, FloatsAreRoundedCorrectlyAsTheDeviceRoundsThem) {
+void compare(const std::vector<Operation>& operations) {
+    const module::Spirv module = test::strictly_compiled(text_of(operations));
+    const Rows rows = rows_of(operations.size());
+    const std::vector<Word> device = test::on_device(*test::SharedDevice::get(), module, rows);
+    const std::vector<Word> ours = test::rounded_correctly(Program(module), rows);
+    for (std::size_t n = 0; n < operations.size(); ++n) compare_one(operations, n, rows, ours, device);
+}
+
+TEST(OpcodeTest, FloatsAreRoundedCorrectlyAsTheDeviceRoundsThem) {
     compare(float_operations);
 }
 
-TEST_F(OpcodeTest, IntegersAndBoolsAreTheDevices) {
+TEST(OpcodeTest, IntegersAndBoolsAreTheDevices) {
     compare(word_operations);
 }
 
 // On intervals: what the device gives and what correct rounding gives are permitted, whatever the input.
-TEST_F(OpcodeTest, BothAreAmongWhatIsPermitted) {
+TEST(OpcodeTest, BothAreAmongWhatIsPermitted) {
     std::vector<Operation> operations = float_operations;
     for (const Operation& more : word_operations) operations.push_back(more);
     const module::Spirv module = test::strictly_compiled(text_of(operations));

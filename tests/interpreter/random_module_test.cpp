@@ -42,11 +42,9 @@ class RandomModule : public testing::TestWithParam<int> {
   protected:
     // The process knows a browser's SwiftShader by its name then.
     static void SetUpTestSuite() { backend::vulkan::add_swiftshader(); }
-    [[nodiscard]] static std::vector<std::uint64_t> seeds() {
-        std::vector<std::uint64_t> all(6);
-        for (std::size_t i = 0; i < all.size(); ++i)
-            all[i] = static_cast<std::uint64_t>(GetParam()) * 1000U + i;
-        return all;
+    [[nodiscard]] static auto seeds() {
+        const std::uint64_t first = static_cast<std::uint64_t>(GetParam()) * 1000U;
+        return std::views::iota(first, first + 6);
     }
 };
 

@@ -60,19 +60,11 @@ Bounds permitted(const SampledView& view, const SamplePoint& point) {
 
 // Texel i of a row of `size` whose texels are 0, 1, 2 ...; beyond its ends by steps.
 double row_texel(int i, int size, Wrap wrap) {
-    switch (wrap) {
-        case Wrap::repeat:
-            while (i < 0) i += size;
-            while (i >= size) i -= size;
-            return i;
-        case Wrap::mirrored:
-            while (i < 0 || i >= size) i = i < 0 ? -1 - i : 2 * size - 1 - i;
-            return i;
-        case Wrap::edge:
-            return std::clamp(i, 0, size - 1);
-        default:
-            return i < 0 || i >= size ? 0.0 : i;
-    }
+    while (wrap == Wrap::repeat && i < 0) i += size;
+    while (wrap == Wrap::repeat && i >= size) i -= size;
+    while (wrap == Wrap::mirrored && (i < 0 || i >= size)) i = i < 0 ? -1 - i : 2 * size - 1 - i;
+    if (wrap == Wrap::edge) i = std::clamp(i, 0, size - 1);
+    return i < 0 || i >= size ? 0.0 : i;
 }
 
 TEST(Sampling, LinearIsTheWeightedMeanOfTwoTexels) {
@@ -242,20 +234,9 @@ TEST(Sampling, WordsThatDisagreeAreRefused) {
 Vector middle(const FaceTexel& texel, double size) {
     const double s = (2.0 * static_cast<double>(texel.x) + 1.0) / size - 1.0;
     const double t = (2.0 * static_cast<double>(texel.y) + 1.0) / size - 1.0;
-    switch (texel.face) {
-        case 0:
-            return {1, -t, -s};
-        case 1:
-            return {-1, -t, s};
-        case 2:
-            return {s, 1, t};
-        case 3:
-            return {s, -1, -t};
-        case 4:
-            return {s, -t, 1};
-        default:
-            return {-s, -t, -1};
-    }
+    const std::array<Vector, 6> faces{
+        {{1, -t, -s}, {-1, -t, s}, {s, 1, t}, {s, -1, -t}, {s, -t, 1}, {-s, -t, -1}}};
+    return faces.at(texel.face);
 }
 
 SamplePoint towards(const Vector& direction) {

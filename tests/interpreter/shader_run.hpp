@@ -43,6 +43,18 @@ inline std::string row_shader(std::size_t input_words, std::size_t output_words,
            functions + "\nvoid main() {\n" + body + "}\n";
 }
 
+// The error that an action throws.
+template <class Action>
+interpreter::Error error_of(const Action& action) {
+    try {
+        action();
+    } catch (const interpreter::Error& error) {
+        return error;
+    }
+    ADD_FAILURE() << "no error";
+    return {interpreter::Error::Kind::missing, ""};
+}
+
 inline module::Spirv strictly_compiled(const std::string& text) {
     return module::compile({.name = "test", .text = text}, {.variant = module::variant("strict")});
 }
