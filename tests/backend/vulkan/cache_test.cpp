@@ -12,10 +12,6 @@ namespace gloam::backend::vulkan::test::cache_test {
 
 namespace fs = std::filesystem;
 
-void write_all(const fs::path& file, const std::string& content) {
-    std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
-}
-
 std::string some_bytes(std::size_t count) {
     std::string bytes(count, '\0');
     for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<char>(i * 7);
@@ -81,11 +77,11 @@ TEST_F(CacheFile, AnyFlippedBitAndAnyOtherLengthShow) {
     for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
         auto bad = good;
         bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << bit % 8));
-        write_all(file, bad);
+        folder.write("cache", bad);
         ASSERT_FALSE(base::read_cached(file, key)) << "bit " << bit;
     }
     for (std::size_t length = 0; length <= good.size() + 1; ++length) {
-        write_all(file, (good + '\0').substr(0, length));
+        folder.write("cache", (good + '\0').substr(0, length));
         ASSERT_EQ(base::read_cached(file, key).has_value(), length == good.size()) << length << " bytes";
     }
 }

@@ -51,9 +51,8 @@ inline module::Spirv compiled(const std::string& text, source::Stage stage = sou
 // A pipeline of a compute shader, without its #version line.
 inline ComputePipeline pipeline_of(const Device& device, const std::string& text,
                                    std::uint32_t push_constant_bytes = 0,
-                                   std::vector<BindingKind> bindings = {BindingKind::storage_buffer},
-                                   std::vector<SpecializationConstant> constants = {}) {
-    return {device, {compiled(text), std::move(bindings), push_constant_bytes, std::move(constants)}};
+                                   std::vector<BindingKind> bindings = {BindingKind::storage_buffer}) {
+    return {device, {compiled(text), std::move(bindings), push_constant_bytes, {}}};
 }
 
 // values[i] = first + i * step.

@@ -6,15 +6,15 @@ namespace gloam::backend::vulkan::test::raster_test {
 constexpr Extent extent{8, 6};
 constexpr std::size_t pixels = extent.width * extent.height;
 
-class RasterTest : public GpuTest {
-  protected:
-    // Fragments of the top left half add a value to an image of one channel.
-    RasterPipeline adding() {
-        const module::Spirv vertex = compiled(R"(
+using RasterTest = GpuTest;
+
+// Fragments of the top left half add a value to an image of one channel.
+RasterPipeline adding(const Device& device) {
+    const module::Spirv vertex = compiled(R"(
 void main() { gl_Position = vec4(2.0 * vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1) - 1.0, 0.0, 1.0); }
 )",
-                                              source::Stage::vertex);
-        const module::Spirv fragment = compiled(R"(
+                                          source::Stage::vertex);
+    const module::Spirv fragment = compiled(R"(
 layout(binding = 0, r32f) uniform image2D values;
 layout(push_constant) uniform Constants { float value; };
 void main() {
@@ -22,14 +22,13 @@ void main() {
     imageStore(values, pixel, imageLoad(values, pixel) + value);
 }
 )",
-                                                source::Stage::fragment);
-        return {device(),
-                {.vertex_spirv = vertex,
-                 .fragment_spirv = fragment,
-                 .push_constant_bytes = sizeof(float),
-                 .bindings = {BindingKind::storage_image}}};
-    }
-};
+                                            source::Stage::fragment);
+    return {device,
+            {.vertex_spirv = vertex,
+             .fragment_spirv = fragment,
+             .push_constant_bytes = sizeof(float),
+             .bindings = {BindingKind::storage_image}}};
+}
 
 // A pixel centre of the 8x6 image is never on the diagonal's edge between halves: (x+.5)/8 + (y+.5)/6 = 1 has
 // a solution only where 3x + 4y = 20.5.
@@ -41,7 +40,7 @@ bool in_top_left(std::size_t pixel) {
 
 // Render, read in a dispatch, render again over it: each sees the one before, and each pixel is met once.
 TEST_F(RasterTest, EachPixelOfTheTriangleOnceAndInOrder) {
-    const RasterPipeline raster = adding();
+    const RasterPipeline raster = adding(device());
     const ComputePipeline copy = pipeline_of(device(), R"(
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, r32f) uniform readonly image2D from;
@@ -73,7 +72,7 @@ void main() {
 TEST_F(RasterTest, TimesOfLaterDispatchesAreTheirOwn) {
     if (device().info().timestamp_period_ns == 0.0) GTEST_SKIP() << "no timestamps on this device";
     const Image value(device(), extent, Format::r32f);
-    const RasterPipeline raster = adding();
+    const RasterPipeline raster = adding(device());
     Commands before(device());
     render(before, raster, extent, std::vector<Resource>{value}, bytes_of(0.0f));
     before.submit();
