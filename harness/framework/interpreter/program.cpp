@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/lowering.hpp"

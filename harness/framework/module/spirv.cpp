@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <map>
 #include <set>
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
@@ -61,22 +60,11 @@ Spirv after_passes(const Spirv& module, const std::function<void(spvtools::Optim
 
 using spirv::Id;
 
+// FRem to Dot are the remainders, and the products of vectors and matrices.
 bool is_float_arithmetic(const Instruction& instruction) {
-    constexpr std::array opcodes{SpvOpFNegate,
-                                 SpvOpFAdd,
-                                 SpvOpFSub,
-                                 SpvOpFMul,
-                                 SpvOpFDiv,
-                                 SpvOpFRem,
-                                 SpvOpFMod,
-                                 SpvOpVectorTimesScalar,
-                                 SpvOpMatrixTimesScalar,
-                                 SpvOpVectorTimesMatrix,
-                                 SpvOpMatrixTimesVector,
-                                 SpvOpMatrixTimesMatrix,
-                                 SpvOpOuterProduct,
-                                 SpvOpDot};
-    return std::ranges::find(opcodes, instruction.opcode) != opcodes.end();
+    constexpr std::array opcodes{SpvOpFNegate, SpvOpFAdd, SpvOpFSub, SpvOpFMul, SpvOpFDiv};
+    return std::ranges::find(opcodes, instruction.opcode) != opcodes.end() ||
+           (instruction.opcode >= SpvOpFRem && instruction.opcode <= SpvOpDot);
 }
 
 // Whether the instruction yields a given value, not a calculated one: a constant, or a bit pattern.
@@ -104,15 +92,6 @@ bool has_typed_result(const Instruction& instruction) {
     return result && type && instruction.words.size() > 2;
 }
 
-std::set<Id> decorated_ids(const std::vector<Instruction>& instructions, SpvDecoration decoration) {
-    std::set<Id> ids;
-    for (const Instruction& i : instructions) {
-        if (i.opcode == SpvOpDecorate && i.word(2) == static_cast<std::uint32_t>(decoration))
-            ids.insert(i.word(1));
-    }
-    return ids;
-}
-
 // Index at which annotations begin: behind all sections that precede them in a module.
 std::size_t annotations_begin(const std::vector<Instruction>& instructions, std::size_t end) {
     constexpr std::array before{SpvOpCapability,      SpvOpExtension,       SpvOpExtInstImport,
@@ -128,7 +107,10 @@ std::size_t annotations_begin(const std::vector<Instruction>& instructions, std:
 
 Spirv decorate(const Spirv& module, SpvDecoration decoration, const std::vector<Instruction>& instructions,
                const std::function<bool(const Instruction&)>& wanted) {
-    const std::set<Id> already = decorated_ids(instructions, decoration);
+    std::set<Id> already;
+    for (const Instruction& i : instructions)
+        if (i.opcode == SpvOpDecorate && i.word(2) == static_cast<std::uint32_t>(decoration))
+            already.insert(i.word(1));
     Spirv added;
     for (const Instruction& i : instructions) {
         if (!has_typed_result(i) || !wanted(i) || already.contains(i.word(2))) continue;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "module/steps.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <chrono>

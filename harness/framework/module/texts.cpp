@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "module/texts.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "base/pattern.hpp"
 #include "module/include.hpp"
 #include "module/internal/front_end.hpp"
 
@@ -63,16 +62,12 @@ std::string pack(const std::vector<source::Source>& sources, const source::PackR
 }
 
 std::string definitions_of(const std::vector<std::string>& defines) {
+    static const base::Pattern form(R"(^[A-Za-z_]\w*(=[^\n]*)?$)");
     std::string lines;
     for (std::string one : defines) {
-        const std::size_t equals = one.find('=');
-        const std::string name = one.substr(0, equals);
-        const bool is_name =
-            !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
-            std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-        if (!is_name || one.find('\n') != std::string::npos)
+        if (form.first(one).empty())
             throw std::invalid_argument("--define " + one + ": expected NAME or NAME=VALUE");
-        if (equals != std::string::npos) one[equals] = ' ';
+        if (const std::size_t equals = one.find('='); equals != std::string::npos) one[equals] = ' ';
         lines += "#define " + one + "\n";
     }
     return lines;

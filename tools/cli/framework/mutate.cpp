@@ -92,13 +92,6 @@ fs::path common_folder(const std::vector<fs::path>& files) {
     return folder;
 }
 
-// Without blanks around it.
-std::string trimmed(const std::string& text) {
-    constexpr const char* blanks = " \t\r\n";
-    const std::size_t start = text.find_first_not_of(blanks);
-    return start == std::string::npos ? "" : text.substr(start, text.find_last_not_of(blanks) - start + 1);
-}
-
 // What `gloam mutate` was asked.
 struct MutateCommand {
     std::vector<std::string> paths;     // files, and folders of which all shaders count
@@ -225,16 +218,16 @@ class Trials {
         int number = 0;
         for (std::string line; std::getline(lines, line);) {
             ++number;
-            if (trimmed(line).empty() || line.starts_with('#')) continue;
+            if (source::trimmed(line).empty() || line.starts_with('#')) continue;
             const std::size_t first = line.find(" | ");
             const std::size_t last = line.rfind(" | ");
             if (first == std::string::npos || first == last)
                 throw std::runtime_error(
                     fmt::format("{}:{}: expected FILE | LINE WITH THE FAULT | REASON, found {}",
                                 command_.known, number, base::shortened(line, 80)));
-            known_.push_back({trimmed(line.substr(0, first)),
-                              trimmed(line.substr(first + 3, last - first - 3)),
-                              trimmed(line.substr(last + 3))});
+            for (std::string& part : known_.emplace_back(std::array{
+                     line.substr(0, first), line.substr(first + 3, last - first - 3), line.substr(last + 3)}))
+                part = source::trimmed(part);
         }
     }
 
@@ -242,7 +235,7 @@ class Trials {
         const std::string text = source::mutated(files_[row.file].text(), row.mutation);
         const std::size_t first = text.substr(0, row.mutation.begin).rfind('\n') + 1;
         const std::size_t end = text.find('\n', row.mutation.begin + row.mutation.after.size());
-        const std::string line = trimmed(text.substr(first, end - first));
+        const std::string_view line = source::trimmed(std::string_view(text).substr(first, end - first));
         const std::string file = files_[row.file].path().generic_string();
         const auto found = std::ranges::find_if(
             known_, [&](const auto& one) { return one[1] == line && file.ends_with("/" + one[0]); });

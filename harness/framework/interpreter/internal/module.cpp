@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <bit>
 
 #include "interpreter/internal/conversions.hpp"
 #include "interpreter/internal/opcodes.hpp"

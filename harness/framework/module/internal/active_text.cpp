@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/pattern.hpp"
+
 namespace gloam::module::internal {
 namespace {
 
@@ -18,17 +20,10 @@ std::string mark_of(std::size_t file, std::size_t line) {
     return std::string(mark) + std::to_string(file) + "_" + std::to_string(line) + "_";
 }
 
-// "450", "330 core", "300 es" and their like.
-bool is_version(std::string_view text) {
-    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-    text.remove_prefix(std::min(text.find_first_not_of(" \t", digits), text.size()));
-    text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
-    return digits == 3 && (text.empty() || text == "core" || text == "compatibility" || text == "es");
-}
-
 void require_version(const source::TextFile& file, const source::Line& line,
                      const source::Directive& directive) {
-    if (is_version(directive.argument)) return;
+    static const base::Pattern version(R"(^\d{3}[ \t]*(core|compatibility|es)?$)");
+    if (!version.first(directive.argument).empty()) return;
     throw source::CompileError(file.name + ":" + std::to_string(line.number) + ": #version " +
                                directive.argument + ": expected a version of GLSL, such as 450 or 300 es");
 }
