@@ -4,7 +4,6 @@
 
 A copy of the page has one script more, which sends what it finds to this test. Left with status 77 where there is no
 firefox-esr, xvfb-run or xauth: without a display Firefox has no WebGL."""
-import base64
 import json
 import os
 import shutil

@@ -81,10 +81,12 @@ class Findings {
 
     // The gravest first.
     [[nodiscard]] std::vector<AuditFinding> all() {
-        add_fault();
-        add_first(Concern::is_false, [&](const std::vector<Word>& words) {
-            return internal::shows(Concern::is_false, runs_.read(words));
-        });
+        for (const Concern concern : {Concern::fault, Concern::is_false}) {
+            AuditFinding* const finding = add_first(concern, [&](const std::vector<Word>& words) {
+                return internal::shows(concern, runs_.read(words));
+            });
+            if (finding != nullptr) finding->message = runs_.read(finding->words).fault;
+        }
         for (const Concern concern : {Concern::not_finite, Concern::undefined, Concern::unspecified})
             add_places(concern);
         add_parting();
@@ -104,12 +106,6 @@ class Findings {
             add(concern, (examples.random.empty() ? examples.others : examples.random).front(), still);
         finding.share = share_of(examples.shown);
         return &finding;
-    }
-
-    void add_fault() {
-        AuditFinding* const finding = add_first(
-            Concern::fault, [&](const std::vector<Word>& words) { return !runs_.read(words).fault.empty(); });
-        if (finding != nullptr) finding->message = runs_.read(finding->words).fault;
     }
 
     // The first operation with a result that is not finite, or of which every value is permitted.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "audit/mutant.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

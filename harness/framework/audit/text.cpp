@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <ostream>
+#include <sstream>
 #include <string_view>
 
 #include "audit/audit.hpp"
@@ -24,32 +24,22 @@ std::string number(double x) {
     return std::isnan(x) ? "NaN" : fmt::format("{:.9g}", x);
 }
 
+// Names in SPIR-V, and what the source has where that is another one.
+constexpr const char* operators =
+    "OpFAdd + OpFSub - OpFMul * OpVectorTimesScalar * OpFDiv / OpFMod mod OpDot dot OpFOrdLessThan < "
+    "OpFOrdGreaterThan > OpFOrdLessThanEqual <= OpFOrdGreaterThanEqual >= OpFOrdEqual == OpFOrdNotEqual != "
+    "OpFUnordNotEqual != OpConvertFToS int OpConvertFToU uint Atan2 atan MatrixInverse inverse";
+
 // "acos", "-": as the source has it, or the name in SPIR-V.
 std::string operation_text(const std::string& operation) {
-    static const std::map<std::string, std::string> operators{{"OpFAdd", "+"},
-                                                              {"OpFSub", "-"},
-                                                              {"OpFMul", "*"},
-                                                              {"OpVectorTimesScalar", "*"},
-                                                              {"OpFDiv", "/"},
-                                                              {"OpFMod", "mod"},
-                                                              {"OpDot", "dot"},
-                                                              {"OpFOrdLessThan", "<"},
-                                                              {"OpFOrdGreaterThan", ">"},
-                                                              {"OpFOrdLessThanEqual", "<="},
-                                                              {"OpFOrdGreaterThanEqual", ">="},
-                                                              {"OpFOrdEqual", "=="},
-                                                              {"OpFOrdNotEqual", "!="},
-                                                              {"OpFUnordNotEqual", "!="},
-                                                              {"OpConvertFToS", "int"},
-                                                              {"OpConvertFToU", "uint"},
-                                                              {"GLSL.std.450 Atan2", "atan"},
-                                                              {"GLSL.std.450 MatrixInverse", "inverse"}};
     constexpr std::string_view set = "GLSL.std.450 ";
-    const auto found = operators.find(operation);
-    if (found != operators.end()) return found->second;
-    if (!operation.starts_with(set)) return operation;
+    const bool extended = operation.starts_with(set);
+    std::string name = extended ? operation.substr(set.size()) : operation;
+    std::istringstream pairs(operators);
+    for (std::string known, text; pairs >> known >> text;)
+        if (known == name) return text;
+    if (!extended) return operation;
     const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
-    std::string name = operation.substr(set.size());
     if (name.size() > 1 && name[0] == 'F' && is_upper(name[1])) name.erase(0, 1);  // FMix
     return base::lower(name);
 }
