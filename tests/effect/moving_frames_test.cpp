@@ -3,6 +3,7 @@
 // DLSS, FSR.
 #include "effect/errors.hpp"
 #include "on_device.hpp"
+#include "reference/sampling.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::moving_frames_test {
@@ -10,15 +11,9 @@ namespace gloam::effect::moving_frames_test {
 constexpr backend::Extent extent{240, 150};
 constexpr int frame_count = 32;
 
-double radical_inverse(int index, int base) {
-    double sum = 0.0;
-    for (double place = 1.0 / base; index > 0; index /= base, place /= base) sum += index % base * place;
-    return sum;
-}
-
 // From the middle of a pixel to a point of it, in pixels: Halton's.
-glm::dvec2 point_of(int frame) {
-    return {radical_inverse(frame + 1, 2) - 0.5, radical_inverse(frame + 1, 3) - 0.5};
+glm::dvec2 point_of(unsigned frame) {
+    return reference::gloam_halton_2d(frame + 1) - 0.5;
 }
 
 // Depth of a board on a floor before a wall. ray: of a pixel, at depth 1. eye: how far it has moved to the
@@ -35,7 +30,8 @@ enum class Case { none, left_out, reprojected };
 // The jitter of a frame, in view space at depth 1.
 glm::dvec2 jitter_of(int frame) {
     const glm::dvec2 scale(wall(extent, 1.0F).camera.p00_p11());
-    return 2.0 * point_of(std::max(frame, 0)) / glm::dvec2(extent.width, extent.height) / scale;
+    return 2.0 * point_of(static_cast<unsigned>(std::max(frame, 0))) /
+           glm::dvec2(extent.width, extent.height) / scale;
 }
 
 // To the view space in which the jittered image has its camera in the middle.

@@ -1,33 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The study's frames: what a history survives, what a guard band gains, and what is refused.
+// The study's frames: what a history survives, and what is refused.
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/truth.hpp"
 #include "support/poison.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::study_frames_test {
-
-using Guard = OnDevice<testing::Test>;
-
-// Against the geometry, ray-traced.
-TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
-    constexpr backend::Extent extent{96, 54};
-    const scene::Scene scene = scene::make_scene("room");
-    const auto error = [&](float guard) {
-        const scene::GBuffer wide = drawn(scene, extent, {.motion = true, .guard = double{guard}});
-        std::vector<float> edge =
-            trace_geometry(scene, 0, scene::cropped(wide), {.rays = {.radius = scene.ao_radius, .rays = 128}})
-                .occlusion;
-        for (std::uint32_t y = 4; y + 4 < extent.height; ++y)
-            std::fill_n(edge.begin() + y * extent.width + 4, extent.width - 8, nan);
-        Settings settings = with_radius({}, static_cast<float>(scene.ao_radius));
-        settings.guard = guard;
-        return errors_of(run(wide, settings, 8).occlusion, edge).rmse;
-    };
-    EXPECT_LT(error(0.1F), 0.75 * error(0.0F));
-}
 
 constexpr backend::Extent small{64, 36};
 
@@ -95,17 +74,16 @@ const Settings paper = with_radius({}, 0.5F);
 using Temporal = OnDevice<testing::Test>;
 
 TEST_F(Temporal, ACutAndAnotherSizeForget) {
-    const scene::Scene scene = panned(floor_and_wall(false), 0.01);
     AmbientOcclusion& effect = shared_effect();
-    effect.begin(drawn(scene, extent), paper);
+    effect.begin(drawn("moving", extent), paper);
     (void)effect.next();
     const backend::Extent other{40, 30};
-    effect.advance(drawn(scene, other, {.frame = 1, .motion = true}));
+    effect.advance(drawn("moving", other, {.frame = 1, .motion = true}));
     const Frame resized = effect.next();
     EXPECT_EQ(mean_of(resized.kept), 0.0);
-    effect.advance(drawn(scene, other, {.frame = 2, .motion = true}));
+    effect.advance(drawn("moving", other, {.frame = 2, .motion = true}));
     EXPECT_GT(mean_of(effect.next().kept), 1.0);
-    effect.advance(drawn(scene, other));  // which knows no frame before
+    effect.advance(drawn("moving", other));  // which knows no frame before
     EXPECT_EQ(mean_of(effect.next().kept), 0.0);
 }
 

@@ -62,30 +62,19 @@ inline scene::GBuffer step(float left, float right, double height = 8.0) {
 inline constexpr std::size_t beside = 16 * 48 + 24;
 inline constexpr double close = 0.5;  // height of that view
 
-// A floor before a wall. With `box`, a box that slides along the wall by `speed` world units a frame.
-inline scene::Scene floor_and_wall(bool box, double speed = 0.05) {
+// A floor before a wall. With `box`, a box that slides along the wall.
+inline scene::Scene floor_and_wall(bool box) {
     scene::Scene scene{.name = "test"};
     scene.mesh = scene::make_parallelogram({-4, 0, -1}, {0, 0, 5}, {8, 0, 0}, 0.5);
     append(scene.mesh, scene::make_parallelogram({-4, 0, -1}, {8, 0, 0}, {0, 4, 0}, 0.5));
     scene.camera = {.eye = {0, 1.2, 3}, .target = {0, 0.4, -1}, .near = 0.1, .far = 50};
     scene.ao_radius = 0.5;
     if (box)
-        scene.objects.push_back({scene::make_box({-0.3, 0, -0.3}, {0.3, 0.6, 0.3}, 0.2), [speed](int frame) {
+        scene.objects.push_back({scene::make_box({-0.3, 0, -0.3}, {0.3, 0.6, 0.3}, 0.2), [](int frame) {
                                      glm::dmat4 move(1.0);
-                                     move[3] = glm::dvec4(-0.5 + speed * frame, 0.0, -0.5, 1.0);
+                                     move[3] = glm::dvec4(-0.5 + 0.05 * frame, 0.0, -0.5, 1.0);
                                      return move;
                                  }});
-    return scene;
-}
-
-// Under a camera that moves by `speed` world units a frame.
-inline scene::Scene panned(scene::Scene scene, double speed) {
-    scene.camera_path = [start = scene.camera, speed](int frame) {
-        scene::Camera camera = start;
-        camera.eye.x += speed * frame;
-        camera.target.x += speed * frame;
-        return camera;
-    };
     return scene;
 }
 

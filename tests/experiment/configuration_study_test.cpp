@@ -2,7 +2,6 @@
 #include "experiment/configuration_study.hpp"
 #include "effect/methods.hpp"
 #include "effect/on_device.hpp"
-#include "experiment/database.hpp"
 
 namespace gloam::experiment::configuration_study_test {
 
@@ -18,13 +17,21 @@ class ConfigurationStudyTest : public effect::OnDevice<testing::Test> {
     ConfigurationStudy study_{device_, passes_};
 };
 
-// The sky has no pixels over which samples are averaged.
+// The sky has no pixels over which samples are averaged, and each other pixel has one class.
 TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
-    BenchmarkViews views(scene::make_scene("sky"),
-                         {.extent = {64, 36}, .frames = 4, .scored = 2, .rays = 32});
+    BenchmarkViews views(
+        scene::make_scene("sky"),
+        {.extent = {64, 36}, .frames = 4, .scored = 2, .rays = 32, .measures = {Quantity::by_class}});
     const Settings settings = settings_for(views, "samples=4 samples_converged=4 least_radius=0");
-    for (const bool temporal : {false, true})
-        EXPECT_DOUBLE_EQ(study_.visit(views, settings, temporal, 0).quality->samples, 4.0) << temporal;
+    for (const bool temporal : {false, true}) {
+        const FrameQuality quality = study_.visit(views, settings, temporal, 0).quality.value();
+        EXPECT_DOUBLE_EQ(quality.samples, 4.0) << temporal;
+        double squares = 0.0;  // of all pixels, less those of each class
+        for (const FrameScore& frame : quality.by_class->frames)
+            for (const ClassScore& score : frame.classes)
+                squares += score.pixels == "all" ? score.squares : -score.squares;
+        EXPECT_NEAR(squares, 0.0, 1e-9) << temporal;
+    }
 }
 
 // Blades of grass want more pixels.
@@ -62,46 +69,6 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     const ConfigurationVisit visit = study_.visit(views, settings, true, 0);
     EXPECT_FALSE(visit.quality);
     EXPECT_EQ(visit.shown.filtered, effect.next().filtered);
-}
-
-// What the temporal effect must be worth, on small images: the same numbers that `gloam bench temporal`
-// measures.
-
-// A quantity of one run, of a class of pixels in all scored frames.
-double value_of(const ConfigurationVisit& visit, const std::string& quantity, const std::string& pixels) {
-    Record record({});
-    record.add({.shown = {.name = "run"}, .candidate = "run", .quality = visit.quality});
-    return std::stod(Database(record)
-                         .texts("SELECT " + quantity + " FROM class_errors WHERE pixels = '" + pixels +
-                                "' AND against = 'geometry'")
-                         .at(0));
-}
-
-// The second is a mean over 128 samples instead of 500, always as many a frame, always rotated.
-TEST_F(ConfigurationStudyTest, MovingObjectsLeaveNoTrailAndWhatHasSettledStays) {
-    BenchmarkViews views(scene::make_scene("moving"), {.extent = {96, 54},
-                                                       .frames = 37,
-                                                       .scored = 25,
-                                                       .every = 12,
-                                                       .rays = 64,
-                                                       .depth_truth = false,
-                                                       .measures = {Quantity::by_class}});
-    const auto visit = [&](const char* changes, bool temporal) {
-        return study_.visit(views, settings_for(views, changes), temporal, 0);
-    };
-    const ConfigurationVisit paper = visit("", true);
-    const ConfigurationVisit moving =
-        visit("samples_converged=32 weight_max=128 c_rot=2 c_adaptive=0.78 filter_cap=1", true);
-    const ConfigurationVisit without = visit("invalidation=none", true);
-    const ConfigurationVisit single = visit("", false);
-    const auto near = [](const ConfigurationVisit& visit) {
-        return value_of(visit, "rmse_raw", "near_moving");
-    };
-    EXPECT_LT(near(moving), 1.2 * near(single));
-    EXPECT_LT(near(paper), 1.2 * near(single));
-    EXPECT_GT(near(without), 1.2 * near(single)) << "without (9) there is a trail";
-    const auto settled = [](const ConfigurationVisit& visit) { return value_of(visit, "rmse", "settled"); };
-    EXPECT_LT(settled(moving), settled(single));
 }
 
 }  // namespace gloam::experiment::configuration_study_test
