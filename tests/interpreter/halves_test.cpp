@@ -63,7 +63,7 @@ TEST(Halves, AreRoundedToTheirFormat) {
     numeric::Random random(5);
     Rows rows{.inputs = {}, .input_words = input_words, .output_words = cases.size()};
     for (std::size_t word = 0; word < 500 * input_words; ++word)
-        rows.inputs.push_back(static_cast<Word>(random.bits()));
+        rows.inputs.push_back(static_cast<Word>(random()));
     const std::vector<Word> ours_of = test::rounded_correctly(program, rows);
     const std::vector<Word> device_of = test::on_device(*test::SharedDevice::get(), module, rows);
     Machine<numeric::Interval> intervals(program);
