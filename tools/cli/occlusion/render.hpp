@@ -187,8 +187,8 @@ void write_truth(record::OutputFolder& folder, const std::string& prefix, const 
 [[nodiscard]] base::RgbBytes tinted_tiles(const ShadedView& shown, const effect::Frame& frame);
 
 // Writes STEM_ao.pfm and .png, of the filtered image, and STEM_tiles.png where there are some.
-void write_frame(record::OutputFolder& folder, const std::string& stem, const ShadedView& shown,
-                 const effect::Frame& frame);
+void write_frame(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
+                 const base::RgbBytes& tiles);
 
 // Writes STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, rad).
 void write_bent(record::OutputFolder& folder, const std::string& stem, const effect::BentNormals& bent);

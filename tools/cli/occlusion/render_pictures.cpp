@@ -88,10 +88,9 @@ base::RgbBytes tinted_tiles(const ShadedView& shown, const effect::Frame& frame)
     return rgb;
 }
 
-void write_frame(record::OutputFolder& folder, const std::string& stem, const ShadedView& shown,
-                 const effect::Frame& frame) {
+void write_frame(record::OutputFolder& folder, const std::string& stem, const effect::Frame& frame,
+                 const base::RgbBytes& tiles) {
     write_occlusion(folder, stem + "_ao", frame.filtered, frame.extent);
-    const base::RgbBytes tiles = tinted_tiles(shown, frame);
     if (!tiles.empty()) folder.write(stem + "_tiles.png", png_of(tiles, frame.extent));
 }
 

@@ -138,13 +138,16 @@ class Renderer {
         const bool last = i + 1 == input_.frames_per_view;
         const bool alone = folder_ != nullptr && candidate.prefix.empty();
         const std::string stem = candidate.prefix + scene::frame_prefix(shown.number + i);
-        if (last && (alone || shown.number == input_.views.back())) {
+        const bool lit = last && (alone || shown.number == input_.views.back());
+        if (!lit && folder_ == nullptr) return;
+        const base::RgbBytes tiles = tinted_tiles(shown, made.frame);
+        if (lit) {
             made.pictures = pictures_of(composite_, stem, light_of(shown), made.frame.filtered, shown.truth,
                                         options_.multi_bounce);
-            made.pictures.tiles = tinted_tiles(shown, made.frame);
+            made.pictures.tiles = tiles;
         }
         if (folder_ == nullptr) return;
-        write_frame(*folder_, stem, shown, made.frame);
+        write_frame(*folder_, stem, made.frame, tiles);
         if (made.pictures.name == stem) write_pictures(*folder_, made.pictures);
         if (!last || !(candidate.bent_normals || options_.light)) return;
         if (!directional_) directional_.emplace(device_, passes_);
