@@ -61,15 +61,16 @@ constexpr std::uint64_t chances = 16;
 
 }  // namespace
 
-Domain::Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {
-    for (const Values& values : parameters_)
+Domain::Domain(std::vector<Values> parameters)
+    : parameters_(std::make_shared<const std::vector<Values>>(std::move(parameters))) {
+    for (const Values& values : *parameters_)
         for (const std::size_t words = values.words(); const Values::Fixed& fixed : values.fixed)
             if (fixed.words.size() != words)
                 throw std::invalid_argument("a fixed value is of another type than those drawn");
 }
 
 Domain Domain::tied(std::size_t target, std::size_t source, double factor) const {
-    if (target >= parameters_.size() || source >= parameters_.size())
+    if (target >= parameters_->size() || source >= parameters_->size())
         throw std::invalid_argument("Domain::tied: no such parameter");
     Domain more = *this;
     more.ties_.push_back({target, source, factor});
@@ -90,9 +91,9 @@ Domain Domain::and_words(const std::vector<Word>& words) const {
 
 void Domain::require_fits(const Signature& signature, const std::string& function) const {
     const std::vector<InputSlot> slots = signature.inputs();
-    if (slots.size() != parameters_.size())
+    if (slots.size() != parameters_->size())
         throw std::invalid_argument(fmt::format("the domain has {} entries, {} takes {} inputs",
-                                                parameters_.size(), function, slots.size()));
+                                                parameters_->size(), function, slots.size()));
     for (std::size_t i = 0; i < slots.size(); ++i) {
         const module::Parameter& parameter = *slots[i].parameter;
         const std::vector<Scalar> scalars = scalars_of(parameter.type);
@@ -101,9 +102,9 @@ void Domain::require_fits(const Signature& signature, const std::string& functio
                 "{}: entry {} of the domain draws {}, the parameter is {}{}{}", function, i + 1, draws,
                 module::name_of(parameter.type), parameter.name.empty() ? "" : " ", parameter.name));
         };
-        if (const std::size_t words = parameters_[i].words(); words != scalars.size())
+        if (const std::size_t words = (*parameters_)[i].words(); words != scalars.size())
             throw refused(fmt::format("{} numbers", words));
-        const std::vector<bool>& floats = parameters_[i].floats;
+        const std::vector<bool>& floats = (*parameters_)[i].floats;
         for (std::size_t k = 0; k < floats.size(); ++k)
             if (floats[k] != module::is_float(scalars[k])) throw refused(floats[k] ? "floats" : "integers");
     }
@@ -129,7 +130,7 @@ Domain Domain::and_degenerate(const Signature& signature, bool only_vectors) con
     for (const InputSlot& slot : signature.inputs()) {
         const module::Type& type = slot.parameter->type;
         const std::size_t first = slot.first;
-        const Values& values = parameters_[parameter];
+        const Values& values = (*parameters_)[parameter];
         const bool composed = type.scalar == Scalar::structure || !type.sizes.empty();
         // Vectors in a struct or an array are only copied from: their valid values are unknown.
         for_each_value(type, [&, at = first](const module::Type& one) mutable {
@@ -164,7 +165,7 @@ Domain Domain::and_numbers(const Signature& signature, std::span<const float> nu
     const std::vector<InputSlot> slots = signature.inputs();
     for (std::size_t parameter = 0; parameter < slots.size(); ++parameter) {
         const std::vector<Scalar> scalars = scalars_of(slots[parameter].parameter->type);
-        const Values& values = parameters_[parameter];
+        const Values& values = (*parameters_)[parameter];
         for (std::size_t k = 0; k < scalars.size() && values.contains && !values.only_drawn; ++k) {
             if (scalars[k] != Scalar::float_) continue;
             const bool anywhere = std::ranges::any_of(values.fixed, [k](const Values::Fixed& fixed) {
@@ -181,7 +182,7 @@ Domain Domain::and_numbers(const Signature& signature, std::span<const float> nu
 class Domain::Drawing {
   public:
     Drawing(const Domain& domain, std::uint64_t seed, glm::ivec2 image_size)
-        : parameters_(domain.parameters_),
+        : parameters_(*domain.parameters_),
           ties_(domain.ties_),
           degenerate_(domain.degenerate_),
           random_(seed),
@@ -320,7 +321,7 @@ Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 im
     for (std::vector<Word> words : given_) {
         if (inputs.count() == count) break;
         std::size_t first = 0;
-        for (const Values& values : parameters_) {
+        for (const Values& values : *parameters_) {
             for (const std::size_t at : values.image_sizes) {
                 words[first + at] = static_cast<Word>(image_size.x);
                 words[first + at + 1] = static_cast<Word>(image_size.y);
@@ -342,7 +343,7 @@ void Domain::adjust(std::span<Word> row) const {
 
 bool Domain::holds(std::span<const Word> input, std::span<const Word> known) const {
     std::size_t first = 0;
-    for (const Values& values : parameters_) {
+    for (const Values& values : *parameters_) {
         const std::size_t words = values.words();
         const std::span<const Word> value = input.subspan(first, words);
         if (!std::ranges::equal(value, known.subspan(first, words)) && !values.admits(value)) return false;

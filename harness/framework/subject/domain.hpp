@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -193,7 +194,7 @@ class Domain {
     // its value in `known`, an input that was drawn; and no adjustment would change it.
     [[nodiscard]] bool holds(std::span<const Word> input, std::span<const Word> known) const;
 
-    [[nodiscard]] const std::vector<Values>& parameters() const { return parameters_; }
+    [[nodiscard]] const std::vector<Values>& parameters() const { return *parameters_; }
 
   private:
     struct Tie {
@@ -226,7 +227,7 @@ class Domain {
     class Drawing;
     void require_fits(const Signature& signature, const std::string& function = "the function") const;
 
-    std::vector<Values> parameters_;
+    std::shared_ptr<const std::vector<Values>> parameters_;  // by all domains that are made of this one
     std::vector<Tie> ties_;
     std::vector<std::function<void(std::span<Word>)>> adjustments_;
     std::vector<std::vector<Word>> given_;
