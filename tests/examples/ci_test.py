@@ -34,11 +34,12 @@ class Workflow(unittest.TestCase):
                               env=dict(os.environ, SHADERS="shaders/*.glsl"), check=False)
 
     def test_sound_shaders_pass_and_leave_pages(self):
-        (self.folder / "shaders/tone.glsl").write_text(GOOD, encoding="utf-8")
+        for file in "tone", "curve":
+            (self.folder / f"shaders/{file}.glsl").write_text(GOOD, encoding="utf-8")
         for name in ("check", "audit"):
             done = self.run_step(name)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertLessEqual({"check.xml", "check.html", "tone.glsl.html"},
+        self.assertLessEqual({"tone.glsl.xml", "curve.glsl.check.html", "tone.glsl.html"},
                              {file.name for file in (self.folder / "results").iterdir()})
 
     def test_a_faulty_shader_ends_the_job(self):

@@ -253,7 +253,7 @@ def machine_path(source):
 
 
 # What users include or import from the installed packages.
-PACKAGED = ("gloam/babylon", "gloam/playcanvas", "gloam/shader_test.hpp", "gloam/three")
+PACKAGED = ("gloam/babylon", "gloam/judge/matchers.hpp", "gloam/playcanvas", "gloam/shader_test.hpp", "gloam/three")
 
 
 def paper_path(source):

@@ -22,7 +22,7 @@ struct Rows {
     std::vector<std::vector<Value>> all;
 };
 
-// The visits of a record as tables of SQLite (docs/measurements.md), in memory.
+// The visits of a record as tables of SQLite (docs/experiments.md), in memory.
 class Database {
   public:
     // before: a record whose tables are in the schema `before`, or nullptr. without: columns of `result`, and

@@ -127,7 +127,7 @@ struct Experiment {
     std::vector<Table> tables;
 };
 
-// Reads a description in JSON (docs/measurements.md). name: of the experiment, and in messages. Throws
+// Reads a description in JSON (docs/experiments.md). name: of the experiment, and in messages. Throws
 // std::runtime_error with the name, the place and what was expected, also for members that it does not know
 // and for values out of range.
 [[nodiscard]] Experiment read_experiment(const std::string& name, std::string_view text);
