@@ -152,9 +152,9 @@ class Function {
                 own_.function.parameters.end())
                 throw std::invalid_argument(declaration() + ": a range for \"" + name +
                                             "\", which is no input");
-            if (!(range.first <= range.second))
-                throw std::invalid_argument("the range of " + name + ": expected (LOW, HIGH)");
             all[name] = {range.first, range.second};
+            if (!all[name].is_valid())
+                throw std::invalid_argument("the range of " + name + ": expected finite floats (LOW, HIGH)");
         }
         return all;
     }

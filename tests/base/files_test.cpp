@@ -141,6 +141,9 @@ TEST(HeatMap, IsAPictureOfErrors) {
     EXPECT_THROW((void)to_png(heat_rgb(four, 0.25), 2, 3), std::invalid_argument);
     EXPECT_THROW((void)heat_rgb(four, 0.0), std::invalid_argument);
     EXPECT_THROW((void)to_png(std::vector<std::uint8_t>(5), 1, 2), std::invalid_argument);
+    const std::uint8_t byte = 0;
+    const std::span wide(&byte, std::size_t{3} << 30U);  // none of it is read
+    EXPECT_THROW((void)to_png(wide, 1U << 15U, 1U << 15U), std::invalid_argument);
 }
 
 }  // namespace gloam::base::files_test

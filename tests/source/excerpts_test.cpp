@@ -74,6 +74,11 @@ TEST(Excerpts, AComputeShaderHasNoDerivativesToSelectALevelBy) {
 
 TEST(Excerpts, ATextWithoutFunctionsHasNone) {
     EXPECT_THAT(excerpts_of("#version 450\nconst float x = 1.0;\nvoid main() { }\n").functions, IsEmpty());
+    const std::string function = "float f(float x) { return x; }\n";
+    for (const std::string& text :
+         {function + "uniform struct S { float a; }", "] uniform float y;" + function})
+        EXPECT_NO_THROW((void)excerpts_of(text)) << text;
+    EXPECT_NO_THROW((void)module::mutations({"own.glsl", function + "if ("}, {}));
     EXPECT_THAT(message_of<CompileError>([] { (void)excerpts_of("\n#include \"none.glsl\"\n"); }),
                 HasSubstr("own.frag:2: cannot find include \"none.glsl\""));
 }

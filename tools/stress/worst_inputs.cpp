@@ -27,8 +27,11 @@ void worst_inputs(const Context& context, const catalogue::Entry& entry) {
                       {.inputs = context.scope.brief ? 2'048U : 262'144U, .seed = context.scope.seed});
     const judge::Answer& answer = found.answer;
     const char* limit = answer.rules_alone() ? "permitted" : "documented";
+    const bool judged = answer.outcome() != judge::Outcome::not_judged;
     context.add(fmt::format("{} {}", equation, input_text(answer)),
-                fmt::format("worst error found, of what is {}", limit), answer.fraction, 1.0);
+                fmt::format("worst error found, of what is {}", limit),
+                answer.fault.empty() ? answer.fraction : std::numeric_limits<double>::infinity(),
+                judged ? std::optional(1.0) : std::nullopt);
     context.add(equation, "worst error of the random inputs alone", found.drawn_fraction, std::nullopt);
 }
 

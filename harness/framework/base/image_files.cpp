@@ -82,7 +82,7 @@ std::pair<FloatImage, bool> read_header(std::ifstream& stream, const fs::path& f
     std::int64_t width = 0;
     std::int64_t height = 0;
     double scale = 0.0;
-    stream >> kind >> width >> height >> scale;
+    stream >> std::setw(2) >> kind >> width >> height >> scale;
     const int channels = kind == "Pf" ? 1 : (kind == "PF" ? 3 : 0);
     if (channels == 0) fail_with_file(file, "not a PFM: expected it to begin with Pf or PF");
     const auto is_side = [](std::int64_t side) { return side >= 1 && side <= 1 << 20; };
@@ -125,8 +125,9 @@ std::string to_pfm(std::span<const float> texels, std::uint32_t width, std::uint
 std::string to_png(std::span<const std::uint8_t> texels, std::uint32_t width, std::uint32_t height,
                    int channels) {
     require_texels(texels.size(), width, height, channels);
-    constexpr auto largest = static_cast<std::uint32_t>(std::numeric_limits<int>::max()) / 4U;
-    if (width > largest || height > largest) throw std::invalid_argument("image too large for a PNG");
+    constexpr std::uint64_t largest = std::numeric_limits<int>::max();  // bytes, which stb counts
+    const std::uint64_t row = std::uint64_t{width} * static_cast<std::uint64_t>(channels) + 1U;
+    if (row > largest || row * height > largest) throw std::invalid_argument("image too large for a PNG");
     std::string file;
     const int made =
         stbi_write_png_to_func(append_bytes, &file, static_cast<int>(width), static_cast<int>(height),

@@ -131,6 +131,7 @@ KernelCore::Result Session::run_each(const Domain::Inputs& inputs) const {
             const KernelCore::Result one = kernel_.run(inputs.row(i), 1, images_);
             all.outputs.insert(all.outputs.end(), one.outputs.begin(), one.outputs.end());
             all.modules = one.modules;
+            if (one.fault && !all.fault) (all.fault = one.fault)->input = i;
         } catch (const backend::UndefinedResult&) {
             all.outputs.insert(all.outputs.end(), kernel_.output_words(), undefined);
         }

@@ -54,6 +54,9 @@ class TypeReader {
         const spirv::Type& type = declared_.types.at(id);
         switch (type.kind) {
             case Kind::pointer:
+                if (type.storage ==
+                    SpvStorageClassPhysicalStorageBuffer)  // whose structure may hold it again
+                    return {.scalar = Scalar::unsupported, .members = {}, .name = name_of(type.element)};
                 return type_of(type.element);
             case Kind::vector:
             case Kind::matrix:

@@ -99,7 +99,8 @@ Interval sinusoid(const Interval& x, double shift) {
     if (b.nan || b.empty()) return Interval::anything();
     if (b.low < -pi || b.high > pi) {
         if (!Paths::closes_gaps() || std::isinf(b.low) || std::isinf(b.high)) return Interval::anything();
-        if (b.high - b.low >= pi) return Interval::within(-1.0, 1.0);
+        const bool huge = std::max(-b.low, b.high) > 0x1p50;  // extrema cannot be counted there
+        if (huge || b.high - b.low >= pi) return Interval::within(-1.0, 1.0);
     }
     const auto f = [&](double v) { return shift == 0.0 ? std::cos(v) : std::sin(v); };
     const bool is_near_zero = shift != 0.0 && b.is_point() && std::abs(b.low) < near_zero;

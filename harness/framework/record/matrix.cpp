@@ -80,7 +80,7 @@ std::string summary(const CheckReport& report) {
         text += fmt::format("; worst error {:.3g} of what is allowed: {} {}", worst->fraction_of_allowed(),
                             worst->equation, worst->variant);
     for (const judge::Answer& row : report.rows)
-        if (row.variant.empty()) text += "; " + row.error;
+        if (row.variant.empty()) text += "; " + base::one_line(row.error);
     return text;
 }
 

@@ -57,6 +57,12 @@ std::string name_of(Fate fate) {
     return fate_names.at(static_cast<std::size_t>(fate));
 }
 
+bool MutationReport::is_begun() const {
+    const auto any = [this](auto of) { return std::ranges::any_of(mutants, of, &MutantRow::fate); };
+    return any([](Fate fate) { return fate >= Fate::killed; }) ||
+           !any([](Fate fate) { return fate == Fate::untried; });
+}
+
 std::size_t MutationReport::missed() const {
     return static_cast<std::size_t>(std::ranges::count_if(mutants, [](const MutantRow& row) {
         return row.fate == Fate::survived && row.comparison.difference >= audit::Difference::real;

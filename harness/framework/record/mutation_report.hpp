@@ -38,6 +38,8 @@ struct MutationReport {
 
     // Survivors whose results differ where they are promised, or that could not be compared.
     [[nodiscard]] std::size_t missed() const;
+    // Whether the command met a fault, or none is left that it could have met.
+    [[nodiscard]] bool is_begun() const;
 };
 
 // A table of all files, then the survivors, the gravest first, for people.

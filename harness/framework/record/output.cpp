@@ -59,6 +59,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
     std::error_code none;
     if (fs::is_directory(path_, none)) fail_to_write(path_, EISDIR);
     const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+    if (is_written_in_place(path_)) return;
     if (access(folder.c_str(), W_OK) != 0) fail_to_write(path_, errno);
 }
 

@@ -31,7 +31,7 @@ std::string definition_of(const FunctionHead& function) {
 
 // The comments above a function and inside its list of parameters: "float x /* in [0, 1] */" counts whole.
 std::string comment_of(const Declaration& one, const std::string& file) {
-    const std::size_t begin = one.tokens[one.function->list - 1].begin;
+    const std::size_t begin = std::min(one.tokens[one.function->list - 1].begin, file.size());
     const std::size_t end = std::max(one.tokens[one.function->body - 1].begin, begin);
     const std::string list = file.substr(begin, end - begin);
     const bool comments = list.find("/*") != std::string::npos || list.find("//") != std::string::npos;
@@ -67,7 +67,7 @@ std::vector<Token> without_qualifiers(Tokens tokens) {
             i = behind(tokens, i + 1) - 1;
             continue;
         }
-        if (tokens[i] == "]" && tokens[i - 1] == "[") kept.push_back({runtime_array_length});
+        if (i > 0 && tokens[i] == "]" && tokens[i - 1] == "[") kept.push_back({runtime_array_length});
         if (!dropped.contains(tokens[i].text)) kept.push_back(tokens[i]);
     }
     return kept;
@@ -147,7 +147,7 @@ std::string block_text(Tokens tokens, std::size_t brace, std::vector<std::string
     const bool structure = contains(tokens.first(brace), "struct");
     const bool instance = end < tokens.size() && tokens[end] != ";";
     if (structure || instance) {
-        names = {tokens[end].text};
+        if (end < tokens.size()) names = {tokens[end].text};
         return (structure ? "" : "struct ") + joined(tokens, " ");
     }
     names.erase(names.begin());  // that of the block

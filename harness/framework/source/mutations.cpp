@@ -129,7 +129,8 @@ class Faults {
             for (const std::string& other : other_numbers(here().text)) found("constant", at_, at_, other);
         } else if (here() == "if" && called) {
             const std::size_t last = behind(tokens_, at_ + 1) - 2;
-            for (const char* value : {"true", "false"}) found("condition", at_ + 2, last, value);
+            for (const char* value : {"true", "false"})
+                if (at_ + 2 <= last) found("condition", at_ + 2, last, value);
         } else if (here() == "?") {
             for (const char* value : {"true", "false"}) found("condition", condition_begin(), at_ - 1, value);
         } else if (called) {

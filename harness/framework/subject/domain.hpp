@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -238,6 +239,12 @@ class Domain {
 struct Range {
     double low = 0.0;
     double high = 0.0;
+
+    // Whether the ends are finite floats, the lower one first.
+    [[nodiscard]] bool is_valid() const {
+        constexpr double most = std::numeric_limits<float>::max();
+        return -most <= low && low <= high && high <= most;
+    }
 };
 // Ranges by the names of parameters and of members: "sphere", "sphere.radius".
 using Ranges = std::map<std::string, Range>;

@@ -337,8 +337,10 @@ std::pair<std::string, Range> range_from(const std::string& text) {
     const auto low = number(equals, colon);
     const auto high = number(colon, text.size());
     if (!low || !high) throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", text));
-    if (!(*low <= *high)) throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
-    return {text.substr(0, equals), {*low, *high}};
+    const Range range{*low, *high};
+    if (!range.is_valid())
+        throw std::invalid_argument(fmt::format("--range {}: expected finite floats, LOW <= HIGH", text));
+    return {text.substr(0, equals), range};
 }
 
 }  // namespace gloam::subject

@@ -209,7 +209,7 @@ class Spacing {
 
   private:
     // Of binary numbers with so many bits behind the first.
-    static double spacing(float value, int bits) { return std::exp2(std::ilogb(value) - bits); }
+    static double spacing(float value, int bits) { return std::exp2(std::logb(double{value}) - bits); }
 
     bool halves_ = false;
     double whole_ = 0.0;

@@ -88,7 +88,7 @@ int print_outcome(const CheckOptions& options, const CheckOutcome& outcome) {
             if (!row.failed()) continue;
             const bool is_device = row.variant.empty();
             fmt::print("\n{} {}: {}\n", row.equation, is_device ? name_of(report.device) : row.variant,
-                       row.ran() ? row.story : row.error);
+                       base::for_terminal(row.ran() ? row.story : row.error));
             if (!is_device) fmt::print("run it again: {}\n", command_for(options, report.device, row));
         }
     if (options.rows)

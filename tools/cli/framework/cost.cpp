@@ -70,8 +70,10 @@ std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::files
     return {{{.name = file.filename().string()}, cost_of(module, command.options)}};
 }
 
-std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
-    auto [own, functions] = functions_of(file, command.functions, command.own);
+std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file,
+                                       bool& complete) {
+    FileFunctions read = functions_of(file, command.functions, command.own);
+    auto& [own, functions] = read;
     std::vector<subject::Skipped>& left_out = functions.left_out;
     std::erase_if(functions.found, [&](const subject::OwnFunction& one) {
         const bool of_quad = one.team.kind == backend::Team::Kind::quad;
@@ -81,6 +83,7 @@ std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::fi
     if (functions.found.empty()) throw nothing_was("counted", file.string(), left_out);
     for (const subject::Skipped& one : left_out)
         fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
+    complete = read.is_complete(!command.functions.empty());
     const subject::Lab lab = lab_of(own);
     std::vector<module::Spirv> kernels;
     for (const subject::OwnFunction& one : functions.found)
@@ -189,15 +192,17 @@ int run_cost(CostCommand& command, EquationsNamed* equations, FrameOf* frame_of)
     if (command.file.empty()) frame = frame_of(command.preset, command.set, command.tiles);
     const std::filesystem::path file = command.file;
     const bool whole = file.extension() == ".comp" && command.functions.empty();
+    bool complete = true;
     const std::vector<CostRow> rows = file.empty() ? cost_of_frame(command, frame)
                                       : whole      ? cost_of_shader(command, file)
-                                                   : cost_of_functions(command, file);
+                                                   : cost_of_functions(command, file, complete);
     if (command.json)
         fmt::print("{}\n", json_of_costs(command, rows, frame.memory)
                                .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
         fmt::print("{}", text_of_costs(command, rows, frame.memory));
-    return costs_more(command, rows) ? 1 : 0;
+    if (costs_more(command, rows)) return 1;
+    return complete ? 0 : 2;
 }
 
 }  // namespace

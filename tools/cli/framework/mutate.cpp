@@ -333,7 +333,8 @@ int run_mutate(const MutateCommand& command) {
     trials.run();
     fmt::print("{}", to_text(trials.report));
     if (!command.json.empty()) json.write(to_mutation_json(trials.report));
-    return trials.report.missed() > 0 ? 1 : 0;
+    if (trials.report.missed() > 0) return 1;
+    return trials.report.is_begun() ? 0 : 2;
 }
 
 }  // namespace

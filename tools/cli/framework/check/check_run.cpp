@@ -182,7 +182,13 @@ class CheckRun {
     // Of equation and variant, on the device of the last report.
     using Key = std::array<std::string, 3>;
     [[nodiscard]] Key key_of(const judge::AnswerIdentity& row) const {
-        return {name_of(reports.back().device), row.equation, row.variant};
+        return {last_device(), row.equation, row.variant};
+    }
+    // The name of the last report's device, and which of that name it is.
+    [[nodiscard]] std::string last_device() const {
+        const auto name = [](const record::CheckReport& report) { return record::name_of(report.device); };
+        const auto alike = std::ranges::count(reports, name(reports.back()), name);
+        return name(reports.back()) + (alike > 1 ? fmt::format(" {}", alike) : "");
     }
 
     // Names the last report's device.
@@ -232,7 +238,7 @@ class CheckRun {
     // Keeps and prints a row of the last report.
     void take(const Answer& row) {
         const bool is_known = known_.contains(key_of(row));
-        if (!is_known) journal_.add(record::line_of(JournalRow{record::name_of(reports.back().device), row}));
+        if (!is_known) journal_.add(record::line_of(JournalRow{last_device(), row}));
         progress_(-1.0);
         if (options_.rows && row.reason != judge::Reason::unchanged) {  // which step_summary() counts
             std::string verdict = record::verdict_of(row);
