@@ -53,9 +53,8 @@ class TypeReader {
         using Kind = spirv::Type::Kind;
         const spirv::Type& type = declared_.types.at(id);
         switch (type.kind) {
-            case Kind::pointer:
-                if (type.storage ==
-                    SpvStorageClassPhysicalStorageBuffer)  // whose structure may hold it again
+            case Kind::pointer:  // to a buffer whose structure may hold it again
+                if (type.storage == SpvStorageClassPhysicalStorageBuffer)
                     return {.scalar = Scalar::unsupported, .members = {}, .name = name_of(type.element)};
                 return type_of(type.element);
             case Kind::vector:

@@ -24,7 +24,8 @@ named AS (SELECT *, iif(size_number > 1, 'size ' || size_number || '/', '') || [
 old AS (SELECT * FROM named WHERE run = 'old'), new AS (SELECT * FROM named WHERE run = 'new'),
 change AS (SELECT name, new.ms / old.ms AS time, new.low_ms / old.high_ms AS low, new.high_ms / old.low_ms AS high,
   iif(new.rmse = old.rmse, 1.0, new.rmse / old.rmse) AS error, new.low_ms > old.high_ms AS slower,
-  new.high_ms < old.low_ms AS faster, ifnull(new.rmse - old.rmse >= 1e-4, old.rmse IS NOT NULL) AS worse, new.rmse - old.rmse <= -1e-4 AS better
+  new.high_ms < old.low_ms AS faster, ifnull(new.rmse - old.rmse >= 1e-4, old.rmse IS NOT NULL) AS worse,
+  new.rmse - old.rmse <= -1e-4 AS better
   FROM new JOIN old USING (name) ORDER BY new.size_number, new.case_number, new.candidate_number)
 )";
 
