@@ -222,7 +222,7 @@ class CheckRun {
             const record::FailureBundle bundle = worker.bundle(task, row);
             lock.lock();
             const record::DeviceSummary& on = reports.back().device;
-            write_failure(*failures_, on, row, bundle, command_for(options_, on, row));
+            write_failure(*failures_, last_device(), on, row, bundle, command_for(options_, on, row));
         } catch (const NoWorker& none) {
             lock.lock();
             if (!shared.given_up) shared.given_up = none;

@@ -83,9 +83,9 @@ FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question
     return bundle;
 }
 
-void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
+void write_failure(record::OutputFolder& folder, const std::string& name, const record::DeviceSummary& device,
                    const judge::Answer& row, const FailureBundle& bundle, const std::string& command) {
-    record::OutputFolder out(folder.path() / record::slug(record::name_of(device)) /
+    record::OutputFolder out(folder.path() / record::slug(name) /
                              (record::slug(row.equation) + "-" + record::slug(row.variant)));
     out.write("report.txt", record::failure_text(device, row, bundle, command, versions(),
                                                  program_command(device.name, device.manifest)));

@@ -17,9 +17,10 @@ namespace gloam::cli {
 [[nodiscard]] record::FailureBundle bundle_of(const subject::Lab& lab, const judge::Question& question,
                                               const CheckTask& task, const judge::Answer& failed);
 
-// Writes a failure to DEVICE/EQUATION-VARIANT/{report.txt, shader.comp, shader.spvasm, shader.spv,
-// repro.amber} in the folder. report.txt states which parts are missing and why. command: that repeats it.
-void write_failure(record::OutputFolder& folder, const record::DeviceSummary& device,
+// Writes a failure to NAME/EQUATION-VARIANT/{report.txt, shader.comp, shader.spvasm, shader.spv,
+// repro.amber} in the folder. report.txt states which parts are missing and why. name: of no other device.
+// command: that repeats it.
+void write_failure(record::OutputFolder& folder, const std::string& name, const record::DeviceSummary& device,
                    const judge::Answer& row, const record::FailureBundle& bundle, const std::string& command);
 
 // Runs checks in this process.
