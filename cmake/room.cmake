@@ -106,7 +106,7 @@ function(gloam_test NAME)
   # Newer layers of Vulkan check what shaders access by the last word alone.
   string(CONCAT environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;"
     "LSAN_OPTIONS=print_suppressions=0:suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp;"
-    "VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=true")
+    "ASAN_OPTIONS=verify_asan_link_order=0:handle_segv=0;VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=true")
   string(REGEX REPLACE "_tests$" "" prefix ${NAME})
   set(listing "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_suites.cmake")
   set_property(TARGET ${NAME} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)

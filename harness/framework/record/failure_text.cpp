@@ -36,7 +36,7 @@ std::string permitted_text(const std::vector<judge::Sample::Outcome>& outcomes, 
 // Several outcomes of several outputs, which are permitted together only.
 std::string outcomes_text(const std::vector<judge::Sample::Outcome>& outcomes) {
     std::string text;
-    for (std::size_t k = 0; outcomes.size() > 1 && outcomes[k].size() > 1 && k < outcomes.size(); ++k) {
+    for (std::size_t k = 0; k < outcomes.size() && outcomes.size() > 1 && outcomes[k].size() > 1; ++k) {
         std::vector<std::string> ranges;
         for (const numeric::Bounds& allowed : outcomes[k]) ranges.push_back(allowed_text(allowed));
         text += fmt::format("  {} {}\n",
