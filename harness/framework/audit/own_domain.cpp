@@ -66,13 +66,9 @@ std::pair<std::string, Values> described(const Type& type, const std::optional<M
     const Scalar scalar = type.scalar;
     if (scalar == Scalar::bool_) return {"false, true", in_each(type, booleans())};
     if (!module::is_float(scalar)) {
-        long low = 0;
-        long high = usual_index;
-        if (meaning) {
-            const bool is_range = meaning->kind == Kind::range;
-            low = is_range ? std::lround(std::clamp(meaning->low, -0x1p31, 0x1p32 - 1.0)) : 1;
-            high = std::lround(is_range ? std::clamp(meaning->high, -0x1p31, 0x1p32 - 1.0) : usual_high);
-        }
+        const bool is_range = meaning && meaning->kind == Kind::range;
+        const long low = nearest_integer(is_range ? meaning->low : meaning ? 1.0 : 0.0);
+        const long high = nearest_integer(is_range ? meaning->high : meaning ? usual_high : usual_index);
         return {fmt::format("{} to {}", low, high), in_each(type, integers(low, high))};
     }
     const double high = std::min(usual_high, format_of(scalar).largest());

@@ -2,9 +2,7 @@
 #include "subject/domain.hpp"
 
 #include <fmt/ranges.h>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>

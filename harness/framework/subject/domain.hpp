@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -246,6 +248,10 @@ struct Range {
         return -most <= low && low <= high && high <= most;
     }
 };
+// The nearest number that an int or uint can have.
+[[nodiscard]] inline long nearest_integer(double x) {
+    return std::lround(std::clamp(x, -0x1p31, 0x1p32 - 1.0));
+}
 // Ranges by the names of parameters and of members: "sphere", "sphere.radius".
 using Ranges = std::map<std::string, Range>;
 // That of a member, else of what it is a member of; nullopt: there is none.

@@ -43,8 +43,8 @@ Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
         return either(uniform(0, 1, scalar), signed_log_uniform(low, high, scalar).and_special(scalar));
     }
     if (scalar == Scalar::bool_) return booleans();
-    const auto whole = [](double x) { return static_cast<long>(std::clamp(x, -0x1p31, 0x1p32 - 1.0)); };
-    if (range) return integers(whole(range->low), whole(range->high));
+    if (range)
+        return integers(nearest_integer(std::trunc(range->low)), nearest_integer(std::trunc(range->high)));
     return either(integers(0, usual_index),
                   scalar == Scalar::int_
                       ? either(log_integers(usual_integer), integers(-usual_integer, usual_integer))
